@@ -1,0 +1,118 @@
+"""ev3proto: the wire protocol of the LEGO MINDSTORMS EV3, both ways.
+
+    message = ev3proto.parse(frame)
+    message.build() == frame
+
+Everything that people need stands here by name. Beside it stand the constants and encoding functions that programs for
+the EV3 are written with: `ev3proto.opSound`, `ev3proto.TONE`, `ev3proto.LED_RED`, `ev3proto.LCX(440)`.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from ev3proto.errors import BuildError, DecodeError, Fault
+from ev3proto.messages import (
+    GV,
+    LV,
+    Argument,
+    DaisyCommand,
+    DaisyReply,
+    DirectCommand,
+    DirectReply,
+    Message,
+    Operation,
+    SensorReport,
+    SystemCommand,
+    SystemReply,
+    Variable,
+)
+from ev3proto.schema.frame import direct_command, direct_reply, parse, system_command, system_reply
+from ev3proto.schema.instructions import operation
+from ev3proto.tables.frame import MessageType
+from ev3proto.tables.system import SystemStatus
+from ev3proto.version import VERSION
+
+if TYPE_CHECKING:
+    from ev3proto.dialogue import Dialogue, Exchange, Transfer, Value
+    from ev3proto.names import ADR, GVX, HND, LAB1, LC0, LC1, LC2, LC4, LCF, LCS, LCX, LVX
+    from ev3proto.schema.discovery import Beacon, Unlock
+    from ev3proto.stream import Decoder, StreamError
+
+__version__ = VERSION
+
+_LATER = {
+    "ev3proto.dialogue": ("Dialogue", "Exchange", "Transfer", "Value"),
+    "ev3proto.names": ("ADR", "GVX", "HND", "LAB1", "LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCX", "LVX"),
+    "ev3proto.schema.discovery": ("Beacon", "Unlock"),
+    "ev3proto.stream": ("Decoder", "StreamError"),
+}
+"""What is imported when it is first asked for: a program that only parses frames starts sooner without it."""
+
+_HOME = {name: module for module, names in _LATER.items() for name in names}
+
+__all__ = [
+    "ADR",
+    "GV",
+    "GVX",
+    "HND",
+    "LAB1",
+    "LC0",
+    "LC1",
+    "LC2",
+    "LC4",
+    "LCF",
+    "LCS",
+    "LCX",
+    "LV",
+    "LVX",
+    "Argument",
+    "Beacon",
+    "BuildError",
+    "DaisyCommand",
+    "DaisyReply",
+    "DecodeError",
+    "Decoder",
+    "Dialogue",
+    "DirectCommand",
+    "DirectReply",
+    "Exchange",
+    "Fault",
+    "Message",
+    "MessageType",
+    "Operation",
+    "SensorReport",
+    "StreamError",
+    "SystemCommand",
+    "SystemReply",
+    "SystemStatus",
+    "Transfer",
+    "Unlock",
+    "Value",
+    "Variable",
+    "direct_command",
+    "direct_reply",
+    "operation",
+    "parse",
+    "system_command",
+    "system_reply",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """What is imported late, and the constants of the instruction set: `opSound`, `TONE`, `LED_RED`, `PORT_A`, ..."""
+    if name in _HOME:
+        value = globals()[name] = getattr(import_module(_HOME[name]), name)
+        return value
+    if name.startswith("__"):
+        raise AttributeError(f"module 'ev3proto' has no attribute {name!r}")
+    names = import_module("ev3proto.names")
+    try:
+        return names.constant(name)
+    except KeyError as error:
+        raise AttributeError(f"ev3proto has no {name}: {error.args[0]}") from None
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__, *import_module("ev3proto.names").constant_names()})

@@ -1,0 +1,156 @@
+"""`ev3proto decode`: frames in any form people have them, told in words, as a table, as assembly or as JSON."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import click
+
+from ev3proto.cli.output import Printer, complain
+from ev3proto.dialogue import Dialogue, Exchange
+from ev3proto.tables.declaration import DIALECTS
+from ev3proto.text.assembly import assembly
+from ev3proto.text.heading import Seen, heading
+from ev3proto.text.notation import Pasted, read_argument, read_text
+from ev3proto.text.records import record
+from ev3proto.text.spans import plain_text
+from ev3proto.text.split import Piece, split
+from ev3proto.text.table import table
+from ev3proto.text.tree import tree
+
+FORMATS = ("tree", "table", "asm", "json")
+
+
+class Source:
+    """One thing that was named on the command line: a file, standard input, or a frame itself."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def pasted(self) -> Iterator[Pasted]:
+        """What stands in it. Raises OSError when it cannot be read."""
+        if self.name == "-":
+            yield from read_text(io.TextIOWrapper(sys.stdin.buffer, "utf-8", "replace"))
+        elif Path(self.name).is_file():
+            with Path(self.name).open(encoding="utf-8", errors="replace") as lines:
+                yield from read_text(lines)
+        else:
+            yield read_argument(self.name)
+
+    @property
+    def is_frame(self) -> bool:
+        """True where the words on the command line are the frame."""
+        return self.name != "-" and not _exists(self.name)
+
+
+def _exists(name: str) -> bool:
+    try:
+        return Path(name).exists()
+    except (OSError, ValueError):
+        return False
+
+
+class Show:
+    """Shows one message after the other in the format asked for, and remembers whether any was at fault."""
+
+    def __init__(self, style: str, dialect: str) -> None:
+        self._style = style
+        self._dialect = dialect
+        self._dialogue = Dialogue()
+        self._printer = Printer()
+        self._count = 0
+        self.at_fault = False
+
+    @property
+    def count(self) -> int:
+        """Messages shown so far."""
+        return self._count
+
+    def pasted(self, pasted: Pasted, where: str) -> None:
+        """Everything in one piece of pasted text."""
+        if pasted.problem is not None:
+            complain(f"{where}: {pasted.problem}")
+            self.at_fault = True
+        if pasted.data:
+            for piece in split(pasted.data, dialect=self._dialect):
+                self._piece(piece, pasted, where)
+
+    def _piece(self, piece: Piece, pasted: Pasted, where: str) -> None:
+        exchange = self._dialogue.follow(piece.message)
+        fault = piece.message.fault
+        cut = pasted.cut and fault is not None and fault.truncated
+        self._show(exchange, piece.padding, Seen(pasted.direction, pasted.time, cut))
+        self._count += 1
+        if fault is not None and not cut:
+            self.at_fault = True
+            complain(f"{where}: fault at {fault}")
+
+    def _show(self, exchange: Exchange, padding: int, seen: Seen) -> None:
+        if self._style == "json":
+            self._printer.text(json.dumps(record(exchange, seen), ensure_ascii=False))
+            return
+        if self._style == "asm":
+            for line in assembly(exchange, plain_text(heading(exchange, seen))):
+                self._printer.text(line)
+            return
+        if self._count and self._style == "table":
+            self._printer.text("")
+        draw = table if self._style == "table" else tree
+        self._printer.lines(draw(exchange, seen))
+        if padding:
+            self._printer.text(f"        {padding} bytes of padding follow the frame")
+
+
+@contextmanager
+def _readable(name: str) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        complain(f"{name}: cannot be read: {error.strerror or error}")
+        sys.exit(1)
+
+
+@click.command()
+@click.argument("sources", nargs=-1, metavar="[FRAME|FILE|-]...")
+@click.option(
+    "--format", "style", type=click.Choice(FORMATS), default="tree", show_default=True, help="How to show messages."
+)
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line: the same as --format json.")
+@click.option(
+    "--dialect", type=click.Choice(DIALECTS), default="official", show_default=True, help="Whose instruction set it is."
+)
+def decode(sources: tuple[str, ...], style: str, as_json: bool, dialect: str) -> None:
+    r"""Tells what frames say.
+
+    Give frames themselves, files that have them in their lines, or - (or nothing) for standard input. Any form will do:
+    log lines with their times, hex with or without spaces and colons, C arrays, Python byte strings.
+
+    \b
+      ev3proto decode "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|"
+      ev3proto decode 0e002a0080000094010182b80182e803
+      ev3proto decode --format table robot.log
+      python3 my_program.py | ev3proto decode --json
+    """
+    show = Show("json" if as_json else style, dialect)
+    several = len(sources) > 1
+    for number, name in enumerate(sources or ("-",), 1):
+        source = Source(name)
+        with _readable(name):
+            for pasted in source.pasted():
+                show.pasted(pasted, _where(source, pasted, number, several))
+    if not show.count:
+        if not show.at_fault:
+            complain("there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01")
+        show.at_fault = True
+    sys.exit(1 if show.at_fault else 0)
+
+
+def _where(source: Source, pasted: Pasted, number: int, several: bool) -> str:
+    if source.is_frame:
+        return f"argument {number}" if several else "the frame"
+    return f"{'standard input' if source.name == '-' else source.name}, line {pasted.line}"

@@ -1,0 +1,265 @@
+"""`ev3proto ops`: the instruction set and the system commands, listed, searched, or one of them in full."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import click
+
+from ev3proto.cli.output import Printer, complain
+from ev3proto.errors import near_misses
+from ev3proto.schema.instructions import instruction_set
+from ev3proto.tables import AREAS, area_of, operations
+from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Type
+from ev3proto.tables.system import SYSTEM, Field, SystemCommand
+from ev3proto.text.spans import Line, Role
+
+
+@click.command()
+@click.argument("words", nargs=-1)
+@click.option("--area", type=click.Choice([*AREAS, "system"]), help="Only those of one area of the firmware.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
+@click.option(
+    "--dialect", type=click.Choice(DIALECTS), default="official", show_default=True, help="Whose instruction set."
+)
+def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -> None:
+    """Lists the operations, searches them, or shows one in full.
+
+    WORDS is a name or number (sound.tone, "SOUND TONE", 0x94), then it is shown in full; or anything else, then every
+    operation is listed that has all the words in its name, its meaning or its parameters.
+    """
+    printer = Printer()
+    entries = [entry for entry in _entries(dialect) if area is None or entry.area == area]
+    exact = _exact(entries, words) if words else []
+    found = exact or [entry for entry in entries if entry.matches(words)]
+    if not found:
+        hint = near_misses(".".join(words), [entry.name for entry in entries])
+        hint = hint or "; without words, ops lists all there are"
+        complain(f"nothing has {' '.join(words)!r} in its name or meaning{hint}")
+        sys.exit(1)
+    for number, entry in enumerate(found):
+        if as_json:
+            printer.text(json.dumps(entry.record(), ensure_ascii=False))
+        elif len(found) == 1 or (exact and all(entry.name == found[0].name for entry in exact)):
+            if number:
+                printer.text("")
+            printer.lines(entry.page())
+        else:
+            printer.lines([entry.line()])
+
+
+class Entry:
+    """An operation of the virtual machine, as `ops` shows it."""
+
+    def __init__(self, declaration: Declaration, dialect: str) -> None:
+        self.declaration = declaration
+        self.dialect = dialect
+        self.name = declaration.name
+        self.number = declaration.opcode.number
+        self.area = area_of(declaration.opcode)
+
+    @property
+    def aliases(self) -> tuple[str, ...]:
+        """The names under which it is found exactly."""
+        return (self.name, f"OP{self.name}")
+
+    def matches(self, words: tuple[str, ...]) -> bool:
+        """Whether all words stand in its name, meaning or parameters."""
+        parameters = (f"{parameter.name} {parameter.text}" for parameter in self.declaration.parameters)
+        text = " ".join((self.name, self.declaration.text, self.declaration.opcode.text, *parameters)).lower()
+        return all(word.lower() in text for word in words)
+
+    def line(self) -> Line:
+        """One line in a list."""
+        return [
+            (f"0x{self.number:02X} ", Role.ASIDE),
+            (self.name.ljust(32), Role.OPERATION),
+            (f" {self.declaration.text}", Role.PLAIN),
+        ]
+
+    def page(self) -> Iterator[Line]:
+        """All there is to know."""
+        entry = self.declaration
+        yield [(self.name, Role.OPERATION), (f"  {entry.text}", Role.PLAIN)]
+        head = instruction_set(self.dialect)[self.name].head
+        numbers = f"opcode 0x{self.number:02X}" + (f", CMD {entry.command.number}" if entry.command else "")
+        yield [(f"  {numbers}; starts with {head.hex(' ').upper()}; area {self.area}", Role.ASIDE)]
+        if entry.dialects != DIALECTS:
+            yield [(f"  only in the firmware: {', '.join(entry.dialects)}", Role.ASIDE)]
+        if entry.command:
+            yield [(f"  of the family {entry.opcode.name}: {entry.opcode.text}", Role.ASIDE)]
+        if entry.note:
+            yield [(f"  note: {entry.note}", Role.MEANING)]
+        if not entry.parameters:
+            yield [("  no parameters", Role.PLAIN)]
+        for parameter in entry.parameters:
+            yield from _parameter(parameter)
+
+    def record(self) -> dict[str, Any]:
+        """The same for other tools."""
+        entry = self.declaration
+        return {
+            "op": entry.opcode.name,
+            "command": entry.command.name if entry.command else None,
+            "opcode": self.number,
+            "cmd": entry.command.number if entry.command else None,
+            "area": self.area,
+            "text": entry.text,
+            "dialects": list(entry.dialects),
+            "parameters": [_parameter_record(parameter) for parameter in entry.parameters],
+        }
+
+
+class SystemEntry:
+    """A system command, as `ops` shows it."""
+
+    area = "system"
+
+    def __init__(self, entry: SystemCommand) -> None:
+        self.entry = entry
+        self.name = entry.name
+        self.number = entry.number
+        self.aliases: tuple[str, ...] = (entry.name,)
+
+    def matches(self, words: tuple[str, ...]) -> bool:
+        """Whether all words stand in its name, meaning or fields."""
+        fields = (f"{field.name} {field.text}" for field in self.entry.request + self.entry.reply)
+        text = " ".join((self.name, self.entry.text, "system", *fields)).lower()
+        return all(word.lower() in text for word in words)
+
+    def line(self) -> Line:
+        """One line in a list."""
+        return [
+            (f"0x{self.number:02X} ", Role.ASIDE),
+            (f"{self.name} (system)".ljust(32), Role.OPERATION),
+            (f" {self.entry.text}", Role.PLAIN),
+        ]
+
+    def page(self) -> Iterator[Line]:
+        """All there is to know."""
+        entry = self.entry
+        yield [(self.name, Role.OPERATION), (f"  {entry.text}", Role.PLAIN)]
+        kind = "command of the bootloader (USB only)" if entry.bootloader else "system command"
+        yield [(f"  {kind} 0x{self.number:02X}", Role.ASIDE)]
+        yield from _fields("request", entry.request)
+        if entry.answered:
+            yield from _fields("reply", entry.reply)
+        else:
+            yield [("  never replied to", Role.PLAIN)]
+
+    def record(self) -> dict[str, Any]:
+        """The same for other tools."""
+        return {
+            "system": self.name,
+            "number": self.number,
+            "text": self.entry.text,
+            "bootloader": self.entry.bootloader,
+            "answered": self.entry.answered,
+            "request": [_field_record(field) for field in self.entry.request],
+            "reply": [_field_record(field) for field in self.entry.reply],
+        }
+
+
+def _entries(dialect: str) -> list[Entry | SystemEntry]:
+    return [
+        *(Entry(declaration, dialect) for declaration in operations(dialect).values()),
+        *(SystemEntry(entry) for entry in SYSTEM),
+    ]
+
+
+def _exact(entries: list[Entry | SystemEntry], words: tuple[str, ...]) -> list[Entry | SystemEntry]:
+    """The entries that are meant by name or number; a family's name means all of its commands."""
+    name = ".".join(words).upper().replace(" ", ".")
+    found = [entry for entry in entries if name in entry.aliases]
+    if not found and name.startswith("0X"):
+        try:
+            found = [entry for entry in entries if entry.number == int(name, 16)]
+        except ValueError:
+            return []
+    return found
+
+
+def _parameter(parameter: Parameter) -> Iterator[Line]:
+    line: Line = [
+        ("  ", Role.PLAIN),
+        (parameter.name.ljust(12), Role.NAME),
+        (f" {parameter.direction!s:5} {parameter.type.label:12}", Role.VALUE),
+        (f" {parameter.text}", Role.PLAIN),
+    ]
+    facts = list(_facts(parameter))
+    if facts:
+        line.append((f" ({'; '.join(facts)})", Role.MEANING))
+    yield line
+    if parameter.enum is not None:
+        members = ", ".join(f"{number} {name}" for name, number in parameter.enum.members.items())
+        yield [(f"      {parameter.enum.name}: {members}", Role.ASIDE)]
+    if parameter.note:
+        yield [(f"      note: {parameter.note}", Role.MEANING)]
+
+
+def _facts(parameter: Parameter) -> Iterator[str]:
+    if parameter.range is not None:
+        yield f"{parameter.range[0]} to {parameter.range[1]}{' ' + parameter.unit if parameter.unit else ''}"
+    elif parameter.unit:
+        yield parameter.unit
+    for number, meaning in parameter.special.items():
+        yield f"{number}: {meaning}"
+    if parameter.length is not None:
+        what = "bytes" if parameter.type is Type.STRING else "values"
+        yield (
+            f"as many {what} as {parameter.length} says"
+            if isinstance(parameter.length, str)
+            else (f"{parameter.length} {what}")
+        )
+    if parameter.element is not None:
+        kind = (
+            f"the type that {parameter.element} says" if isinstance(parameter.element, str) else parameter.element.label
+        )
+        yield f"each is {kind}, {parameter.elements}"
+
+
+def _parameter_record(parameter: Parameter) -> dict[str, Any]:
+    entry: dict[str, Any] = {
+        "name": parameter.name,
+        "type": parameter.type.label,
+        "direction": str(parameter.direction),
+        "text": parameter.text,
+    }
+    if parameter.unit:
+        entry["unit"] = parameter.unit
+    if parameter.range:
+        entry["range"] = list(parameter.range)
+    if parameter.enum:
+        entry["enum"] = {"name": parameter.enum.name, "members": dict(parameter.enum.members)}
+    if parameter.special:
+        entry["special"] = {str(number): meaning for number, meaning in parameter.special.items()}
+    if parameter.length is not None:
+        entry["length"] = parameter.length
+    if parameter.element is not None:
+        entry["element"] = str(parameter.element)
+        entry["elements"] = str(parameter.elements)
+    if parameter.note:
+        entry["note"] = parameter.note
+    return entry
+
+
+def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[Line]:
+    yield [(f"  {title}:" + ("" if fields else " no fields"), Role.PLAIN)]
+    for field in fields:
+        optional = " (may be absent)" if field.optional else ""
+        yield [
+            ("    ", Role.PLAIN),
+            (field.name.ljust(16), Role.NAME),
+            (f" {field.kind.value:12}", Role.VALUE),
+            (f" {field.text}{optional}", Role.PLAIN),
+        ]
+
+
+def _field_record(field: Field) -> dict[str, Any]:
+    entry: dict[str, Any] = {"name": field.name, "kind": field.kind.value, "text": field.text}
+    if field.optional:
+        entry["optional"] = True
+    return entry

@@ -1,0 +1,62 @@
+"""What goes wrong, said in a sentence: while decoding (with the offset), while building (with the parameter)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from construct.core import ConstructError
+
+
+class Fault(NamedTuple):
+    """What is wrong with a frame that was read with `strict=False`.
+
+    offset     of the byte at fault, counted from the frame's first
+    reason     one sentence
+    truncated  True when the frame ended before its contents did
+    """
+
+    offset: int
+    reason: str
+    truncated: bool = False
+
+    def __str__(self) -> str:
+        return f"offset {self.offset}: {self.reason}"
+
+
+class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
+    """Bytes that are no frame; `offset` says where, counted from the frame's first byte or the stream's."""
+
+    def __init__(self, offset: int, reason: str, truncated: bool = False) -> None:
+        self.fault = Fault(offset, reason, truncated)
+        super().__init__(str(self.fault))
+
+    @property
+    def offset(self) -> int:
+        """Where the byte at fault is."""
+        return self.fault.offset
+
+    @property
+    def reason(self) -> str:
+        """What is wrong, as a sentence."""
+        return self.fault.reason
+
+    @property
+    def truncated(self) -> bool:
+        """True when the bytes ended before their contents did."""
+        return self.fault.truncated
+
+    def __reduce__(self) -> tuple[type[DecodeError], tuple[int, str, bool]]:
+        return (type(self), (self.offset, self.reason, self.truncated))
+
+
+class BuildError(ConstructError, ValueError):  # type: ignore[misc]
+    """Values that no frame can carry; the sentence names the parameter, the value and what would be right."""
+
+
+def near_misses(name: str, known: Iterable[str]) -> str:
+    """`: did you mean TONE?` for a name that is nearly one of those known (in capitals), else an empty text."""
+    import difflib  # it takes a millisecond, which only a misspelt name should cost
+
+    near = difflib.get_close_matches(name.upper(), known, 3, 0.5)
+    return f": did you mean {' or '.join(near)}?" if near else ""

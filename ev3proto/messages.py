@@ -1,0 +1,430 @@
+"""The objects people hold: messages, their operations, the arguments of those. Immutable, typed, printable.
+
+An operation is kept as the bytes it has on the wire together with its declaration; arguments are read from those bytes
+when somebody looks at them. That is why building what was parsed gives the same bytes, whatever encodings it has.
+"""
+
+from __future__ import annotations
+
+from collections import namedtuple
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
+
+from ev3proto.errors import Fault
+from ev3proto.tables.declaration import Declaration, Parameter
+from ev3proto.tables.encoding import GLOBAL, LOCAL, Encoding
+from ev3proto.tables.frame import MessageType
+from ev3proto.tables.system import SystemStatus
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A place in local or global memory, for use as an argument: `LV(4)`, `GV(0)`.
+
+    scope    "local" or "global"
+    index    bytes from the start of that memory, 0 or more
+    handle   the variable holds a handle to a memory object
+    address  the variable holds an absolute address
+    """
+
+    scope: str
+    index: int
+    handle: bool = False
+    address: bool = False
+
+    def __str__(self) -> str:
+        return f"{'G' if self.scope == GLOBAL else 'L'}V({self.index})"
+
+
+def LV(index: int, *, handle: bool = False, address: bool = False) -> Variable:  # noqa: N802 - the field's name
+    """The local variable at an index (bytes, 0 or more)."""
+    return Variable(LOCAL, index, handle, address)
+
+
+def GV(index: int, *, handle: bool = False, address: bool = False) -> Variable:  # noqa: N802 - the field's name
+    """The global variable at an index (bytes, 0 or more): what the reply carries from offset 5 + index on."""
+    return Variable(GLOBAL, index, handle, address)
+
+
+def _getters(count: int) -> tuple[Any, ...]:
+    """Read-only attributes for the fields of a tuple. Those of a named tuple are the fastest that there are."""
+    names = [f"field{index}" for index in range(count)]
+    fields = namedtuple("fields", names)  # type: ignore[misc]
+    return tuple(getattr(fields, name) for name in names)
+
+
+ArgumentValue = int | float | str
+"""A number, a text, or the index of a variable."""
+
+
+class Argument(tuple[Parameter, Encoding, ArgumentValue, int, bytes]):
+    """What a frame carries for one parameter.
+
+    parameter  what the tables declare
+    form       how it is encoded: name, kind, width, handle, address
+    value      number, text, or the index of a variable
+    offset     of its identification byte, in the frame
+    """
+
+    # A busy stream makes a great many of these and of operations. Subclasses of a bare tuple, made from one tuple, take
+    # half the time of any other immutable object: `pytest benchmarks` shows it in "parse".
+    __slots__ = ()
+
+    if TYPE_CHECKING:
+        parameter: Parameter
+        form: Encoding
+        value: ArgumentValue
+        offset: int
+        _data: bytes
+    else:
+        parameter, form, value, offset, _data = _getters(5)
+
+    @property
+    def name(self) -> str:
+        """The parameter's name as the firmware spells it; `VALUES[0]` for the elements of a list."""
+        return self.parameter.name
+
+    @property
+    def encoding(self) -> str:
+        """`LC0`, `LC2`, `LCS`, `GV1`, ..."""
+        return self.form.name
+
+    @property
+    def kind(self) -> str:
+        """`constant`, `string`, `local`, `global` or `label`."""
+        return self.form.kind
+
+    @property
+    def is_variable(self) -> bool:
+        """True where the value is the index of a variable."""
+        return self.form.kind == GLOBAL or self.form.kind == LOCAL
+
+    @property
+    def length(self) -> int:
+        """Bytes in the frame."""
+        width = self.form.width
+        return self._data.index(0, self.offset + 1) + 1 - self.offset if width is None else 1 + width
+
+    @property
+    def raw(self) -> bytes:
+        """Its bytes, identification byte first."""
+        return self._data[self.offset : self.offset + self.length]
+
+    @property
+    def symbol(self) -> str | None:
+        """The name of the value in the parameter's enumeration, None where it has none."""
+        if self.parameter.enum is None or self.is_variable:
+            return None
+        return self.parameter.enum.name_of(self.value)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Argument):
+            return NotImplemented
+        return (self.parameter, self.offset, self.raw) == (other.parameter, other.offset, other.raw)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash((self.offset, self.raw))
+
+    def __repr__(self) -> str:
+        return f"Argument({self.name}={self.value!r}, {self.encoding}, offset={self.offset})"
+
+
+class OperationReader(Protocol):
+    """What an operation needs of its schema."""
+
+    declaration: Declaration
+
+    def selector(self, data: bytes, at: int) -> Argument | None:
+        """The CMD argument of the operation at an offset."""
+
+    def arguments(self, data: bytes, at: int) -> tuple[Argument, ...]:
+        """What follows opcode and CMD."""
+
+    def readable_arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
+        """The same where the operation ends too early."""
+
+
+class Operation(tuple["OperationReader", bytes, int, int]):
+    """An opcode, its CMD if it has one, and its arguments.
+
+    Made by `ev3proto.parse` and `ev3proto.operation`, not by hand.
+    """
+
+    __slots__ = ()
+
+    if TYPE_CHECKING:
+        _schema: OperationReader
+        _data: bytes
+        offset: int
+        _end: int
+    else:
+        _schema, _data, offset, _end = _getters(4)
+
+    is_complete: ClassVar[bool] = True
+    """False for the last operation of a faulty frame, of which only the first arguments could be read."""
+
+    @property
+    def declaration(self) -> Declaration:
+        """What the tables say of it."""
+        return self._schema.declaration
+
+    @property
+    def name(self) -> str:
+        """The opcode's name: `SOUND`."""
+        return self._schema.declaration.opcode.name
+
+    @property
+    def opcode(self) -> int:
+        """The opcode's number, 0 to 255."""
+        return self._data[self.offset]
+
+    @property
+    def command(self) -> str | None:
+        """CMD's name, `TONE`; None where the opcode has no CMD."""
+        command = self._schema.declaration.command
+        return command.name if command else None
+
+    @property
+    def full_name(self) -> str:
+        """`SOUND.TONE`, or the opcode's name alone."""
+        return self._schema.declaration.name
+
+    @property
+    def cmd(self) -> Argument | None:
+        """CMD as it stands in the frame: a parameter like any other, with an encoding of its own."""
+        return self._schema.selector(self._data, self.offset)
+
+    @property
+    def length(self) -> int:
+        """Bytes in the frame."""
+        return self._end - self.offset
+
+    @property
+    def raw(self) -> bytes:
+        """Its bytes, opcode first."""
+        return self._data[self.offset : self._end]
+
+    @property
+    def arguments(self) -> tuple[Argument, ...]:
+        """What follows opcode and CMD, in the order of the frame; list elements too, one by one.
+
+        They are read from the bytes each time they are asked for.
+        """
+        schema, data, offset, _ = self
+        return schema.arguments(data, offset)
+
+    def placed(self, frame: bytes, offset: int) -> Operation:
+        """The same operation where it stands in a frame."""
+        return type(self)((self._schema, frame, offset, offset + self.length))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Operation):
+            return NotImplemented
+        return self._schema is other._schema and self.offset == other.offset and self.raw == other.raw
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash((self.raw, self.offset))
+
+    def __repr__(self) -> str:
+        arguments = ", ".join(f"{argument.name}={argument.value!r}" for argument in self.arguments)
+        return f"<{self.full_name}({arguments}) at {self.offset}>"
+
+
+class PartialOperation(Operation):
+    """The last operation of a faulty frame: its opcode and CMD are known, and those arguments that could be read."""
+
+    __slots__ = ()
+
+    is_complete = False
+
+    @property
+    def arguments(self) -> tuple[Argument, ...]:
+        """The arguments in front of the fault."""
+        return self._schema.readable_arguments(self._data, self.offset, self._end)
+
+
+class Builder(Protocol):
+    """What a message needs of the schema of frames."""
+
+    def write(self, message: Any) -> bytes:
+        """The frame."""
+
+
+class Flaw(NamedTuple):
+    """What is kept of a faulty frame so that it builds back byte for byte.
+
+    fault          what is wrong and where
+    rest           the bytes that could not be read
+    stated_length  the length field, where it does not say what the frame has
+    """
+
+    fault: Fault | None = None
+    rest: bytes = b""
+    stated_length: int | None = None
+
+
+NO_FLAW = Flaw()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Message:
+    """What every message has. A message that is no subclass is one whose type could not be told.
+
+    type     which of the twelve types; None when the frame is too short or the type is unknown
+    counter  the sender's message counter, 0 to 65535, echoed in the reply
+    flaw     what a faulty frame has beside that; NO_FLAW for every frame that parses strictly
+    """
+
+    type: MessageType | None = None
+    counter: int = 0
+    flaw: Flaw = NO_FLAW
+    frames: ClassVar[Builder]  # set by ev3proto.schema.frame, which builds on these classes
+
+    @property
+    def fault(self) -> Fault | None:
+        """What is wrong with the frame, None when nothing is."""
+        return self.flaw.fault
+
+    @property
+    def rest(self) -> bytes:
+        """Bytes that could not be read: all of them where the type is None, none where nothing is wrong."""
+        return self.flaw.rest
+
+    @property
+    def stated_length(self) -> int | None:
+        """The length field where it does not say what the frame has, else None."""
+        return self.flaw.stated_length
+
+    @property
+    def kind(self) -> str:
+        """`direct-command`, `direct-reply`, `system-command`, ... or `unknown`."""
+        return "unknown" if self.type is None else self.type.kind
+
+    @property
+    def wants_reply(self) -> bool:
+        """True for commands that the brick answers."""
+        return self.type is not None and self.type.wants_reply
+
+    @property
+    def length(self) -> int:
+        """The length field: bytes that follow it."""
+        return len(self.build()) - 2 if self.stated_length is None else self.stated_length
+
+    def build(self) -> bytes:
+        """The frame. Raises BuildError when no frame can carry the message."""
+        return Message.frames.write(self)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DirectCommand(Message):
+    """Operations for the brick's virtual machine.
+
+    global_size  bytes of global memory asked for, 0 to 1023: the reply's payload
+    local_size   bytes of local memory asked for, 0 to 63
+    operations   what is to be run
+    """
+
+    global_size: int = 0
+    local_size: int = 0
+    operations: tuple[Operation, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DirectReply(Message):
+    """The answer to a direct command: all of its global memory, or an error that tells nothing more."""
+
+    memory: bytes = b""
+
+    @property
+    def is_error(self) -> bool:
+        """True when the brick refused or failed the command."""
+        return self.type is MessageType.DIRECT_REPLY_ERROR
+
+
+FieldValue = int | str | bytes
+"""What a system message's field holds."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SystemCommand(Message):
+    """A system command: its number, its firmware name (None when the number is unknown), its fields by name."""
+
+    number: int
+    command: str | None = None
+    fields: Mapping[str, FieldValue] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SystemReply(Message):
+    """The answer to a system command: which one, how it went, and what it gives back."""
+
+    number: int
+    command: str | None = None
+    status_code: int = 0
+    fields: Mapping[str, FieldValue] = field(default_factory=dict)
+
+    @property
+    def status(self) -> SystemStatus | None:
+        """The status by name; None for a number that the firmware does not have."""
+        try:
+            return SystemStatus(self.status_code)
+        except ValueError:
+            return None
+
+    @property
+    def is_error(self) -> bool:
+        """True when the command failed; END_OF_FILE is how an upload ends."""
+        return self.status is None or self.status.is_failure or self.type is MessageType.SYSTEM_REPLY_ERROR
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DaisyCommand(Message):
+    """A message from brick to brick over the daisy chain.
+
+    number      the sub-command
+    command     its name, None when the number is unknown
+    layer_from  counter of the layer it comes from
+    layer_to    counter of the layer it goes to
+    payload     what it carries
+    operations  the payload read as byte code, where the sub-command carries byte code and all of it can be read
+    """
+
+    number: int
+    command: str | None = None
+    layer_from: int = 0
+    layer_to: int = 0
+    payload: bytes = b""
+    operations: tuple[Operation, ...] = ()
+
+
+class SensorReport(NamedTuple):
+    """A sensor of another layer as a daisy reply carries it.
+
+    layer and port are 0 based; status, type and mode are the firmware's bytes; data is always 32 bytes.
+    """
+
+    layer: int
+    port: int
+    status: int
+    type: int
+    mode: int
+    data: bytes
+    checksum: int
+    busy: bytes = b""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DaisyReply(Message):
+    """The answer over the daisy chain; `report` is the payload read as a sensor's data where it has that shape."""
+
+    layer_from: int = 0
+    layer_to: int = 0
+    payload: bytes = b""
+    report: SensorReport | None = None

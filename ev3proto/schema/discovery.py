@@ -1,0 +1,133 @@
+"""WiFi discovery: the beacon a brick broadcasts, the text that unlocks its TCP port, and what it answers.
+
+They are lines of text, not frames, and come before any frame does.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, fields
+from typing import Any
+
+from construct import Const, Construct, FocusedSeq, GreedyBytes, NullTerminated, StringEncoded, Struct
+from construct.core import ConstructError
+
+from ev3proto.errors import BuildError, DecodeError
+from ev3proto.schema.bytewise import Bytewise
+from ev3proto.tables.encoding import STRING_CODING
+
+BEACON_PORT = 3015
+"""UDP port to which a brick broadcasts its beacon."""
+
+TCP_PORT = 5555
+"""TCP port on which a brick listens, as its beacon says."""
+
+NEWLINE = b"\r\n"
+_LABELS = {"serial": b"Serial-Number", "port": b"Port", "name": b"Name", "protocol": b"Protocol"}
+
+
+def _line(label: bytes) -> Construct:
+    """One line, `label: text`, of which the text is the value."""
+    text = StringEncoded(NullTerminated(GreedyBytes, term=NEWLINE), STRING_CODING)
+    return FocusedSeq("text", Const(label + b": "), "text" / text)
+
+
+BEACON = Struct(*(name / _line(label) for name, label in _LABELS.items()))
+"""The datagram that a brick broadcasts every few seconds."""
+
+
+@dataclass(frozen=True, slots=True)
+class Beacon:
+    """A brick that says it is there: serial number (its MAC address in hex), TCP port, name, protocol, all as text."""
+
+    serial: str
+    port: str = str(TCP_PORT)
+    name: str = "EV3"
+    protocol: str = "EV3"
+
+    @classmethod
+    def parse(cls, datagram: bytes) -> Beacon:
+        """The beacon in a datagram. DecodeError names the line at fault."""
+        at = 0
+        values: dict[str, str] = {}
+        for name, label in _LABELS.items():
+            try:
+                values[name] = BEACON._subcons[name].parse(datagram[at:])
+            except ConstructError:
+                line = label.decode()
+                raise DecodeError(at, f"a beacon has a line '{line}: ...' here, ended by \\r\\n") from None
+            at += len(label) + 2 + len(values[name]) + len(NEWLINE)
+        if at < len(datagram):
+            raise DecodeError(at, f"{len(datagram) - at} bytes follow the beacon's last line")
+        return cls(**values)
+
+    def build(self) -> bytes:
+        """The datagram. BuildError for a text with a line break or characters outside ISO-8859-1."""
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        for name, text in values.items():
+            if not isinstance(text, str) or NEWLINE.decode() in text or any(ord(letter) > 0xFF for letter in text):
+                raise BuildError(f"{name} cannot be {text!r}: it is one line of ISO-8859-1 text")
+        built: bytes = BEACON.build(values)
+        return built
+
+
+@dataclass(frozen=True, slots=True)
+class Unlock:
+    r"""What a host sends first on the TCP connection. The brick looks only for `ET /target?sn=`, so senders differ.
+
+    serial      serial number of the brick, as its beacon gave it
+    space       whether a space stands before the protocol's version
+    newline     how lines end, "\r\n" or "\n"
+    blank_line  whether an empty line ends the text
+    """
+
+    serial: str
+    space: bool = True
+    newline: str = "\r\n"
+    blank_line: bool = True
+
+    @classmethod
+    def parse(cls, text: bytes) -> Unlock:
+        """Exactly one unlock text. DecodeError when it is something else."""
+        unlock, end = UNLOCK.read(text, 0)
+        if end < len(text):
+            raise DecodeError(end, f"{len(text) - end} bytes follow the unlock text")
+        return unlock
+
+    def build(self) -> bytes:
+        """The text. BuildError for a serial number that is no word."""
+        return UNLOCK.write(self)
+
+
+class UnlockSchema(Bytewise):
+    """The schema of the unlock text."""
+
+    FORM = re.compile(rb"GET /target\?sn=(\w*?)( ?)VMTP1\.0(\r?\n)Protocol: EV3\3(\3?)")
+
+    def read(self, data: bytes, at: int) -> tuple[Unlock, int]:
+        """The unlock text at an offset, and the offset behind it. Raises DecodeError."""
+        found = self.FORM.match(data, at)
+        if found is None:
+            raise DecodeError(at, "an unlock text reads 'GET /target?sn=... VMTP1.0' and, on a line, 'Protocol: EV3'")
+        serial, space, newline, blank = found.groups()
+        return Unlock(serial.decode(), bool(space), newline.decode(), bool(blank)), found.end()
+
+    def write(self, value: Any) -> bytes:
+        """The text. Raises BuildError."""
+        ending = value.newline * (1 + value.blank_line)
+        text = f"GET /target?sn={value.serial}{' ' * value.space}VMTP1.0{value.newline}Protocol: EV3{ending}"
+        try:
+            found = self.FORM.fullmatch(text.encode(STRING_CODING))
+        except UnicodeEncodeError:
+            found = None
+        if found is None:
+            raise BuildError(
+                f"no unlock text has the serial number {value.serial!r} and line ends {value.newline!r}: the one is"
+                " letters and digits, the others \\r\\n or \\n"
+            )
+        return found.group()
+
+
+UNLOCK = UnlockSchema()
+ACCEPT = b"Accept:EV340\r\n\r\n"
+"""What the brick answers to the unlock text; the firmware sends the zero behind it too."""

@@ -1,0 +1,182 @@
+"""The fields of a system message: numbers, texts, lengths with what they count, and whatever is left to the end."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from construct import Construct, GreedyBytes, Int8ul, Int16ul, Int32ul, NullTerminated, StringEncoded
+from construct.core import ConstructError
+
+from ev3proto.errors import BuildError, DecodeError
+from ev3proto.messages import FieldValue
+from ev3proto.schema.bytewise import Bytewise
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.system import Field, Kind
+
+NUMBERS: dict[Kind, Construct] = {Kind.U8: Int8ul, Kind.U16: Int16ul, Kind.U32: Int32ul}
+
+KINDS: dict[Kind, Construct] = {
+    **NUMBERS,
+    Kind.TEXT: StringEncoded(NullTerminated(GreedyBytes), STRING_CODING),
+    Kind.DATA: GreedyBytes,
+    Kind.LISTING: StringEncoded(GreedyBytes, STRING_CODING),
+}
+"""What each kind of field is in Construct. A counted text needs its length and has a node of its own."""
+
+
+class CountedText(Bytewise):
+    """A text whose length stands before it. Some senders count its zero, some do not; the zero is always there."""
+
+    def __init__(self, length: int) -> None:
+        super().__init__()
+        self.length = length
+
+    def read(self, data: bytes, at: int) -> tuple[str, int]:
+        """The text at an offset, and the offset behind its zero. Raises DecodeError."""
+        text = data[at : at + self.length]
+        end = at + self.length
+        if len(text) < self.length:
+            raise DecodeError(at, f"a text of {self.length} bytes runs past the end of the frame", truncated=True)
+        if text.endswith(b"\0"):
+            return text[:-1].decode(STRING_CODING), end
+        if end >= len(data):
+            raise DecodeError(at, "the zero that ends a text is missing", truncated=True)
+        if data[end]:
+            raise DecodeError(end, f"a text of {self.length} bytes must end in a zero, not in 0x{data[end]:02X}")
+        return text.decode(STRING_CODING), end + 1
+
+    def write(self, value: str) -> bytes:
+        """The text and its zero. BuildError when it has not the length that was said."""
+        text = _text(value, "the text", zeros=True)
+        if self.length not in (len(text), len(text) + 1):
+            raise BuildError(
+                f"{value!r} has {len(text)} bytes, {len(text) + 1} with its zero, but its length says {self.length}"
+            )
+        return text + b"\0"
+
+
+def _text(value: Any, name: str, zeros: bool = False) -> bytes:
+    if not isinstance(value, str):
+        raise BuildError(f"{name} takes a text, not {value!r}")
+    try:
+        encoded = value.encode(STRING_CODING)
+    except UnicodeEncodeError as error:
+        raise BuildError(
+            f"{name} cannot be {value!r}: the brick's strings are ISO-8859-1, which has no {value[error.start]!r}"
+        ) from None
+    if 0 in encoded and not zeros:
+        raise BuildError(f"{name} cannot be {value!r}: a zero ends a text, so none can stand in it")
+    return encoded
+
+
+class Fields(Bytewise):
+    """The schema of a system message's fields, one after the other to the end of the frame."""
+
+    def __init__(self, fields: tuple[Field, ...]) -> None:
+        super().__init__()
+        self.fields = fields
+        self.by_name = {field.name: field for field in fields}
+
+    def read(self, data: bytes, at: int) -> tuple[dict[str, FieldValue], int]:
+        """All fields by name, and the end. Raises DecodeError."""
+        values, at, fault = self.read_leniently(data, at, complete=True)
+        if fault is not None:
+            raise fault
+        return values, at
+
+    def read_leniently(
+        self, data: bytes, at: int, *, complete: bool
+    ) -> tuple[dict[str, FieldValue], int, DecodeError | None]:
+        """The fields that can be read, the offset behind them, and what is wrong with the next one.
+
+        complete  False where the frame may end before any field, as replies to failed commands do
+        """
+        values: dict[str, FieldValue] = {}
+        for field in self.fields:
+            if at == len(data) and (field.optional or not complete):
+                break
+            try:
+                values[field.name], at = self._field(field, values, data, at)
+            except DecodeError as fault:
+                return values, at, fault
+        if at < len(data):
+            left = len(data) - at
+            return values, at, DecodeError(at, f"{left} byte{'s' * (left > 1)} left over behind the last field")
+        return values, at, None
+
+    def _field(self, field: Field, before: Mapping[str, FieldValue], data: bytes, at: int) -> tuple[FieldValue, int]:
+        if field.kind is Kind.COUNTED_TEXT:
+            return CountedText(self._length_of(field, before)).read(data, at)
+        stream = io.BytesIO(data)
+        stream.seek(at)
+        try:
+            value: FieldValue = KINDS[field.kind].parse_stream(stream)
+        except ConstructError:
+            raise DecodeError(at, _too_short(field), truncated=True) from None
+        if field.kind in (Kind.DATA, Kind.LISTING):
+            self._check_count(field, before, len(data) - at, at)
+        return value, stream.tell()
+
+    def _length_of(self, field: Field, before: Mapping[str, FieldValue]) -> int:
+        length = next(before[counter.name] for counter in self.fields if counter.counts == field.name)
+        assert isinstance(length, int)
+        return length
+
+    def _check_count(self, field: Field, before: Mapping[str, FieldValue], size: int, at: int) -> None:
+        counter = next((counter for counter in self.fields if counter.counts == field.name), None)
+        if counter is not None and before[counter.name] != size:
+            stated = before[counter.name]
+            raise DecodeError(at, f"{counter.name} says {stated!r} bytes, but {size} follow to the end of the frame")
+
+    def write(self, value: Mapping[str, Any]) -> bytes:
+        """The bytes of fields given by name; lengths that are left away are worked out. Raises BuildError."""
+        for name in value:
+            if name not in self.by_name:
+                raise BuildError(f"there is no field {name}: the fields are {', '.join(self.by_name) or 'none'}")
+        return b"".join(self._pieces(value))
+
+    def write_present(self, value: Mapping[str, Any]) -> bytes:
+        """The bytes of the fields that are there, which may be only the first few, as a frame was parsed."""
+        return b"".join(self._piece(field, value[field.name], value) for field in self.fields if field.name in value)
+
+    def _pieces(self, value: Mapping[str, Any]) -> Iterator[bytes]:
+        for field in self.fields:
+            if field.name in value:
+                yield self._piece(field, value[field.name], value)
+            elif field.counts is not None:
+                yield self._piece(field, self._size(field.counts, value), value)
+            elif not field.optional:
+                raise BuildError(f"{field.name} is missing: {field.text}")
+
+    def _size(self, name: str, value: Mapping[str, Any]) -> int:
+        """Bytes of a counted field; a text's zero is counted in, as the firmware itself does."""
+        if name not in value:
+            raise BuildError(f"{name} is missing: {self.by_name[name].text}")
+        if self.by_name[name].kind is Kind.COUNTED_TEXT:
+            return len(_text(value[name], name)) + 1
+        return len(value[name])
+
+    def _piece(self, field: Field, value: Any, values: Mapping[str, Any]) -> bytes:
+        if field.kind in NUMBERS:
+            high = (1 << 8 * NUMBERS[field.kind].sizeof()) - 1
+            if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= high:
+                raise BuildError(f"{field.name} cannot be {value!r}: it is a whole number from 0 to {high}")
+        elif field.kind is Kind.COUNTED_TEXT:
+            counter = next(counter.name for counter in self.fields if counter.counts == field.name)
+            length = values[counter] if counter in values else self._size(field.name, values)
+            return CountedText(length).write(value)
+        elif field.kind is Kind.DATA:
+            if not isinstance(value, bytes | bytearray):
+                raise BuildError(f"{field.name} takes bytes, not {value!r}")
+        else:
+            _text(value, field.name, zeros=field.kind is Kind.LISTING)
+        built: bytes = KINDS[field.kind].build(value)
+        return built
+
+
+def _too_short(field: Field) -> str:
+    if field.kind is Kind.TEXT:
+        return f"the text {field.name} runs past the end of the frame: the zero that ends it is missing"
+    return f"the frame ends where the field {field.name} ({field.kind.value}) should stand"

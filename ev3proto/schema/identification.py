@@ -1,0 +1,86 @@
+"""The identification byte: the first byte of every argument, which tells its kind, its width and often its value.
+
+The bits are declared once, as a Construct. There are only 256 such bytes, so the declaration is run over all of them
+when this module is imported, and decoding an argument is looking up what was found then.
+"""
+
+from __future__ import annotations
+
+from construct import BitsInteger, BitStruct, Const, Flag, IfThenElse, Struct, this
+
+from ev3proto.tables.encoding import (
+    CONSTANT,
+    GLOBAL,
+    JUMP,
+    LOCAL,
+    STRING_OLD,
+    STRING_ZERO,
+    TEXT,
+    WIDTHS,
+    Encoding,
+)
+
+LONG_FORM = Struct(
+    "selector" / Flag,  # of variables: global; of constants: label
+    "handle" / Flag,
+    "address" / Flag,
+    "width" / BitsInteger(3),
+)
+"""Bits 5 to 0 where the value stands in the bytes that follow."""
+
+SHORT_CONSTANT = Struct("value" / BitsInteger(6, signed=True))
+SHORT_VARIABLE = Struct("is_global" / Flag, "value" / BitsInteger(5))
+
+IDENTIFICATION = BitStruct(
+    "is_long" / Flag,
+    "is_variable" / Flag,
+    "form" / IfThenElse(this.is_long, LONG_FORM, IfThenElse(this.is_variable, SHORT_VARIABLE, SHORT_CONSTANT)),
+)
+"""All of it: bit 7 long, bit 6 variable, then what the two select."""
+
+LABEL_BYTE = BitStruct(Const(True, Flag), Const(False, Flag), Const(True, Flag), Const(0, BitsInteger(5))).build(None)[
+    0
+]
+"""The identification byte of a label (LAB1)."""
+
+
+def _long_encoding(is_variable: bool, form: object) -> Encoding | None:
+    selector, handle, address, width = form.selector, form.handle, form.address, form.width  # type: ignore[attr-defined]
+    if is_variable:
+        if width not in WIDTHS:
+            return None
+        scope, letter = (GLOBAL, "G") if selector else (LOCAL, "L")
+        return Encoding(f"{letter}V{WIDTHS[width]}", scope, WIDTHS[width], handle, address)
+    if selector:
+        # The firmware looks at no further bit of a label's identification byte.
+        return Encoding("LAB1", JUMP, 1, handle, address)
+    if width in (STRING_OLD, STRING_ZERO):
+        return Encoding("LCS" if width == STRING_ZERO else "LCS_OLD", TEXT, None, handle, address)
+    if width not in WIDTHS:
+        return None
+    return Encoding(f"LC{WIDTHS[width]}", CONSTANT, WIDTHS[width], handle, address)
+
+
+_SHORT = {
+    (False, False): Encoding("LC0", CONSTANT, 0),
+    (True, False): Encoding("LV0", LOCAL, 0),
+    (True, True): Encoding("GV0", GLOBAL, 0),
+}
+
+
+def _survey() -> tuple[tuple[Encoding | None, ...], tuple[int | None, ...]]:
+    encodings: list[Encoding | None] = []
+    values: list[int | None] = []
+    for byte in range(256):
+        found = IDENTIFICATION.parse(bytes((byte,)))
+        if found.is_long:
+            encodings.append(_long_encoding(found.is_variable, found.form))
+            values.append(None)
+        else:
+            encodings.append(_SHORT[found.is_variable, found.form.get("is_global", False)])
+            values.append(found.form.value)
+    return tuple(encodings), tuple(values)
+
+
+ENCODINGS, SHORT_VALUES = _survey()
+"""For each of the 256 bytes: its encoding (None where the firmware defines none); for short forms, the value in it."""

@@ -1,0 +1,61 @@
+"""What the firmware knows, as data. Reading these files teaches the protocol; nothing here imports the rest.
+
+`OPCODES` is the instruction set by the firmware's areas, one file an area. `DECLARATIONS` are its operations one by one
+(an opcode with its CMD), `find` looks one up by the name people write.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from ev3proto.tables.branch import BRANCH
+from ev3proto.tables.com import COM
+from ev3proto.tables.compare import COMPARE
+from ev3proto.tables.declaration import DIALECTS, Declaration, Opcode, declarations
+from ev3proto.tables.input import INPUT
+from ev3proto.tables.math import MATH
+from ev3proto.tables.memory import MEMORY
+from ev3proto.tables.move import MOVE
+from ev3proto.tables.output import OUTPUT
+from ev3proto.tables.sound import SOUND
+from ev3proto.tables.timer import TIMER
+from ev3proto.tables.ui import UI
+from ev3proto.tables.vm import VM
+
+AREAS: dict[str, tuple[Opcode, ...]] = {
+    "vm": VM,
+    "math": MATH,
+    "move": MOVE,
+    "branch": BRANCH,
+    "compare": COMPARE,
+    "ui": UI,
+    "timer": TIMER,
+    "sound": SOUND,
+    "input": INPUT,
+    "output": OUTPUT,
+    "memory": MEMORY,
+    "com": COM,
+}
+"""The opcodes by the firmware's areas."""
+
+OPCODES: tuple[Opcode, ...] = tuple(opcode for area in AREAS.values() for opcode in area)
+"""Every opcode of every dialect."""
+
+
+def check_dialect(dialect: str) -> str:
+    """The dialect itself; ValueError names the ones there are when it is none of them."""
+    if dialect not in DIALECTS:
+        raise ValueError(f"dialect {dialect!r} is not known: it is one of {', '.join(DIALECTS)}")
+    return dialect
+
+
+@cache
+def operations(dialect: str = "official") -> dict[str, Declaration]:
+    """The operations of one dialect by name (`SOUND.TONE`, `UI_FLUSH`). ValueError for an unknown dialect."""
+    check_dialect(dialect)
+    return {entry.name: entry for entry in declarations(OPCODES) if dialect in entry.dialects}
+
+
+def area_of(opcode: Opcode) -> str:
+    """The firmware's area that an opcode belongs to."""
+    return next(name for name, opcodes in AREAS.items() if opcode in opcodes)

@@ -1,0 +1,416 @@
+"""Operations on Bluetooth, WiFi and USB, and on the mailboxes through which bricks talk to each other.
+
+Names are zero-terminated strings here, though the firmware's own tables show their first byte only.
+"""
+
+from ev3proto.tables.declaration import (
+    ARRAY_TYPED,
+    DATA8,
+    DATA16,
+    DATA32,
+    EXTENSIONS,
+    STRING,
+    Command,
+    Count,
+    Direction,
+    In,
+    Opcode,
+    Out,
+)
+from ev3proto.tables.enumerations import BTTYPE, DATA_FORMAT, ENCRYPT, FILETYPE, HWTYPE, RESULT
+
+FIRST_BYTE = "a zero-terminated string, whose first byte other tables show as DATA8"
+WRITTEN = "written by the firmware, though other tables call it an input"
+
+OFF_ON = {0: "off", 1: "on"}
+NO_YES = {0: "no", 1: "yes"}
+READY_BUSY = {0: "ready", 1: "busy"}
+
+HARDWARE = In("HARDWARE", DATA8, "which way to communicate", enum=HWTYPE)
+ITEM = In("ITEM", DATA8, "place in the list, counted from 0")
+ITEMS = Out("ITEMS", DATA8, "how many the list has")
+LENGTH = In(
+    "LENGTH", DATA8, "room for the text with its zero", unit="bytes", special={-1: "as long as it gets (handles only)"}
+)
+NAME = In("NAME", STRING, "name of the other device or network")
+NAME_OUT = Out("NAME", STRING, "name of the other device or network", length="LENGTH")
+NAME_TO_TEST = In("NAME", STRING, "name of the other device, empty: the brick's own adapter", note=FIRST_BYTE)
+PAIRED = Out("PAIRED", DATA8, "whether it is paired (Bluetooth) or known (WiFi)", range=(0, 1), special=NO_YES)
+CONNECTED = Out("CONNECTED", DATA8, "whether it is connected", range=(0, 1), special=NO_YES)
+LIST_TYPE = Out(
+    "TYPE",
+    DATA8,
+    "kind of device (Bluetooth) or encryption (WiFi)",
+    enum=BTTYPE,
+    special={0: "WiFi, not encrypted", 1: "WiFi, WPA2"},
+)
+IS_ACTIVE = Out("ACTIVE", DATA8, "whether it is on", range=(0, 1), special=OFF_ON)
+ACTIVE = In("ACTIVE", DATA8, "whether to switch it on", range=(0, 1), special=OFF_ON)
+BOX_NO = In("NO", DATA8, "number of the mailbox on this brick", range=(0, 29))
+BOX_NAME = In("BOXNAME", STRING, "name of the mailbox", note=FIRST_BYTE)
+REMOTE_NAME = In("REMOTE_NAME", STRING, "name of the other device or network")
+# The firmware takes these four off and does nothing with them; their names say as little.
+UNUSED = (
+    In("VALUE1", DATA8, "which way to communicate, ignored", enum=HWTYPE),
+    In("VALUE2", DATA8, "name of the other device, ignored"),
+    In("VALUE3", DATA16, "number of bytes, ignored", unit="bytes"),
+    In("VALUE4", DATA8, "the bytes, ignored"),
+)
+
+COM = (
+    Opcode(
+        0x91,
+        "COM_READ",
+        "Fetches direct commands, for the brick's own command program",
+        commands=(
+            Command(
+                14,
+                "COMMAND",
+                "Tells where the direct command received last lies in the brick's memory",
+                (
+                    In("LENGTH", DATA32, "most bytes of code, ignored by the firmware", unit="bytes"),
+                    Out("IMAGE", DATA32, "address of the code"),
+                    Out("GLOBAL", DATA32, "address of its global memory"),
+                    Out("FLAG", DATA8, "whether a command waits", range=(0, 1), special={0: "none", 1: "ready to run"}),
+                ),
+            ),
+        ),
+    ),
+    Opcode(
+        0x92,
+        "COM_WRITE",
+        "Answers direct commands, for the brick's own command program",
+        commands=(
+            Command(
+                14,
+                "REPLY",
+                "Sends the global memory of a direct command that has run as its reply",
+                (
+                    In("IMAGE", DATA32, "address of the code"),
+                    In("GLOBAL", DATA32, "address of its global memory"),
+                    In("STATUS", DATA8, "how it ended, all but OK give DIRECT_REPLY_ERROR", enum=RESULT),
+                ),
+            ),
+        ),
+    ),
+    Opcode(0xD0, "COM_READY", "Waits until nothing is being sent to a device", (HARDWARE, NAME_TO_TEST)),
+    Opcode(0xD1, "COM_READDATA", "Does nothing in the firmware, meant to receive data", UNUSED),
+    Opcode(0xD2, "COM_WRITEDATA", "Does nothing in the firmware, meant to send data", UNUSED),
+    Opcode(
+        0xD3,
+        "COM_GET",
+        "Asks about the brick's connections and the devices around it",
+        commands=(
+            Command(1, "GET_ON_OFF", "Tells whether Bluetooth or WiFi is on", (HARDWARE, IS_ACTIVE)),
+            Command(
+                2,
+                "GET_VISIBLE",
+                "Tells whether other devices can see the brick by Bluetooth",
+                (HARDWARE, Out("VISIBLE", DATA8, "whether it is visible", range=(0, 1), special=NO_YES)),
+            ),
+            Command(
+                4,
+                "GET_RESULT",
+                "Tells how a search or connection request is going",
+                (
+                    HARDWARE,
+                    In("ITEM", DATA8, "place in the list, ignored by the firmware"),
+                    Out("RESULT", DATA8, "state of the request", enum=RESULT),
+                ),
+            ),
+            Command(
+                5,
+                "GET_PIN",
+                "Reads the PIN for a device, always 1234",
+                (
+                    HARDWARE,
+                    NAME,
+                    In("LENGTH", DATA8, "room for the PIN with its zero", unit="bytes"),
+                    Out("PINCODE", STRING, "the PIN", length="LENGTH"),
+                ),
+            ),
+            Command(
+                7,
+                "LIST_STATE",
+                "Reads a number that changes when a device enters or leaves a list",
+                (HARDWARE, Out("STATE", DATA16, "number to compare with the one of the last call")),
+                dialects=("compat",),
+            ),
+            Command(8, "SEARCH_ITEMS", "Tells how many devices or networks a search found", (HARDWARE, ITEMS)),
+            Command(
+                9,
+                "SEARCH_ITEM",
+                "Describes one device or network that a search found",
+                (
+                    HARDWARE,
+                    ITEM,
+                    LENGTH,
+                    NAME_OUT,
+                    PAIRED,
+                    CONNECTED,
+                    LIST_TYPE,
+                    Out("VISIBLE", DATA8, "whether it is in sight", range=(0, 1), special=NO_YES),
+                ),
+            ),
+            Command(10, "FAVOUR_ITEMS", "Tells how many devices are paired, in sight or not", (HARDWARE, ITEMS)),
+            Command(
+                11,
+                "FAVOUR_ITEM",
+                "Describes one paired device or known network",
+                (HARDWARE, ITEM, LENGTH, NAME_OUT, PAIRED, CONNECTED, LIST_TYPE),
+            ),
+            Command(
+                12,
+                "GET_ID",
+                "Reads the brick's Bluetooth address",
+                (HARDWARE, LENGTH, Out("STRING", STRING, "12 hex digits", length="LENGTH")),
+            ),
+            Command(
+                13,
+                "GET_BRICKNAME",
+                "Reads the brick's name",
+                (LENGTH, Out("NAME", STRING, "name of the brick", length="LENGTH")),
+            ),
+            Command(
+                14,
+                "GET_NETWORK",
+                "Reads network name and addresses, WiFi only",
+                (
+                    HARDWARE,
+                    In(
+                        "LENGTH",
+                        DATA8,
+                        "room for each of the three texts with its zero",
+                        unit="bytes",
+                        special={-1: "as long as it gets (handles only)"},
+                    ),
+                    Out("NAME", STRING, "name of the network, NONE without one", length="LENGTH"),
+                    Out("MAC", STRING, "MAC address of the brick, ?? when WiFi is off", length="LENGTH"),
+                    Out("IP", STRING, "IP address of the brick, ?? when not connected", length="LENGTH"),
+                ),
+            ),
+            Command(
+                15,
+                "GET_PRESENT",
+                "Tells whether the hardware is there, for WiFi a known dongle",
+                (HARDWARE, Out("OK", DATA8, "whether it is there", range=(0, 1), special=NO_YES)),
+            ),
+            Command(
+                16,
+                "GET_ENCRYPT",
+                "Tells the encryption of a network, WiFi only",
+                (HARDWARE, ITEM, Out("TYPE", DATA8, "kind of encryption, the 2013 firmware says none", enum=ENCRYPT)),
+            ),
+            Command(17, "CONNEC_ITEMS", "Tells how many devices are connected, Bluetooth only", (HARDWARE, ITEMS)),
+            Command(
+                18,
+                "CONNEC_ITEM",
+                "Describes one connected device, Bluetooth only",
+                (
+                    HARDWARE,
+                    ITEM,
+                    LENGTH,
+                    Out("NAME", STRING, "name of the device", length="LENGTH", note=f"{FIRST_BYTE}; {WRITTEN}"),
+                    Out("TYPE", DATA8, "kind of device", enum=BTTYPE),
+                ),
+            ),
+            Command(
+                19,
+                "GET_INCOMING",
+                "Tells which device asks for a connection, Bluetooth only",
+                (
+                    HARDWARE,
+                    LENGTH,
+                    Out("NAME", STRING, "name of the device", length="LENGTH", note=WRITTEN),
+                    Out(
+                        "TYPE",
+                        DATA8,
+                        "kind of device",
+                        enum=BTTYPE,
+                        note="a kind of Bluetooth device, though other tables give the names of encryptions",
+                    ),
+                ),
+            ),
+            Command(20, "GET_MODE2", "Tells whether Bluetooth is in its mode for Apple devices", (HARDWARE, IS_ACTIVE)),
+        ),
+    ),
+    Opcode(
+        0xD4,
+        "COM_SET",
+        "Changes the brick's name, its connections and its lists of devices",
+        commands=(
+            Command(1, "SET_ON_OFF", "Switches Bluetooth or WiFi on or off", (HARDWARE, ACTIVE)),
+            Command(
+                2,
+                "SET_VISIBLE",
+                "Makes the brick visible or invisible, Bluetooth only",
+                (
+                    HARDWARE,
+                    In(
+                        "VISIBLE",
+                        DATA8,
+                        "whether other devices shall see it",
+                        range=(0, 1),
+                        special={0: "invisible", 1: "visible"},
+                    ),
+                ),
+            ),
+            Command(
+                3,
+                "SET_SEARCH",
+                "Starts or stops the search for devices or networks",
+                (
+                    HARDWARE,
+                    In(
+                        "SEARCH",
+                        DATA8,
+                        "whether to search",
+                        range=(0, 1),
+                        special={0: "stop (Bluetooth only)", 1: "start"},
+                    ),
+                ),
+            ),
+            Command(
+                5,
+                "SET_PIN",
+                "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)",
+                (HARDWARE, NAME, In("PINCODE", STRING, "PIN or password")),
+            ),
+            Command(
+                6,
+                "SET_PASSKEY",
+                "Answers the request to confirm a passkey, Bluetooth only",
+                (
+                    HARDWARE,
+                    In("ACCEPT", DATA8, "the answer", range=(0, 1), special={0: "reject", 1: "accept"}),
+                ),
+            ),
+            Command(
+                7,
+                "SET_CONNECTION",
+                "Connects a device or network, or ends a Bluetooth connection",
+                (
+                    HARDWARE,
+                    NAME,
+                    In(
+                        "CONNECTION",
+                        DATA8,
+                        "what to do",
+                        range=(0, 1),
+                        special={0: "disconnect", 1: "connect"},
+                    ),
+                ),
+            ),
+            Command(
+                8,
+                "SET_BRICKNAME",
+                "Renames the brick",
+                (In("NAME", STRING, "new name, at most 118 characters, else refused"),),
+            ),
+            Command(9, "SET_MOVEUP", "Moves a network up in the list, WiFi only", (HARDWARE, ITEM)),
+            Command(10, "SET_MOVEDOWN", "Moves a network down in the list, WiFi only", (HARDWARE, ITEM)),
+            Command(
+                11,
+                "SET_ENCRYPT",
+                "Sets the encryption of a network, WiFi only",
+                (
+                    HARDWARE,
+                    In(
+                        "ITEM",
+                        STRING,
+                        "name of the network",
+                        note="the firmware takes a name here; other tables say a place in the list, DATA8",
+                    ),
+                    In("ENCRYPT", DATA8, "kind of encryption", enum=ENCRYPT),
+                ),
+            ),
+            Command(
+                12,
+                "SET_SSID",
+                "Adds a network to the end of the list, WiFi only",
+                (HARDWARE, In("NAME", STRING, "name of the network")),
+            ),
+            Command(13, "SET_MODE2", "Switches the Bluetooth mode for Apple devices on or off", (HARDWARE, ACTIVE)),
+        ),
+    ),
+    Opcode(
+        0xD5,
+        "COM_TEST",
+        "Tells whether something is still being sent to a device",
+        (
+            HARDWARE,
+            NAME_TO_TEST,
+            Out("BUSY", DATA8, "whether to wait", range=(0, 1), special=READY_BUSY),
+        ),
+    ),
+    Opcode(0xD6, "COM_REMOVE", "Forgets a paired device or a known network", (HARDWARE, REMOTE_NAME)),
+    Opcode(
+        0xD7,
+        "COM_WRITEFILE",
+        "Sends a file or a folder to another brick, Bluetooth only",
+        (
+            HARDWARE,
+            REMOTE_NAME,
+            In("FILE_NAME", STRING, "path of the file or folder on this brick"),
+            In("FILE_TYPE", DATA8, "TYPE_FOLDER for a folder, else a file", enum=FILETYPE),
+        ),
+    ),
+    Opcode(
+        0xD8,
+        "MAILBOX_OPEN",
+        "Opens a mailbox on this brick, at most 250 bytes of content",
+        (
+            BOX_NO,
+            In("BOXNAME", STRING, "name of the mailbox, at most 49 characters", note=FIRST_BYTE),
+            In("TYPES", DATA8, "type of its values", enum=DATA_FORMAT),
+            In("FIFOSIZE", DATA8, "depth of the queue, ignored by the firmware"),
+            In("VALUES", DATA8, "number of values, ignored by the firmware"),
+        ),
+    ),
+    Opcode(
+        0xD9,
+        "MAILBOX_WRITE",
+        "Sends values to a mailbox of another brick, Bluetooth only",
+        (
+            In("BRICKNAME", STRING, "name of the other brick, empty: all connected ones", note=FIRST_BYTE),
+            HARDWARE,
+            BOX_NAME,
+            In("TYPE", DATA8, "type of the values", enum=DATA_FORMAT),
+            Count("VALUES", "how many values of TYPE follow, one only for a string", "TYPE"),
+        ),
+    ),
+    Opcode(
+        0xDA,
+        "MAILBOX_READ",
+        "Reads the content of a mailbox and marks it read",
+        (
+            BOX_NO,
+            In("LENGTH", DATA8, "most bytes to read, ignored by the firmware", unit="bytes"),
+            Count("VALUES", "how many values follow, of the type given to MAILBOX_OPEN", ARRAY_TYPED, Direction.OUT),
+        ),
+    ),
+    Opcode(
+        0xDB,
+        "MAILBOX_TEST",
+        "Tells whether a mailbox has an unread message",
+        (
+            BOX_NO,
+            Out(
+                "BUSY",
+                DATA8,
+                "whether to wait",
+                range=(0, 1),
+                special={0: "a new message is there", 1: "nothing new"},
+            ),
+        ),
+    ),
+    Opcode(0xDC, "MAILBOX_READY", "Waits for an unread message in a mailbox", (BOX_NO,)),
+    Opcode(0xDD, "MAILBOX_CLOSE", "Closes a mailbox on this brick", (BOX_NO,)),
+    Opcode(
+        0xE5,
+        "MAILBOX_SIZE",
+        "Tells how many bytes the content of a mailbox has",
+        (BOX_NO, Out("SIZE", DATA8, "size of the content", unit="bytes")),
+        dialects=EXTENSIONS,
+    ),
+)

@@ -1,0 +1,33 @@
+"""The daisy chain: what bricks say to each other when they are joined by USB."""
+
+from enum import IntEnum
+
+
+class DaisyCommand(IntEnum):
+    """The sub-command after the message type of a daisy message."""
+
+    DOWNSTREAM = 0xA0
+    UPSTREAM = 0xA1
+    INFO = 0xA2
+    UNLOCK_SLAVE = 0xA3
+    SET_TYPE = 0xA4
+    DOWNSTREAM_WITH_BUSY = 0xA5
+
+    @property
+    def carries_operations(self) -> bool:
+        """True where the payload is byte code for a brick further down."""
+        return self in (DaisyCommand.DOWNSTREAM, DaisyCommand.DOWNSTREAM_WITH_BUSY)
+
+
+TEXTS = {
+    DaisyCommand.DOWNSTREAM: "Hands operations on to a brick further down",
+    DaisyCommand.UPSTREAM: "Hands sensor data up towards the first brick",
+    DaisyCommand.INFO: "Asks which sensors a brick further down has",
+    DaisyCommand.UNLOCK_SLAVE: "Lets the brick below answer again",
+    DaisyCommand.SET_TYPE: "Sets type and mode of a sensor further down",
+    DaisyCommand.DOWNSTREAM_WITH_BUSY: "Hands operations on, with the motors that are to be reported busy",
+}
+"""One line on each sub-command."""
+
+SENSOR_DATA_SIZE = 32
+"""Bytes of a sensor's raw data in a layered report."""

@@ -1,0 +1,68 @@
+"""The frame around everything: message types, the bits of a direct command's header, and how big things may be."""
+
+from enum import IntEnum
+
+MAX_FRAME = 1024
+"""Bytes of the largest frame, its length field included: the firmware's buffers, one USB report."""
+
+LENGTH_FIELD = 2
+"""Bytes of the length field, which counts what follows it."""
+
+MIN_LENGTH = 3
+"""Smallest length field a frame can have: message counter and type."""
+
+MAX_LENGTH = MAX_FRAME - LENGTH_FIELD
+"""Largest length field a frame can have."""
+
+COUNTERS = 1 << 16
+"""Message counters are unsigned 16-bit numbers and start again at 0."""
+
+GLOBAL_BITS = 10
+MAX_GLOBALS = (1 << GLOBAL_BITS) - 1
+"""Most bytes of global memory that a header can ask for (the firmware grants at most 1021, a reply carries 1019)."""
+
+LOCAL_BITS = 6
+MAX_LOCALS = (1 << LOCAL_BITS) - 1
+"""Most bytes of local memory that a header can ask for."""
+
+
+class MessageType(IntEnum):
+    """The byte after the message counter."""
+
+    DIRECT_COMMAND_REPLY = 0x00
+    DIRECT_COMMAND_NO_REPLY = 0x80
+    SYSTEM_COMMAND_REPLY = 0x01
+    SYSTEM_COMMAND_NO_REPLY = 0x81
+    DIRECT_REPLY = 0x02
+    DIRECT_REPLY_ERROR = 0x04
+    SYSTEM_REPLY = 0x03
+    SYSTEM_REPLY_ERROR = 0x05
+    DAISY_COMMAND_REPLY = 0x0A
+    DAISY_COMMAND_NO_REPLY = 0x8A
+    DAISY_REPLY = 0x08
+    DAISY_REPLY_ERROR = 0x09
+
+    @property
+    def carries(self) -> str:
+        """Whose message it is: `direct`, `system` or `daisy`."""
+        return self.name.split("_", 1)[0].lower()
+
+    @property
+    def is_command(self) -> bool:
+        """True from host to brick, False for a reply."""
+        return "_COMMAND_" in self.name
+
+    @property
+    def kind(self) -> str:
+        """`direct-command`, `direct-reply`, `system-command`, ..."""
+        return f"{self.carries}-{'command' if self.is_command else 'reply'}"
+
+    @property
+    def wants_reply(self) -> bool:
+        """True for commands that the brick answers."""
+        return self.name.endswith("_COMMAND_REPLY")
+
+    @property
+    def is_error(self) -> bool:
+        """True for replies that say the command failed."""
+        return self.name.endswith("_ERROR")

@@ -1,0 +1,417 @@
+"""Operations on sensors, and on motors read as sensors: values, types, modes, calibration, raw I2C.
+
+Where the firmware writes several values at once, the entry tells which parameter gives their number and type.
+"""
+
+from ev3proto.tables.declaration import (
+    DATA8,
+    DATA16,
+    DATA32,
+    DATAF,
+    EXTENSIONS,
+    STRING,
+    Command,
+    Count,
+    Direction,
+    In,
+    Opcode,
+    Out,
+)
+from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT, TYPE
+
+PORTS = {0: "port 1", 1: "port 2", 2: "port 3", 3: "port 4"}
+MOTOR_PORTS = {16: "motor port A", 17: "motor port B", 18: "motor port C", 19: "motor port D"}
+
+LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3))
+LAYERS = In("LAYER", DATA8, "brick in the daisy chain", range=(0, 3), special={-1: "all layers"})
+NO = In("NO", DATA8, "port, counted from 0; 16 to 19 for motors", range=(0, 19), special=PORTS | MOTOR_PORTS)
+SENSOR_NO = In("NO", DATA8, "sensor port, counted from 0", range=(0, 3), special=PORTS)
+TYPE_TO_SET = In("TYPE", DATA8, "type the device shall have", enum=TYPE, special={0: "keep the type"})
+MODE_TO_SET = In("MODE", DATA8, "mode the device shall have", range=(0, 7), special={-1: "keep the mode"})
+CAL_TYPE = In("TYPE", DATA8, "type of device the calibration is for", enum=TYPE)
+CAL_MODE = In("MODE", DATA8, "mode the calibration is for", range=(0, 7))
+TEXT_LENGTH = In(
+    "LENGTH", DATA8, "room for the text with its zero", unit="bytes", special={-1: "as long as it is (handles only)"}
+)
+WRLNG = In("WRLNG", DATA8, "how many bytes to write", unit="bytes", range=(0, 32))
+WRDATA = In("WRDATA", DATA8, "bytes to write: I2C address, register, data", length="WRLNG")
+RDDATA = Out("RDDATA", DATA8, "bytes read", length="RDLNG")
+RDLNG = In("RDLNG", DATA8, "how many bytes to read", unit="bytes", range=(0, 32))
+REVERSIBLE_RDLNG = In(
+    "RDLNG", DATA8, "how many bytes to read, negative: in reverse order", unit="bytes", range=(-32, 32)
+)
+
+INPUT = (
+    Opcode(
+        0x97,
+        "INPUT_SAMPLE",
+        "Reads one SI value of each of several devices, sampled in the background",
+        (
+            In("TIME", DATA32, "time between two samples", unit="ms"),
+            In("SAMPLES", DATA16, "how many devices the arrays list"),
+            In("INIT", DATA16, "place in the sample buffer of each device, -1 starts it anew", length="SAMPLES"),
+            In("DEVICES", DATA8, "ports, 0 to 3 for sensors, 4 to 7 for motors A to D", length="SAMPLES"),
+            In("TYPES", DATA8, "type each device shall have", enum=TYPE, length="SAMPLES"),
+            In("MODES", DATA8, "mode each device shall have", length="SAMPLES"),
+            In("DATASETS", DATA8, "which of its values to read from each device, from 0", length="SAMPLES"),
+            Out("VALUES", DATAF, "one value per device, NaN where there is none", length="SAMPLES"),
+        ),
+    ),
+    Opcode(
+        0x98,
+        "INPUT_DEVICE_LIST",
+        "Lists the types of all devices, sensor ports of each layer first, then motor ports",
+        (
+            In("LENGTH", DATA8, "room in the array, 32 takes the whole daisy chain"),
+            Out("ARRAY", DATA8, "type of device at each port", enum=TYPE, length="LENGTH"),
+            Out("CHANGED", DATA8, "whether devices came or went since the last call", special={0: "no change"}),
+        ),
+    ),
+    Opcode(
+        0x99,
+        "INPUT_DEVICE",
+        "Asks about devices, calibrates them, reads several values",
+        commands=(
+            Command(
+                1,
+                "INSERT_TYPE",
+                "Adds a line to the table of device types, for third party types (50 to 98) only",
+                (
+                    In("TYPEDATA", STRING, "the line as in typedata.rcf, starting with the type's number"),
+                    In(
+                        "FORCE",
+                        DATA8,
+                        "whether to replace a known type",
+                        range=(0, 1),
+                        special={0: "refuse a known type", 1: "replace a known type"},
+                    ),
+                    Out("ERROR", DATA8, "whether it failed", range=(0, 1), special={0: "done", 1: "failed or known"}),
+                ),
+            ),
+            Command(
+                2,
+                "GET_FORMAT",
+                "Tells the shape of a device's values in its present mode",
+                (
+                    LAYER,
+                    NO,
+                    Out("DATASETS", DATA8, "how many values one reading has"),
+                    Out("FORMAT", DATA8, "type of one raw value", range=(0, 3), enum=DATA_FORMAT),
+                    Out("MODES", DATA8, "how many modes the device has", range=(1, 8)),
+                    Out("VIEWS", DATA8, "how many of the modes are shown to users", range=(1, 8)),
+                ),
+            ),
+            Command(
+                3,
+                "CAL_MINMAX",
+                "Sets the raw values that scale a type and mode to percent and SI",
+                (
+                    CAL_TYPE,
+                    CAL_MODE,
+                    In("CAL_MIN", DATA32, "raw value at the lower end"),
+                    In("CAL_MAX", DATA32, "raw value at full scale"),
+                ),
+            ),
+            Command(
+                4,
+                "CAL_DEFAULT",
+                "Goes back to the built-in scaling of a type and mode",
+                (CAL_TYPE, CAL_MODE),
+            ),
+            Command(
+                5,
+                "GET_TYPEMODE",
+                "Tells which device is at a port and in which mode",
+                (
+                    LAYER,
+                    NO,
+                    Out("TYPE", DATA8, "type of the device", enum=TYPE),
+                    Out("MODE", DATA8, "mode the device is in", range=(0, 7)),
+                ),
+            ),
+            Command(
+                6,
+                "GET_SYMBOL",
+                "Reads the symbol of the unit of the present mode",
+                (
+                    LAYER,
+                    NO,
+                    TEXT_LENGTH,
+                    Out("DESTINATION", STRING, "symbol, filled up with blanks", length="LENGTH"),
+                ),
+            ),
+            Command(
+                7,
+                "CAL_MIN",
+                "Sets the lower end of the scaling of a type and mode",
+                (CAL_TYPE, CAL_MODE, In("CAL_MIN", DATA32, "value at the lower end, in SI units once calibrated")),
+            ),
+            Command(
+                8,
+                "CAL_MAX",
+                "Sets the full scale of a type and mode",
+                (CAL_TYPE, CAL_MODE, In("CAL_MAX", DATA32, "value at full scale, in SI units once calibrated")),
+            ),
+            Command(
+                9,
+                "SETUP",
+                "Writes to an I2C sensor and reads its answer, again and again if asked to",
+                (
+                    LAYER,
+                    SENSOR_NO,
+                    In("REPEAT", DATA8, "how often to write and read", special={0: "without end"}),
+                    In("TIME", DATA16, "time between repeats", unit="ms", range=(10, 1000), special={0: "10 ms"}),
+                    In("WRITE_LEN", DATA8, "how many bytes to write", unit="bytes", range=(0, 32)),
+                    In("WRITE_DATA", DATA8, "bytes to write: I2C address, register, data", length="WRITE_LEN"),
+                    In(
+                        "READ_LEN",
+                        DATA8,
+                        "how many bytes to read, negative: in reverse order",
+                        unit="bytes",
+                        range=(-32, 32),
+                    ),
+                    Out("READ_DATA", DATA8, "bytes read", length="READ_LEN"),
+                ),
+            ),
+            Command(10, "CLR_ALL", "Clears counters and angles of all devices", (LAYERS,)),
+            Command(
+                11,
+                "GET_RAW",
+                "Reads the first raw value of a device",
+                (LAYER, NO, Out("VALUE", DATA32, "raw value, NaN where there is none")),
+            ),
+            Command(
+                12,
+                "GET_CONNECTION",
+                "Tells how the device at a port is connected",
+                (LAYER, NO, Out("CONN", DATA8, "kind of connection", enum=CONN)),
+            ),
+            Command(13, "STOP_ALL", "Stops all devices, motors among them", (LAYERS,)),
+            Command(
+                14,
+                "SET_TYPEMODE",
+                "Renumbers an entry of the table of device types, third party types only",
+                (
+                    In("TYPE", DATA8, "type the entry has", range=(50, 98), enum=TYPE),
+                    In("MODE", DATA8, "mode the entry has", range=(0, 7)),
+                    In("NEWTYPE", DATA8, "type the entry shall have", range=(50, 98), enum=TYPE),
+                    In("NEWMODE", DATA8, "mode the entry shall have", range=(0, 7)),
+                    Out(
+                        "ERROR",
+                        DATA8,
+                        "whether it failed",
+                        range=(0, 1),
+                        special={0: "done", 1: "failed or not found"},
+                    ),
+                ),
+            ),
+            Command(
+                15,
+                "READY_IIC",
+                "Writes to an I2C sensor once, waits for its answer and tells how it went",
+                (
+                    LAYER,
+                    SENSOR_NO,
+                    WRLNG,
+                    WRDATA,
+                    REVERSIBLE_RDLNG,
+                    RDDATA,
+                    Out("RESULT", DATA8, "how the transfer ended", enum=RESULT),
+                ),
+            ),
+            Command(
+                21,
+                "GET_NAME",
+                "Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT",
+                (
+                    LAYER,
+                    NO,
+                    TEXT_LENGTH,
+                    Out("DESTINATION", STRING, "name, filled up with blanks", length="LENGTH"),
+                ),
+            ),
+            Command(
+                22,
+                "GET_MODENAME",
+                "Reads the name of any mode of a device",
+                (
+                    LAYER,
+                    NO,
+                    In("MODE", DATA8, "mode to name", range=(0, 7)),
+                    TEXT_LENGTH,
+                    Out("DESTINATION", STRING, "name, filled up with blanks", length="LENGTH"),
+                ),
+            ),
+            Command(
+                23,
+                "SET_RAW",
+                "Pretends that a device has read this raw value",
+                (LAYER, NO, TYPE_TO_SET, In("VALUE", DATA32, "raw value to pretend")),
+            ),
+            Command(
+                24,
+                "GET_FIGURES",
+                "Tells how many digits a value of the present mode needs",
+                (
+                    LAYER,
+                    NO,
+                    Out("FIGURES", DATA8, "characters in all, with point and decimals"),
+                    Out("DECIMALS", DATA8, "digits after the point"),
+                ),
+            ),
+            Command(
+                25,
+                "GET_CHANGES",
+                "Reads how often a touch sensor changed in positive direction since CLR_CHANGES",
+                (LAYER, NO, Out("VALUE", DATAF, "number of changes, 0 for other sensors")),
+            ),
+            Command(26, "CLR_CHANGES", "Sets the counts of GET_CHANGES and GET_BUMPS to zero", (LAYER, NO)),
+            Command(
+                27,
+                "READY_PCT",
+                "Sets type and mode, waits until the device is ready and reads percent values",
+                (
+                    LAYER,
+                    NO,
+                    TYPE_TO_SET,
+                    MODE_TO_SET,
+                    Count("VALUES", "how many values follow, each in percent", DATA8, Direction.OUT),
+                ),
+            ),
+            Command(
+                28,
+                "READY_RAW",
+                "Sets type and mode, waits until the device is ready and reads raw values",
+                (
+                    LAYER,
+                    NO,
+                    TYPE_TO_SET,
+                    MODE_TO_SET,
+                    Count("VALUES", "how many raw values follow", DATA32, Direction.OUT),
+                ),
+            ),
+            Command(
+                29,
+                "READY_SI",
+                "Sets type and mode, waits until the device is ready and reads SI values",
+                (
+                    LAYER,
+                    NO,
+                    TYPE_TO_SET,
+                    MODE_TO_SET,
+                    Count("VALUES", "how many values follow, each in SI units", DATAF, Direction.OUT),
+                ),
+            ),
+            Command(
+                30,
+                "GET_MINMAX",
+                "Tells between which SI values the present mode moves",
+                (
+                    LAYER,
+                    NO,
+                    Out("MIN", DATAF, "smallest value in SI units"),
+                    Out("MAX", DATAF, "largest value in SI units"),
+                ),
+            ),
+            Command(
+                31,
+                "GET_BUMPS",
+                "Reads how often a touch sensor changed in negative direction since CLR_CHANGES",
+                (LAYER, NO, Out("VALUE", DATAF, "number of changes, 0 for other sensors")),
+            ),
+        ),
+    ),
+    Opcode(
+        0x9A,
+        "INPUT_READ",
+        "Sets type and mode and reads the first value in percent at once",
+        (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("PCT", DATA8, "value, NaN where there is none", unit="%")),
+    ),
+    Opcode(
+        0x9B,
+        "INPUT_TEST",
+        "Tells whether a device is still changing type or mode",
+        (LAYER, NO, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
+    ),
+    Opcode(0x9C, "INPUT_READY", "Waits until a device has valid values", (LAYER, NO)),
+    Opcode(
+        0x9D,
+        "INPUT_READSI",
+        "Sets type and mode and reads the first value in SI units at once",
+        (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("SI", DATAF, "value in the mode's unit, NaN where there is none")),
+    ),
+    Opcode(
+        0x9E,
+        "INPUT_READEXT",
+        "Sets type and mode and reads several values at once, in the format asked for",
+        (
+            LAYER,
+            NO,
+            TYPE_TO_SET,
+            MODE_TO_SET,
+            In("FORMAT", DATA8, "DATA_PCT, DATA_RAW or DATA_SI, others give NaN", enum=DATA_FORMAT),
+            Count("VALUES", "how many values follow, each in FORMAT", "FORMAT", Direction.OUT),
+        ),
+    ),
+    Opcode(
+        0x9F,
+        "INPUT_WRITE",
+        "Sends bytes to a UART sensor",
+        (
+            LAYER,
+            SENSOR_NO,
+            In("BYTES", DATA8, "how many bytes to send", unit="bytes", range=(1, 32)),
+            In("DATA", DATA8, "bytes to send", length="BYTES"),
+        ),
+    ),
+    Opcode(
+        0xE0,
+        "INPUT_SET_CONN",
+        "Sets how a port is connected, for ports whose automatic detection is off",
+        (
+            LAYER,
+            SENSOR_NO,
+            In("CONN", DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE", enum=CONN),
+        ),
+        dialects=EXTENSIONS,
+    ),
+    Opcode(
+        0xE1,
+        "INPUT_IIC_READ",
+        "Fetches the bytes that an I2C sensor answered to INPUT_IIC_WRITE",
+        (LAYER, SENSOR_NO, RDLNG, RDDATA, Out("RESULT", DATA8, "OK or FAIL", enum=RESULT)),
+        dialects=EXTENSIONS,
+    ),
+    Opcode(
+        0xE2,
+        "INPUT_IIC_STATUS",
+        "Tells the state of the I2C bus of a port",
+        (LAYER, SENSOR_NO, Out("RESULT", DATA8, "state of the bus", enum=RESULT)),
+        dialects=EXTENSIONS,
+    ),
+    Opcode(
+        0xE3,
+        "INPUT_IIC_WRITE",
+        "Sends bytes to an I2C sensor once and does not wait for its answer",
+        (
+            LAYER,
+            SENSOR_NO,
+            WRLNG,
+            WRDATA,
+            In("RDLNG", DATA8, "how many bytes the sensor will answer", unit="bytes", range=(0, 32)),
+            Out("RESULT", DATA8, "state of the bus after the request", enum=RESULT),
+        ),
+        dialects=EXTENSIONS,
+    ),
+    Opcode(
+        0xE4,
+        "INPUT_SET_AUTOID",
+        "Switches the automatic detection of sensors at a port on or off",
+        (
+            LAYER,
+            SENSOR_NO,
+            In("ENABLE", DATA8, "whether to detect", range=(0, 1), special={0: "off", 1: "on"}),
+        ),
+        dialects=EXTENSIONS,
+    ),
+)

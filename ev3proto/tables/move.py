@@ -1,0 +1,88 @@
+"""Copying values between variables: from one size to another, into a row of bytes, from and to elements of an array.
+
+The same operation exists once per size of its operands, so all but one are built size by size.
+"""
+
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, In, Opcode, Out, Type, Values
+
+SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
+
+INDEX = In("INDEX", DATA8, "which element, counted from 0; the firmware does not check it", range=(0, 127))
+
+
+def _moves_from(name: str, source: Type, size: str, numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
+    """Copying from one type to each of the four."""
+    return tuple(
+        Opcode(
+            number,
+            f"MOVE{name}_{suffix}",
+            _move_text(source, size, destination, to),
+            (In("SOURCE", source, "value to copy"), Out("DESTINATION", destination, "copy of the value")),
+        )
+        for number, (suffix, destination, to) in zip(numbers, SIZES, strict=True)
+    )
+
+
+def _move_text(source: Type, size: str, destination: Type, to: str) -> str:
+    if source is destination:
+        return f"Copies a value to another variable, both {to}"
+    types = [type_ for _, type_, _ in SIZES]
+    limited = types.index(destination) < types.index(source)
+    return f"Converts a value, {size} to {to}; " + (
+        "limited to what fits, NaN stays NaN" if limited else "NaN stays NaN"
+    )
+
+
+def _reads(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
+    """READ on 8, 16, 32 bits and float."""
+    return tuple(
+        Opcode(
+            number,
+            "READ" + suffix,
+            f"Takes one element out of an array of {size} values",
+            (
+                In("SOURCE", type_, "first element of the array, as a variable"),
+                INDEX,
+                Out("DESTINATION", type_, "the element's value"),
+            ),
+        )
+        for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
+    )
+
+
+def _writes(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
+    """WRITE on 8, 16, 32 bits and float."""
+    return tuple(
+        Opcode(
+            number,
+            "WRITE" + suffix,
+            f"Sets one element of an array of {size} values",
+            (
+                In("SOURCE", type_, "value to set"),
+                INDEX,
+                # The firmware writes here, but INDEX elements further on: not an output that could be read at its place
+                In("DESTINATION", type_, "first element of the array, as a variable; element INDEX is written"),
+            ),
+        )
+        for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
+    )
+
+
+MOVE = (
+    Opcode(
+        0x2F,
+        "INIT_BYTES",
+        "Fills consecutive bytes of memory with values given in place",
+        (
+            Out("DESTINATION", DATA8, "first byte to fill", length="LENGTH"),
+            In("LENGTH", DATA32, "how many values follow; a negative count hangs the brick", unit="bytes"),
+            Values("SOURCE", "the values, one per byte", DATA8),
+        ),
+    ),
+    *_moves_from("8", DATA8, "8-bit", (0x30, 0x31, 0x32, 0x33)),
+    *_moves_from("16", DATA16, "16-bit", (0x34, 0x35, 0x36, 0x37)),
+    *_moves_from("32", DATA32, "32-bit", (0x38, 0x39, 0x3A, 0x3B)),
+    *_moves_from("F", DATAF, "floating-point", (0x3C, 0x3D, 0x3E, 0x3F)),
+    *_reads((0xC8, 0xC9, 0xCA, 0xCB)),
+    *_writes((0xCC, 0xCD, 0xCE, 0xCF)),
+)

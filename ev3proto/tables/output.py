@@ -1,0 +1,184 @@
+"""Operations on motors: power, speed, limited and synchronised moves, tacho counts.
+
+Most of them take a set of ports as a bit mask (NOS), a few take one port by its number (NO).
+"""
+
+from ev3proto.tables.declaration import (
+    DATA8,
+    DATA16,
+    DATA32,
+    UNRELEASED,
+    In,
+    Opcode,
+    Out,
+    Parameter,
+)
+from ev3proto.tables.enumerations import TYPE
+
+MOST = 2**31 - 1
+PORTS = {0: "A", 1: "B", 2: "C", 3: "D"}
+PORT_SETS = {0: "none"} | {
+    mask: "+".join(port for bit, port in PORTS.items() if mask & 1 << bit) for mask in range(1, 16)
+}
+
+LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3))
+NO = In("NO", DATA8, "port, counted from 0", range=(0, 3), special=PORTS)
+NOS = In("NOS", DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", range=(0, 15), special=PORT_SETS)
+BRAKE = In("BRAKE", DATA8, "what the motors do at the end", range=(0, 1), special={0: "coast", 1: "brake and hold"})
+POWER = In("POWER", DATA8, "unregulated power, negative: backward", unit="%", range=(-100, 100))
+SPEED = In("SPEED", DATA8, "regulated speed, negative: backward", unit="%", range=(-100, 100))
+TURN = In(
+    "TURN",
+    DATA16,
+    "how tight the turn is, positive slows the higher port, negative the lower",
+    range=(-200, 200),
+    special={
+        -200: "spin, lower port runs backward",
+        -100: "lower port stands",
+        0: "straight",
+        100: "higher port stands",
+        200: "spin, higher port runs backward",
+    },
+)
+TACHO_LIMITS = (
+    In("STEP1", DATA32, "angle of the ramp up", unit="degrees", range=(0, MOST)),
+    In("STEP2", DATA32, "angle at constant drive", unit="degrees", range=(0, MOST)),
+    In("STEP3", DATA32, "angle of the ramp down", unit="degrees", range=(0, MOST)),
+)
+TIME_LIMITS = (
+    In("TIME1", DATA32, "time of the ramp up", unit="ms", range=(0, MOST)),
+    In("TIME2", DATA32, "time at constant drive", unit="ms", range=(0, MOST)),
+    In("TIME3", DATA32, "time of the ramp down", unit="ms", range=(0, MOST)),
+)
+
+
+def limited(number: int, name: str, text: str, drive: Parameter, limits: tuple[Parameter, ...]) -> Opcode:
+    """A move of independent motors that ends by itself after ramp up, constant drive and ramp down."""
+    return Opcode(number, name, text, (LAYER, NOS, drive, *limits, BRAKE))
+
+
+OUTPUT = (
+    Opcode(
+        0xA0,
+        "OUTPUT_GET_TYPE",
+        "Tells the type of motor at a port, in headers only: no firmware runs it",
+        (LAYER, NO, Out("TYPE", DATA8, "type of the motor", enum=TYPE)),
+        dialects=UNRELEASED,
+    ),
+    Opcode(
+        0xA1,
+        "OUTPUT_SET_TYPE",
+        "Declares which type of motor is at a port",
+        (
+            LAYER,
+            NO,
+            In(
+                "TYPE",
+                DATA8,
+                "type of the motor",
+                enum=TYPE,
+                note="an input, which the firmware reads; some published tables call it an output",
+            ),
+        ),
+    ),
+    Opcode(0xA2, "OUTPUT_RESET", "Sets the tacho counts that moves and OUTPUT_READ use to zero", (LAYER, NOS)),
+    Opcode(0xA3, "OUTPUT_STOP", "Stops motors", (LAYER, NOS, BRAKE)),
+    Opcode(0xA4, "OUTPUT_POWER", "Sets the power of motors, OUTPUT_START makes them run", (LAYER, NOS, POWER)),
+    Opcode(0xA5, "OUTPUT_SPEED", "Sets the speed of motors, OUTPUT_START makes them run", (LAYER, NOS, SPEED)),
+    Opcode(0xA6, "OUTPUT_START", "Starts motors with the power or speed set before", (LAYER, NOS)),
+    Opcode(
+        0xA7,
+        "OUTPUT_POLARITY",
+        "Sets the direction of motors",
+        (
+            LAYER,
+            NOS,
+            In(
+                "POL",
+                DATA8,
+                "direction",
+                range=(-1, 1),
+                special={-1: "backward", 0: "opposite of the present one", 1: "forward"},
+            ),
+        ),
+    ),
+    Opcode(
+        0xA8,
+        "OUTPUT_READ",
+        "Reads speed and tacho count of one motor, 0 on layers other than 0",
+        (
+            LAYER,
+            NO,
+            Out("SPEED", DATA8, "present speed", unit="%", range=(-100, 100)),
+            Out("TACHO", DATA32, "angle since OUTPUT_RESET", unit="degrees"),
+        ),
+    ),
+    Opcode(
+        0xA9,
+        "OUTPUT_TEST",
+        "Tells whether one of the motors is still in a move that ends by itself",
+        (LAYER, NOS, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
+    ),
+    Opcode(
+        0xAA,
+        "OUTPUT_READY",
+        "Waits until the moves of the motors have ended, OUTPUT_START does not count",
+        (LAYER, NOS),
+    ),
+    Opcode(
+        0xAB,
+        "OUTPUT_POSITION",
+        "Tells the position of motors, in headers only: no firmware runs it",
+        (LAYER, NOS, Out("POS", DATA32, "position", unit="degrees")),
+        dialects=UNRELEASED,
+    ),
+    limited(0xAC, "OUTPUT_STEP_POWER", "Turns motors by an angle with unregulated power", POWER, TACHO_LIMITS),
+    limited(0xAD, "OUTPUT_TIME_POWER", "Runs motors for a time with unregulated power", POWER, TIME_LIMITS),
+    limited(0xAE, "OUTPUT_STEP_SPEED", "Turns motors by an angle with regulated speed", SPEED, TACHO_LIMITS),
+    limited(0xAF, "OUTPUT_TIME_SPEED", "Runs motors for a time with regulated speed", SPEED, TIME_LIMITS),
+    Opcode(
+        0xB0,
+        "OUTPUT_STEP_SYNC",
+        "Turns two motors in step by an angle",
+        (
+            LAYER,
+            NOS,
+            SPEED,
+            TURN,
+            In("STEP", DATA32, "angle of the faster motor", unit="degrees", range=(0, MOST), special={0: "no end"}),
+            BRAKE,
+        ),
+    ),
+    Opcode(
+        0xB1,
+        "OUTPUT_TIME_SYNC",
+        "Runs two motors in step for a time",
+        (
+            LAYER,
+            NOS,
+            SPEED,
+            TURN,
+            In("TIME", DATA32, "how long to run", unit="ms", range=(0, MOST), special={0: "no end"}),
+            BRAKE,
+        ),
+    ),
+    Opcode(0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts that motors have as sensors to zero", (LAYER, NOS)),
+    Opcode(
+        0xB3,
+        "OUTPUT_GET_COUNT",
+        "Reads the tacho count that a motor has as a sensor",
+        (
+            LAYER,
+            In(
+                "NOS",
+                DATA8,
+                "port, counted from 0",
+                range=(0, 3),
+                special=PORTS,
+                note="named as a bit mask, used by the firmware as the number of one port",
+            ),
+            Out("TACHO", DATA32, "angle since OUTPUT_CLR_COUNT", unit="degrees"),
+        ),
+    ),
+    Opcode(0xB4, "OUTPUT_PRG_STOP", "Stops and resets all motors as the end of a program does"),
+)

@@ -1,0 +1,49 @@
+"""The speaker: tones, sound files and waiting for their end. One sound at a time: the next one cuts it off."""
+
+from ev3proto.tables.declaration import DATA8, DATA16, STRING, Command, In, Opcode, Out
+
+VOLUME = In("VOLUME", DATA8, "how loud", range=(0, 100), unit="%", special={0: "silent"})
+NAME = In("NAME", STRING, "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys")
+
+SOUND = (
+    Opcode(
+        0x94,
+        "SOUND",
+        "Plays or stops a sound",
+        commands=(
+            Command(0, "BREAK", "Stops the tone or file that is playing"),
+            Command(
+                1,
+                "TONE",
+                "Plays one tone and returns at once",
+                (
+                    VOLUME,
+                    In(
+                        "FREQUENCY",
+                        DATA16,
+                        "pitch; the driver moves others into the range",
+                        range=(250, 10000),
+                        unit="Hz",
+                    ),
+                    In(
+                        "DURATION",
+                        DATA16,
+                        "how long, read without sign (-1 is 65535)",
+                        unit="ms",
+                        special={0: "until BREAK or the next sound"},
+                    ),
+                ),
+            ),
+            Command(2, "PLAY", "Plays a sound file once and returns at once", (VOLUME, NAME)),
+            Command(3, "REPEAT", "Plays a sound file over and over until BREAK and returns at once", (VOLUME, NAME)),
+            Command(4, "SERVICE", "Does nothing here: the firmware itself feeds its sound driver by this number"),
+        ),
+    ),
+    Opcode(
+        0x95,
+        "SOUND_TEST",
+        "Tells whether a sound is playing",
+        (Out("BUSY", DATA8, "whether a sound is playing", range=(0, 1), special={0: "ready", 1: "busy"}),),
+    ),
+    Opcode(0x96, "SOUND_READY", "Waits until the sound has ended (for ever after REPEAT or a tone without end)"),
+)

@@ -1,0 +1,38 @@
+"""The clocks: waiting for a while, and reading the time that has passed."""
+
+from ev3proto.tables.declaration import DATA32, In, Opcode, Out
+
+TIMER = (
+    Opcode(
+        0x85,
+        "TIMER_WAIT",
+        "Notes when a wait will be over and returns at once; TIMER_READY does the waiting",
+        (
+            In("TIME", DATA32, "how long to wait", range=(0, 2147483647), unit="ms"),
+            Out(
+                "TIMER",
+                DATA32,
+                "variable that gets the end of the wait, on the brick's millisecond clock",
+                note="the firmware writes it; its documentation lists it among the inputs",
+            ),
+        ),
+    ),
+    Opcode(
+        0x86,
+        "TIMER_READY",
+        "Waits until the time that TIMER_WAIT noted has come",
+        (In("TIMER", DATA32, "variable that TIMER_WAIT has set"),),
+    ),
+    Opcode(
+        0x87,
+        "TIMER_READ",
+        "Reads the time since the program or direct command that asks was started",
+        (Out("TIME", DATA32, "time since the start", unit="ms"),),
+    ),
+    Opcode(
+        0x8F,
+        "TIMER_READ_US",
+        "Reads the free-running microsecond clock, for differences only",
+        (Out("TIME", DATA32, "low 32 bits of the clock, back to 0 every 71.6 minutes", unit="us"),),
+    ),
+)

@@ -1,0 +1,872 @@
+"""The brick's face: display, buttons, lights, debug terminal, battery and the rest of its state.
+
+Drawing goes to a canvas that UI_DRAW UPDATE makes visible. Dialogues (NOTIFICATION, QUESTION, KEYBOARD, BROWSE,
+TEXTBOX, ...) keep the program or direct command waiting until somebody presses a button.
+"""
+
+from ev3proto.tables.declaration import (
+    DATA8,
+    DATA16,
+    DATA32,
+    DATAF,
+    EXTENSIONS,
+    STRING,
+    Command,
+    In,
+    InOut,
+    Opcode,
+    Out,
+    Parameter,
+)
+from ev3proto.tables.enumerations import (
+    BROWSERTYPE,
+    BUTTONTYPE,
+    DEL,
+    FILETYPE,
+    FONTTYPE,
+    ICONTYPE,
+    L_ICON_NO,
+    LEDPATTERN,
+    N_ICON_NO,
+    WARNING,
+)
+
+NO_YES = {0: "no", 1: "yes"}
+
+LENGTH = In("LENGTH", DATA8, "most bytes to return, the zero included", range=(0, 127), unit="bytes")
+LENGTH_OR_ALL = In(
+    "LENGTH",
+    DATA8,
+    "most bytes to return, the zero included",
+    range=(0, 127),
+    unit="bytes",
+    special={-1: "no limit"},
+)
+
+BUTTON = In("BUTTON", DATA8, "which button", enum=BUTTONTYPE)
+IS_DOWN = Out("STATE", DATA8, "whether the button is down", range=(0, 1), special=NO_YES)
+WAS_PRESSED = Out("STATE", DATA8, "whether the button was pressed", range=(0, 1), special=NO_YES)
+WAS_HELD = Out("STATE", DATA8, "whether the button was held for 3 s", range=(0, 1), special=NO_YES)
+WAS_BUMPED = Out("STATE", DATA8, "whether the button was pressed and let go", range=(0, 1), special=NO_YES)
+
+FIGURES = In("FIGURES", DATA8, "characters in all, decimal point included")
+FIGURES_SIGNED = In("FIGURES", DATA8, "characters in all, decimal point included; negative aligns left")
+DECIMALS = In("DECIMALS", DATA8, "digits after the decimal point")
+
+COLOR = In("COLOR", DATA8, "colour to draw in", range=(0, 1), special={0: "white", 1: "black"})
+X0 = In("X0", DATA16, "left edge", range=(0, 177), unit="px")
+Y0 = In("Y0", DATA16, "top edge", range=(0, 127), unit="px")
+WIDTH = In("X1", DATA16, "width", range=(0, 178), unit="px")
+HEIGHT = In("Y1", DATA16, "height", range=(0, 128), unit="px")
+X_START = In("X0", DATA16, "column of the start", range=(0, 177), unit="px")
+Y_START = In("Y0", DATA16, "row of the start", range=(0, 127), unit="px")
+X_END = In("X1", DATA16, "column of the end", range=(0, 177), unit="px")
+Y_END = In("Y1", DATA16, "row of the end", range=(0, 127), unit="px")
+X_CENTRE = In("X0", DATA16, "column of the centre", range=(0, 177), unit="px")
+Y_CENTRE = In("Y0", DATA16, "row of the centre", range=(0, 127), unit="px")
+RADIUS = In("R", DATA16, "radius", unit="px", special={0: "draws nothing"})
+
+ICON1 = In("ICON1", DATA8, "first large icon", enum=L_ICON_NO, special={-1: "none"})
+ICON2 = In("ICON2", DATA8, "second large icon", enum=L_ICON_NO, special={-1: "none"})
+ICON3 = In("ICON3", DATA8, "third large icon", enum=L_ICON_NO, special={-1: "none"})
+DIALOGUE_STATE = InOut(
+    "STATE",
+    DATA8,
+    "variable the dialogue keeps its progress in; set to 0 before",
+    range=(0, 1),
+    special={0: "start, or done", 1: "being shown"},
+    note="the firmware writes it at each step; its documentation lists it among the inputs",
+)
+
+STORED_SCREEN = In("NO", DATA8, "memory for one screen; 0 holds the one from before the program ran", range=(0, 2))
+
+TEXT = In(
+    "TEXT",
+    STRING,
+    "whole text of the box, its lines separated by DEL",
+    note="published as one DATA8, the first byte of what the firmware reads as a string",
+)
+SIZE = In("SIZE", DATA32, "bytes that the box has for its text, the zero included", unit="bytes")
+DELIMITER = In("DEL", DATA8, "what separates the lines", enum=DEL)
+
+STATE_PRESENT = Out("STATE", DATA8, "whether one is present", range=(0, 1), special={0: "absent", 1: "present"})
+TOTAL = Out("TOTAL", DATA32, "size", unit="KiB")
+FREE = Out("FREE", DATA32, "free space", unit="KiB")
+
+
+def _string(text: str) -> tuple[Parameter, ...]:
+    """The parameters of the commands that only return a string."""
+    return (LENGTH_OR_ALL, Out("DESTINATION", STRING, text, length="LENGTH"))
+
+
+UI = (
+    Opcode(0x80, "UI_FLUSH", "Sends what was written for the terminal and is still in its buffer"),
+    Opcode(
+        0x81,
+        "UI_READ",
+        "Reads the state of the brick or what the terminal received",
+        commands=(
+            Command(1, "GET_VBATT", "Reads the battery voltage", (Out("VALUE", DATAF, "voltage", unit="V"),)),
+            Command(2, "GET_IBATT", "Reads the battery current", (Out("VALUE", DATAF, "current", unit="A"),)),
+            Command(
+                3,
+                "GET_OS_VERS",
+                "Reads name and version of the operating system",
+                _string("system and kernel release, such as Linux 2.6.33-rc4"),
+            ),
+            Command(
+                4,
+                "GET_EVENT",
+                "Reads and clears the pending event (used by the brick's own menus)",
+                (
+                    Out(
+                        "EVENT",
+                        DATA8,
+                        "what happened",
+                        special={
+                            0: "nothing",
+                            1: "Bluetooth asks for a PIN",
+                            2: "Bluetooth asks to confirm a connection",
+                        },
+                    ),
+                ),
+            ),
+            Command(
+                5,
+                "GET_TBATT",
+                "Reads how much the batteries have warmed up, as estimated from the current",
+                (Out("VALUE", DATAF, "estimated rise of the temperature", unit="°C"),),
+            ),
+            Command(
+                6,
+                "GET_IINT",
+                "Reads the battery current smoothed over time",
+                (Out("IINT", DATAF, "integrated current", unit="A"),),
+            ),
+            Command(
+                7,
+                "GET_IMOTOR",
+                "Reads the current of all motors together",
+                (Out("VALUE", DATAF, "current", unit="A"),),
+            ),
+            Command(
+                8,
+                "GET_STRING",
+                "Waits for a line typed at the terminal and reads it",
+                (
+                    In("LENGTH", DATA8, "most bytes to return; the zero comes on top", range=(0, 127), unit="bytes"),
+                    Out("DESTINATION", STRING, "the line", length="LENGTH"),
+                ),
+            ),
+            Command(9, "GET_HW_VERS", "Reads the hardware version", _string("hardware version, such as V0.60")),
+            Command(10, "GET_FW_VERS", "Reads the firmware version", _string("firmware version, such as V1.04H")),
+            Command(11, "GET_FW_BUILD", "Reads when the firmware was built", _string("build time as yymmddhhmm")),
+            Command(
+                12,
+                "GET_OS_BUILD",
+                "Reads when the operating system was built",
+                _string("build time as yymmddhhmm"),
+            ),
+            Command(
+                13,
+                "GET_ADDRESS",
+                "Waits for a decimal number typed at the terminal and reads it (debugging)",
+                (Out("VALUE", DATA32, "the number, meant as an address"),),
+            ),
+            Command(
+                14,
+                "GET_CODE",
+                "Waits for byte code typed as hex at the terminal and makes a program of it (debugging)",
+                (
+                    In("LENGTH", DATA32, "most bytes of the program, headers included", unit="bytes"),
+                    In(
+                        "IMAGE",
+                        DATA32,
+                        "address of the memory where the program is built",
+                        note="the firmware reads the address; its documentation lists it among the outputs",
+                    ),
+                    Out("GLOBAL", DATA32, "address of the program's global variables"),
+                    Out("FLAG", DATA8, "whether the program can be started; 1 or left as it was", special={1: "ready"}),
+                ),
+            ),
+            Command(
+                15,
+                "KEY",
+                "Takes one key from the terminal without waiting",
+                (Out("VALUE", DATA8, "character code of the key", special={0: "no key"}),),
+            ),
+            Command(
+                16,
+                "GET_SHUTDOWN",
+                "Reads and clears the wish to shut down (used by the brick's own menus)",
+                (Out("FLAG", DATA8, "whether the brick wants to shut down", range=(0, 1), special=NO_YES),),
+            ),
+            Command(
+                17,
+                "GET_WARNING",
+                "Reads what the brick warns of",
+                (Out("WARNINGS", DATA8, "one bit for each warning", enum=WARNING, special={0: "none"}),),
+            ),
+            Command(
+                18,
+                "GET_LBATT",
+                "Reads how full the battery is, derived from its voltage",
+                (Out("PCT", DATA8, "battery level", range=(0, 100), unit="%"),),
+            ),
+            Command(
+                21,
+                "TEXTBOX_READ",
+                "Reads one line of the text of a text box",
+                (
+                    TEXT,
+                    SIZE,
+                    DELIMITER,
+                    LENGTH_OR_ALL,
+                    In("LINE", DATA16, "which line, counted from 1"),
+                    Out(
+                        "DESTINATION",
+                        STRING,
+                        "the line, empty where there is no such line",
+                        length="LENGTH",
+                        note="published as an input DATA8; the firmware writes a string there",
+                    ),
+                ),
+            ),
+            Command(
+                26,
+                "GET_VERSION",
+                "Reads name, version and build date of the firmware in one",
+                _string("such as LMS2012 V1.04H(Jul 26 2013 12:00:00)"),
+            ),
+            Command(27, "GET_IP", "Reads the brick's IP address", _string("address in dotted notation")),
+            Command(
+                29,
+                "GET_POWER",
+                "Reads all values of the power supply at once",
+                (
+                    Out("VBATT", DATAF, "battery voltage", unit="V"),
+                    Out("IBATT", DATAF, "battery current", unit="A"),
+                    Out("IINT", DATAF, "battery current smoothed over time", unit="A"),
+                    Out("IMOTOR", DATAF, "current of all motors together", unit="A"),
+                ),
+            ),
+            Command(30, "GET_SDCARD", "Reads whether an SD card is in and its space", (STATE_PRESENT, TOTAL, FREE)),
+            Command(31, "GET_USBSTICK", "Reads whether a USB stick is in and its space", (STATE_PRESENT, TOTAL, FREE)),
+        ),
+    ),
+    Opcode(
+        0x82,
+        "UI_WRITE",
+        "Writes to the terminal or sets lights and states of the brick",
+        commands=(
+            Command(1, "WRITE_FLUSH", "Sends what is still in the terminal's buffer, like UI_FLUSH"),
+            Command(
+                2,
+                "FLOATVALUE",
+                "Writes a number in a fixed format to the terminal",
+                (In("VALUE", DATAF, "number to write"), FIGURES_SIGNED, DECIMALS),
+            ),
+            Command(
+                3,
+                "STAMP",
+                "Writes time, program, object, position and a remark to the terminal",
+                (
+                    In(
+                        "VALUE",
+                        STRING,
+                        "remark",
+                        note="published as DATA8; the firmware prints the string that starts there",
+                    ),
+                ),
+            ),
+            Command(8, "PUT_STRING", "Writes text to the terminal", (In("STRING", STRING, "text to write"),)),
+            Command(9, "VALUE8", "Writes a whole number to the terminal", (In("VALUE", DATA8, "number to write"),)),
+            Command(
+                10,
+                "VALUE16",
+                "Writes a whole number to the terminal, without its sign",
+                (In("VALUE", DATA16, "number to write"),),
+            ),
+            Command(11, "VALUE32", "Writes a whole number to the terminal", (In("VALUE", DATA32, "number to write"),)),
+            Command(12, "VALUEF", "Writes a number to the terminal", (In("VALUE", DATAF, "number to write"),)),
+            Command(
+                13,
+                "ADDRESS",
+                "Has a number but no code in the firmware: the program that runs it fails",
+                (Out("VALUE", DATA32, "address; never written"),),
+            ),
+            Command(
+                14,
+                "CODE",
+                "Writes bytes of memory as hex to the terminal",
+                (
+                    In(
+                        "ARRAY",
+                        DATA32,
+                        "address of the bytes",
+                        validated=DATA8,
+                        note="documented as the first byte of an array; the firmware takes the value as an address",
+                    ),
+                    In("LENGTH", DATA32, "how many bytes", unit="bytes"),
+                ),
+            ),
+            Command(15, "DOWNLOAD_END", "Plays the sound of a finished download and refreshes the file browser"),
+            Command(
+                16,
+                "SCREEN_BLOCK",
+                "Blocks or frees the display and the buttons for programs",
+                (
+                    In(
+                        "STATUS",
+                        DATA8,
+                        "whether drawing is ignored",
+                        range=(0, 1),
+                        special={0: "normal", 1: "blocked"},
+                    ),
+                ),
+            ),
+            Command(
+                17,
+                "ALLOW_PULSE",
+                "Selects the debug pulses that are shown (only in firmware built for it)",
+                (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
+            ),
+            Command(
+                18,
+                "SET_PULSE",
+                "Raises debug pulses (only in firmware built for it)",
+                (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
+            ),
+            Command(
+                21,
+                "TEXTBOX_APPEND",
+                "Appends a line to the text of a text box",
+                (
+                    InOut(
+                        "TEXT",
+                        STRING,
+                        "whole text of the box, its lines separated by DEL",
+                        length="SIZE",
+                        note="the firmware appends in place; its documentation lists it among the inputs",
+                    ),
+                    SIZE,
+                    DELIMITER,
+                    In("SOURCE", STRING, "line to append"),
+                ),
+            ),
+            Command(
+                22,
+                "SET_BUSY",
+                "Sets or clears the busy bit among the warnings",
+                (In("VALUE", DATA8, "whether the brick counts as busy", range=(0, 1), special=NO_YES),),
+            ),
+            Command(
+                24,
+                "SET_TESTPIN",
+                "Sets the test pin on the brick's circuit board",
+                (In("STATE", DATA8, "level of the pin", range=(0, 1), special={0: "low", 1: "high"}),),
+            ),
+            Command(25, "INIT_RUN", "Shows the animation of a running program until something draws"),
+            Command(26, "UPDATE_RUN", "Does nothing"),
+            Command(
+                27,
+                "LED",
+                "Sets colour and blinking of the light around the buttons",
+                (In("PATTERN", DATA8, "colour and rhythm", enum=LEDPATTERN),),
+            ),
+            Command(
+                29,
+                "POWER",
+                "Sets the power driver's flag for switching off when the firmware ends",
+                (In("VALUE", DATA8, "the flag", range=(0, 1)),),
+            ),
+            Command(30, "GRAPH_SAMPLE", "Adds the present values to the graph that GRAPH_SETUP has set up"),
+            Command(
+                31,
+                "TERMINAL",
+                "Switches the debug terminal on or off",
+                (In("STATE", DATA8, "whether the terminal is on", range=(0, 1), special={0: "off", 1: "on"}),),
+            ),
+        ),
+    ),
+    Opcode(
+        0x83,
+        "UI_BUTTON",
+        "Reads or simulates the buttons",
+        commands=(
+            Command(
+                1,
+                "SHORTPRESS",
+                "Tells whether a button was pressed since last asked, and forgets it",
+                (BUTTON, WAS_PRESSED),
+            ),
+            Command(
+                2,
+                "LONGPRESS",
+                "Tells whether a button was held for 3 s since last asked, and forgets it",
+                (BUTTON, WAS_HELD),
+            ),
+            Command(3, "WAIT_FOR_PRESS", "Waits until any button has been pressed, by hand or by PRESS"),
+            Command(4, "FLUSH", "Forgets all presses that nobody has asked for"),
+            Command(5, "PRESS", "Presses a button as if by hand and holds it until RELEASE", (BUTTON,)),
+            Command(6, "RELEASE", "Releases a button that PRESS holds", (BUTTON,)),
+            Command(
+                7,
+                "GET_HORZ",
+                "Reads the left and right buttons as one axis, and forgets their presses",
+                (
+                    Out(
+                        "VALUE",
+                        DATA16,
+                        "direction",
+                        range=(-1, 1),
+                        special={-1: "left", 1: "right", 0: "not pressed"},
+                    ),
+                ),
+            ),
+            Command(
+                8,
+                "GET_VERT",
+                "Reads the up and down buttons as one axis, and forgets their presses",
+                (Out("VALUE", DATA16, "direction", range=(-1, 1), special={-1: "up", 1: "down", 0: "not pressed"}),),
+            ),
+            Command(9, "PRESSED", "Tells whether a button is down at the moment", (BUTTON, IS_DOWN)),
+            Command(
+                10,
+                "SET_BACK_BLOCK",
+                "Sets whether the back button is kept from ending the running program",
+                (
+                    In(
+                        "BLOCKED",
+                        DATA8,
+                        "whether the back button is blocked",
+                        range=(0, 1),
+                        special={0: "not blocked", 1: "blocked"},
+                    ),
+                ),
+            ),
+            Command(
+                11,
+                "GET_BACK_BLOCK",
+                "Tells whether the back button is kept from ending the running program",
+                (
+                    Out(
+                        "BLOCKED",
+                        DATA8,
+                        "whether the back button is blocked",
+                        range=(0, 1),
+                        special={0: "not blocked", 1: "blocked"},
+                    ),
+                ),
+            ),
+            Command(
+                12,
+                "TESTSHORTPRESS",
+                "Tells like SHORTPRESS whether a button was pressed, without forgetting it",
+                (BUTTON, WAS_PRESSED),
+            ),
+            Command(
+                13,
+                "TESTLONGPRESS",
+                "Tells like LONGPRESS whether a button was held for 3 s, without forgetting it",
+                (BUTTON, WAS_HELD),
+            ),
+            Command(
+                14,
+                "GET_BUMBED",
+                "Tells whether a button was pressed and let go since last asked, and forgets it",
+                (BUTTON, WAS_BUMPED),
+                dialects=("official", "xtended"),
+                note="spelt so in LEGO's headers; lms2012-compat says GET_BUMPED",
+            ),
+            Command(
+                14,
+                "GET_BUMPED",
+                "Tells whether a button was pressed and let go since last asked, and forgets it",
+                (BUTTON, WAS_BUMPED),
+                dialects=("compat",),
+                note="GET_BUMBED in LEGO's headers",
+            ),
+            Command(
+                15,
+                "GET_CLICK",
+                "Tells whether a key click is due because a press was handled, and forgets it",
+                (Out("CLICK", DATA8, "whether a click is due", range=(0, 1), special=NO_YES),),
+            ),
+        ),
+    ),
+    Opcode(
+        0x84,
+        "UI_DRAW",
+        "Draws on the canvas of the display, or runs a dialogue on it",
+        commands=(
+            Command(0, "UPDATE", "Shows on the display what has been drawn, and returns to the normal font"),
+            Command(1, "CLEAN", "Wipes the canvas white, and returns to the normal font"),
+            Command(
+                2,
+                "PIXEL",
+                "Draws one pixel",
+                (
+                    COLOR,
+                    In("X0", DATA16, "column", range=(0, 177), unit="px"),
+                    In("Y0", DATA16, "row", range=(0, 127), unit="px"),
+                ),
+            ),
+            Command(3, "LINE", "Draws a line between two points", (COLOR, X_START, Y_START, X_END, Y_END)),
+            Command(4, "CIRCLE", "Draws a circle", (COLOR, X_CENTRE, Y_CENTRE, RADIUS)),
+            Command(
+                5,
+                "TEXT",
+                "Draws text in the font that SELECT_FONT has chosen",
+                (COLOR, X0, Y0, In("STRING", STRING, "text to draw")),
+            ),
+            Command(
+                6,
+                "ICON",
+                "Draws one of the built-in icons",
+                (
+                    COLOR,
+                    X0,
+                    Y0,
+                    In("TYPE", DATA8, "set of icons", enum=ICONTYPE),
+                    In("NO", DATA8, "number of the icon in its set"),
+                ),
+            ),
+            Command(
+                7,
+                "PICTURE",
+                "Draws a picture that is in memory",
+                (COLOR, X0, Y0, In("IP", DATA32, "address of the picture", special={0: "draws nothing"})),
+            ),
+            Command(
+                8,
+                "VALUE",
+                "Draws a number, or dashes where it is not a number",
+                (COLOR, X0, Y0, In("VALUE", DATAF, "number to draw"), FIGURES_SIGNED, DECIMALS),
+            ),
+            Command(9, "FILLRECT", "Draws a filled rectangle", (COLOR, X0, Y0, WIDTH, HEIGHT)),
+            Command(
+                10,
+                "RECT",
+                "Draws the outline of a rectangle",
+                (COLOR, X0, Y0, WIDTH, HEIGHT),
+                dialects=("official",),
+                note="the other firmwares name it RECTANGLE",
+            ),
+            Command(
+                10,
+                "RECTANGLE",
+                "Draws the outline of a rectangle",
+                (COLOR, X0, Y0, WIDTH, HEIGHT),
+                dialects=EXTENSIONS,
+                note="RECT in LEGO's firmware",
+            ),
+            Command(
+                11,
+                "NOTIFICATION",
+                "Shows icons and text in a window and waits for the centre button",
+                (
+                    COLOR,
+                    X0,
+                    Y0,
+                    ICON1,
+                    ICON2,
+                    ICON3,
+                    In("STRING", STRING, "text beside the icons; may be empty"),
+                    DIALOGUE_STATE,
+                ),
+            ),
+            Command(
+                12,
+                "QUESTION",
+                "Shows icons in a window and waits for yes or no",
+                (
+                    COLOR,
+                    X0,
+                    Y0,
+                    ICON1,
+                    ICON2,
+                    In("STRING", STRING, "text of the question (LEGO's firmware does not show it)"),
+                    DIALOGUE_STATE,
+                    Out(
+                        "OK",
+                        DATA8,
+                        "answer; what the variable holds before is selected first",
+                        range=(-1, 1),
+                        special={0: "no", 1: "yes", -1: "left with the back button"},
+                    ),
+                ),
+            ),
+            Command(
+                13,
+                "KEYBOARD",
+                "Shows a keyboard on the display and waits until a text has been entered",
+                (
+                    COLOR,
+                    X0,
+                    Y0,
+                    In("ICON", DATA8, "normal icon before the caption", enum=N_ICON_NO),
+                    LENGTH,
+                    In("DEFAULT", STRING, "caption above the text, not a preset as its name says", special={0: "none"}),
+                    InOut(
+                        "CHARSET",
+                        DATA8,
+                        "variable with the sum of what may be typed; becomes 0 once the keyboard shows",
+                        special={
+                            0: "being shown",
+                            1: "brick name",
+                            2: "file name",
+                            4: "Bluetooth PIN",
+                            8: "WiFi password",
+                            16: "WiFi name",
+                        },
+                        note="the firmware sets it to 0; its documentation lists it among the inputs",
+                    ),
+                    Out(
+                        "STRING",
+                        STRING,
+                        "text entered; what the variable holds before is edited, back button empties it",
+                        length="LENGTH",
+                    ),
+                ),
+            ),
+            Command(
+                14,
+                "BROWSE",
+                "Shows files and folders and waits until one is chosen",
+                (
+                    In("TYPE", DATA8, "what is listed", enum=BROWSERTYPE),
+                    X0,
+                    Y0,
+                    WIDTH,
+                    HEIGHT,
+                    LENGTH,
+                    Out("ITEM_TYPE", DATA8, "kind of what was chosen; set the variable to 0 before", enum=FILETYPE),
+                    Out(
+                        "STRING",
+                        STRING,
+                        "path of what was chosen; the variable holds the top folder before",
+                        length="LENGTH",
+                    ),
+                ),
+            ),
+            Command(
+                15,
+                "VERTBAR",
+                "Draws a vertical scroll bar",
+                (
+                    COLOR,
+                    X0,
+                    Y0,
+                    WIDTH,
+                    HEIGHT,
+                    In("MIN", DATA16, "value at one end of the bar"),
+                    In("MAX", DATA16, "value at the other end of the bar"),
+                    In("ACT", DATA16, "value that the knob shows"),
+                ),
+            ),
+            Command(16, "INVERSERECT", "Swaps black and white in a rectangle", (X0, Y0, WIDTH, HEIGHT)),
+            Command(
+                17,
+                "SELECT_FONT",
+                "Chooses the font for text until UPDATE, CLEAN or FILLWINDOW",
+                (In("TYPE", DATA8, "font", range=(0, 3), enum=FONTTYPE),),
+            ),
+            Command(
+                18,
+                "TOPLINE",
+                "Switches the status line at the top on or off",
+                (
+                    In(
+                        "ENABLE",
+                        DATA8,
+                        "whether the status line is shown",
+                        range=(0, 1),
+                        special={0: "disabled", 1: "enabled"},
+                    ),
+                ),
+            ),
+            Command(
+                19,
+                "FILLWINDOW",
+                "Fills rows over the whole width, and returns to the normal font",
+                (
+                    In(
+                        "COLOR",
+                        DATA8,
+                        "colour to fill with; any other value makes a test pattern",
+                        special={0: "white", 1: "black"},
+                    ),
+                    Y0,
+                    In(
+                        "Y1",
+                        DATA16,
+                        "height; nothing is filled where Y0 and it make 128 or more",
+                        range=(0, 127),
+                        unit="px",
+                        special={0: "down to the bottom"},
+                    ),
+                ),
+            ),
+            Command(
+                20,
+                "SCROLL",
+                "Moves the canvas up",
+                (In("Y", DATA16, "how far", range=(1, 127), unit="px"),),
+            ),
+            Command(
+                21,
+                "DOTLINE",
+                "Draws a dashed line between two points",
+                (
+                    COLOR,
+                    X_START,
+                    Y_START,
+                    X_END,
+                    Y_END,
+                    In("ON", DATA16, "length of a dash", unit="px"),
+                    In("OFF", DATA16, "length of a gap", unit="px"),
+                ),
+            ),
+            Command(
+                22,
+                "VIEW_VALUE",
+                "Draws a number centred in its place, with > instead of digits where it does not fit",
+                (COLOR, X0, Y0, In("VALUE", DATAF, "number to draw"), FIGURES, DECIMALS),
+            ),
+            Command(
+                23,
+                "VIEW_UNIT",
+                "Draws a number in large figures and its unit in small letters",
+                (
+                    COLOR,
+                    X0,
+                    Y0,
+                    In("VALUE", DATAF, "number to draw"),
+                    FIGURES,
+                    DECIMALS,
+                    In("LENGTH", DATA8, "most bytes of the unit, the zero included", range=(0, 127), unit="bytes"),
+                    In("STRING", STRING, "unit to draw behind the number"),
+                ),
+            ),
+            Command(24, "FILLCIRCLE", "Draws a filled circle", (COLOR, X_CENTRE, Y_CENTRE, RADIUS)),
+            Command(25, "STORE", "Keeps a copy of the canvas", (STORED_SCREEN,)),
+            Command(26, "RESTORE", "Brings back a canvas kept by STORE", (STORED_SCREEN,)),
+            Command(
+                27,
+                "ICON_QUESTION",
+                "Shows a row of icons and waits until one is chosen",
+                (
+                    COLOR,
+                    X0,
+                    Y0,
+                    DIALOGUE_STATE,
+                    InOut(
+                        "ICONS",
+                        DATA32,
+                        "bit n stands for large icon n: before those to show, then the one chosen",
+                        special={0: "none: left with the back button"},
+                        note="the firmware writes the choice; its documentation lists it among the inputs",
+                    ),
+                ),
+            ),
+            Command(
+                28,
+                "BMPFILE",
+                "Draws a picture file in LEGO's own format .rgf (no .bmp despite the name)",
+                (
+                    In(
+                        "COLOR",
+                        DATA8,
+                        "colour of the set pixels",
+                        range=(0, 1),
+                        special={0: "white, picture inverted", 1: "black"},
+                    ),
+                    X0,
+                    Y0,
+                    In("NAME", STRING, "file with extension .rgf, absolute or relative to /home/root/lms2012/sys"),
+                ),
+            ),
+            Command(
+                29,
+                "POPUP",
+                "Opens a window that only its opener draws on, or closes it and brings back the display",
+                (In("OPEN", DATA8, "what to do", range=(0, 1), special={0: "close", 1: "open"}),),
+            ),
+            Command(
+                30,
+                "GRAPH_SETUP",
+                "Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands",
+                (
+                    X0,
+                    WIDTH,
+                    In("ITEMS", DATA8, "how many curves", range=(0, 8), validated=DATA16),
+                    In("OFFSET", DATA16, "top edge of each curve", range=(0, 127), unit="px", length="ITEMS"),
+                    In(
+                        "SPAN",
+                        DATA16,
+                        "height of each curve",
+                        range=(0, 128),
+                        unit="px",
+                        length="ITEMS",
+                        validated=DATA8,
+                    ),
+                    In("MIN", DATAF, "value at the bottom of each curve", length="ITEMS", validated=DATA16),
+                    In("MAX", DATAF, "value at the top of each curve", length="ITEMS", validated=DATA16),
+                    In(
+                        "SAMPLE",
+                        DATAF,
+                        "present value of each curve, read anew at each GRAPH_SAMPLE",
+                        length="ITEMS",
+                        validated=DATA16,
+                    ),
+                ),
+            ),
+            Command(
+                31,
+                "GRAPH_DRAW",
+                "Draws the graph and measures the curve it shows",
+                (
+                    In(
+                        "VIEW",
+                        DATA8,
+                        "curve to draw, counted from 0; any other value draws all and measures none",
+                        special={-1: "all"},
+                        note="documented as 0 for all; the firmware draws the first curve then",
+                    ),
+                    Out("ACTUAL", DATAF, "latest value, not a number where there is none"),
+                    Out("LOWEST", DATAF, "lowest value in the graph"),
+                    Out("HIGHEST", DATAF, "highest value in the graph"),
+                    Out("AVERAGE", DATAF, "mean of the values in the graph"),
+                ),
+            ),
+            Command(
+                32,
+                "TEXTBOX",
+                "Shows a text with a scroll bar and waits until a line is chosen",
+                (
+                    X0,
+                    Y0,
+                    WIDTH,
+                    HEIGHT,
+                    TEXT,
+                    SIZE,
+                    DELIMITER,
+                    InOut(
+                        "LINE",
+                        DATA16,
+                        "variable, set to -1 before; then the line chosen, counted from 1",
+                        special={-1: "start, or left with the back button", 0: "being shown"},
+                        validated=DATA8,
+                    ),
+                ),
+            ),
+        ),
+    ),
+    Opcode(
+        0x90,
+        "KEEP_ALIVE",
+        "Restarts the time after which the idle brick switches off, and reads it",
+        (Out("MINUTES", DATA8, "idle time before switching off", unit="min", special={0: "never"}),),
+    ),
+)

@@ -1,0 +1,516 @@
+"""The virtual machine itself: programs, objects, calls, breakpoints, brick settings, strings, factory tests.
+
+Most of it serves compiled programs; seen on the wire are mainly program control, INFO, STRINGS and TST.
+"""
+
+from ev3proto.tables.declaration import (
+    ARRAY_TYPED,
+    DATA8,
+    DATA16,
+    DATA32,
+    DATAF,
+    EXTENSIONS,
+    LABEL,
+    STRING,
+    Command,
+    Count,
+    Direction,
+    In,
+    Opcode,
+    Out,
+)
+from ev3proto.tables.enumerations import OBJSTAT, RESULT, SLOT
+
+PRGID = In("PRGID", DATA16, "program slot", enum=SLOT)
+OBJID = In("OBJID", DATA16, "object of the program, counted from 1")
+SOURCE1 = In("SOURCE1", STRING, "text to work on")
+DESTINATION = Out("DESTINATION", STRING, "resulting text, ended by its zero")
+PORT = In("PORT", DATA8, "sensor port less one", range=(0, 3))
+PINS_PORT = In("PORT", DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D", range=(0, 19))
+LAYER_OUT = Out("Layer", DATA8, "position in the daisy chain", range=(0, 3), special={0: "this brick"})
+VM_NAMES = {0: "RobotC", 1: "LabVIEW"}
+
+
+def _dynload_entries(numbers: tuple[int, ...]) -> tuple[Opcode, ...]:
+    """The entry points of a loaded virtual machine; they differ in nothing but their number."""
+    return tuple(
+        Opcode(
+            number,
+            f"DYNLOAD_ENTRY_{entry}",
+            f"Calls entry point {entry} of the additional virtual machine that is loaded",
+            (
+                In("CMD", DATA8, "function to call, as that machine numbers them"),
+                In("LENGTH_IN", DATA8, "how much data is handed over"),
+                Out("LENGTH_OUT", DATA16, "how many elements came back"),
+                Out("VALUE", ARRAY_TYPED, "what came back; the type depends on CMD", length="LENGTH_OUT"),
+            ),
+            dialects=EXTENSIONS,
+        )
+        for entry, number in enumerate(numbers)
+    )
+
+
+VM = (
+    Opcode(0x00, "ERROR", "Ends the program with a failure; never valid on the wire"),
+    Opcode(0x01, "NOP", "Does nothing; a harmless way to see whether the brick answers"),
+    Opcode(
+        0x02,
+        "PROGRAM_STOP",
+        "Stops the program of a slot",
+        (
+            In(
+                "PRGID",
+                DATA16,
+                "program slot to stop",
+                enum=SLOT,
+                special={0: "all programs", -1: "the program that says so"},
+            ),
+        ),
+    ),
+    Opcode(
+        0x03,
+        "PROGRAM_START",
+        "Starts a loaded program; by direct command only while no user program runs",
+        (
+            PRGID,
+            In("SIZE", DATA32, "size of the image; read and ignored", unit="bytes"),
+            In("IP", DATA32, "address of the image, as FILE.LOAD_IMAGE returned it"),
+            In("DEBUG", DATA8, "how to run it", range=(0, 2), special={0: "run", 1: "debug", 2: "load, do not run"}),
+        ),
+    ),
+    Opcode(0x04, "OBJECT_STOP", "Stops an object of the own program", (OBJID,)),
+    Opcode(0x05, "OBJECT_START", "Starts an object of the own program", (OBJID,)),
+    Opcode(0x06, "OBJECT_TRIG", "Counts an object's trigger down; at zero the object starts", (OBJID,)),
+    Opcode(0x07, "OBJECT_WAIT", "Waits until an object has ended", (OBJID,)),
+    Opcode(0x08, "RETURN", "Returns from a subroutine to its caller"),
+    Opcode(
+        0x09,
+        "CALL",
+        "Calls a subroutine of the own program; waits while another thread is in it",
+        (
+            In("OBJID", DATA16, "object that is the subroutine, counted from 1"),
+            Count(
+                "PARAMETERS",
+                "how many parameters follow; the subroutine declares their types and directions",
+                element=DATA32,
+                elements=Direction.IN,
+            ),
+        ),
+    ),
+    Opcode(0x0A, "OBJECT_END", "Ends the object; the firmware puts one behind every direct command"),
+    Opcode(0x0B, "SLEEP", "Gives up the rest of the thread's time slice"),
+    Opcode(
+        0x0C,
+        "PROGRAM_INFO",
+        "Asks about a program or controls its objects",
+        commands=(
+            Command(0, "OBJ_STOP", "Stops an object of a running program", (PRGID, OBJID)),
+            Command(4, "OBJ_START", "Starts an object of a running program from its beginning", (PRGID, OBJID)),
+            Command(
+                22,
+                "GET_STATUS",
+                "Asks whether a program runs",
+                (PRGID, Out("DATA", DATA8, "state of the program", enum=OBJSTAT)),
+            ),
+            Command(
+                23,
+                "GET_SPEED",
+                "Asks how fast a program runs",
+                (PRGID, Out("DATA", DATA32, "speed since the program started", unit="instructions/s")),
+            ),
+            Command(
+                24,
+                "GET_PRGRESULT",
+                "Asks how a program ended",
+                (PRGID, Out("DATA", DATA8, "OK, BUSY (still running) or FAIL", enum=RESULT)),
+            ),
+            Command(
+                25,
+                "SET_INSTR",
+                "Sets how many instructions the calling thread may still run in its time slice",
+                (PRGID,),
+                note=(
+                    "The 2013 virtual machine reads a second 16-bit value, the number of instructions, after PRGID; "
+                    "its validator and the tables compared have PRGID only."
+                ),
+            ),
+            Command(
+                26,
+                "GET_PRGNAME",
+                "Asks for the name of a program",
+                (
+                    PRGID,
+                    Out(
+                        "NAME",
+                        STRING,
+                        "name of the program, ended by its zero",
+                        note="Other tables say PAR8, which is the first character of the text.",
+                    ),
+                ),
+                dialects=EXTENSIONS,
+            ),
+        ),
+    ),
+    Opcode(
+        0x0D,
+        "LABEL",
+        "Marks a place that jumps can name; does nothing itself",
+        (In("NO", LABEL, "number of the label", range=(0, 31)),),
+    ),
+    Opcode(
+        0x0E,
+        "PROBE",
+        "Prints a program's memory on the brick's debug terminal",
+        (
+            PRGID,
+            In("OBJID", DATA16, "object whose local memory to print", special={0: "the global memory"}),
+            In("OFFSET", DATA32, "where to begin", unit="bytes"),
+            In("SIZE", DATA32, "how much to print", unit="bytes", range=(0, 1024), special={0: "all, 1024 at most"}),
+        ),
+    ),
+    Opcode(
+        0x0F,
+        "DO",
+        "Runs byte code that is already in memory, ending what the slot ran before",
+        (
+            PRGID,
+            In("IMAGE", DATA32, "address of the byte code image"),
+            In("GLOBAL", DATA32, "address of the global memory it uses"),
+        ),
+    ),
+    Opcode(
+        0x60,
+        "SYSTEM",
+        "Runs a shell command on the brick's Linux and waits for its end",
+        (
+            In("COMMAND", STRING, "the command line"),
+            Out(
+                "STATUS",
+                DATA32,
+                "wait status as C's system() gives it: 256 times the exit code",
+                special={0: "success", -1: "could not run"},
+            ),
+        ),
+    ),
+    Opcode(
+        0x61,
+        "PORT_CNV_OUTPUT",
+        "Splits a motor port number as LEGO's editor writes it",
+        (
+            In("PortIn", DATA32, "three decimal digits, each 1-4: layer, first port, second port (123: B and C)"),
+            LAYER_OUT,
+            Out("Bitfield", DATA8, "motor ports as bits: A=1 B=2 C=4 D=8", range=(0, 15)),
+            Out(
+                "Inverted",
+                DATA8,
+                "whether the first port comes after the second, as in C and A",
+                range=(0, 1),
+                special={0: "no", 1: "yes"},
+            ),
+        ),
+    ),
+    Opcode(
+        0x62,
+        "PORT_CNV_INPUT",
+        "Splits a sensor port number as LEGO's editor writes it",
+        (
+            In("PortIn", DATA32, "three decimal digits: layer 1-4, any, port 1-4 (103: port 3)"),
+            LAYER_OUT,
+            Out("PortOut", DATA8, "sensor port less one, as INPUT_* takes it", range=(0, 3)),
+        ),
+    ),
+    Opcode(
+        0x63,
+        "NOTE_TO_FREQ",
+        "Converts the name of a note to its frequency",
+        (
+            In("NOTE", STRING, "C4 to B6, sharps as C#4"),
+            Out("FREQ", DATA16, "frequency; 440 for a note it does not know", unit="Hz", range=(262, 1976)),
+        ),
+    ),
+    Opcode(
+        0x7C,
+        "INFO",
+        "Reads and sets the error log, the volume and the time to power off",
+        commands=(
+            Command(
+                1,
+                "SET_ERROR",
+                "Puts an error into the brick's error log",
+                (In("NUMBER", DATA8, "number of the error", special={0: "nothing is logged"}),),
+            ),
+            Command(
+                2,
+                "GET_ERROR",
+                "Takes the oldest error out of the brick's error log",
+                (Out("NUMBER", DATA8, "number of the error", special={0: "the log is empty"}),),
+            ),
+            Command(
+                3,
+                "ERRORTEXT",
+                "Converts the number of an error to its name",
+                (
+                    In("NUMBER", DATA8, "number of the error", special={0: "gives an empty text"}),
+                    In("LENGTH", DATA8, "room for the text, with its zero", unit="bytes", special={-1: "no limit"}),
+                    Out("DESTINATION", STRING, "name of the error, less than 32 characters", length="LENGTH"),
+                ),
+            ),
+            Command(
+                4,
+                "GET_VOLUME",
+                "Reads the volume setting",
+                (Out("VALUE", DATA8, "how loud", range=(0, 100), unit="%"),),
+            ),
+            Command(
+                5,
+                "SET_VOLUME",
+                "Changes the volume setting",
+                (In("VALUE", DATA8, "how loud", range=(0, 100), unit="%"),),
+            ),
+            Command(
+                6,
+                "GET_MINUTES",
+                "Reads after how long without use the brick powers off",
+                (Out("VALUE", DATA8, "time without use", range=(0, 120), unit="min", special={0: "never"}),),
+            ),
+            Command(
+                7,
+                "SET_MINUTES",
+                "Changes after how long without use the brick powers off",
+                (In("VALUE", DATA8, "time without use", range=(0, 120), unit="min", special={0: "never"}),),
+            ),
+        ),
+    ),
+    Opcode(
+        0x7D,
+        "STRINGS",
+        "Works with texts: joins, compares, converts from and to numbers",
+        commands=(
+            Command(
+                1,
+                "GET_SIZE",
+                "Measures a text",
+                (SOURCE1, Out("SIZE", DATA16, "its length without the zero", unit="bytes")),
+            ),
+            Command(
+                2,
+                "ADD",
+                "Joins two texts",
+                (In("SOURCE1", STRING, "first part"), In("SOURCE2", STRING, "second part"), DESTINATION),
+            ),
+            Command(
+                3,
+                "COMPARE",
+                "Tells whether two texts are the same, upper and lower case kept apart",
+                (
+                    In("SOURCE1", STRING, "one text"),
+                    In("SOURCE2", STRING, "the other text"),
+                    Out("RESULT", DATA8, "whether they match", range=(0, 1), special={0: "different", 1: "the same"}),
+                ),
+            ),
+            Command(5, "DUPLICATE", "Copies a text", (SOURCE1, DESTINATION)),
+            Command(
+                6,
+                "VALUE_TO_STRING",
+                "Writes a floating-point number as text, without zeros at its end",
+                (
+                    In("VALUE", DATAF, "number to write; NaN becomes ----"),
+                    In("FIGURES", DATA8, "width with the point; negative aligns left", unit="characters"),
+                    In("DECIMALS", DATA8, "digits after the point"),
+                    DESTINATION,
+                ),
+            ),
+            Command(
+                7,
+                "STRING_TO_VALUE",
+                "Reads a number from a text",
+                (
+                    In("SOURCE1", STRING, "text to read; a comma counts as decimal point"),
+                    Out("DESTINATION", DATAF, "the number"),
+                ),
+            ),
+            Command(8, "STRIP", "Removes every space from a text", (SOURCE1, DESTINATION)),
+            Command(
+                9,
+                "NUMBER_TO_STRING",
+                "Writes a whole number as text, with zeros in front",
+                (
+                    In("VALUE", DATA16, "number to write"),
+                    In("FIGURES", DATA8, "width of the text", unit="characters"),
+                    DESTINATION,
+                ),
+            ),
+            Command(
+                10,
+                "SUB",
+                "Takes from a text what comes after another text found in it",
+                (
+                    In("SOURCE1", STRING, "text to search"),
+                    In("SOURCE2", STRING, "text to find; it should be there"),
+                    DESTINATION,
+                ),
+            ),
+            Command(
+                11,
+                "VALUE_FORMATTED",
+                "Writes a floating-point number as text in a format of C's printf",
+                (
+                    In("VALUE", DATAF, "number to write"),
+                    In("FORMAT", STRING, "format, such as %5.2f"),
+                    In("SIZE", DATA8, "room for the text, with its zero", unit="bytes"),
+                    Out("DESTINATION", STRING, "resulting text", length="SIZE"),
+                ),
+            ),
+            Command(
+                12,
+                "NUMBER_FORMATTED",
+                "Writes a whole number as text in a format of C's printf",
+                (
+                    In("VALUE", DATA32, "number to write"),
+                    In("FORMAT", STRING, "format, such as %05d or %X"),
+                    In("SIZE", DATA8, "room for the text, with its zero", unit="bytes"),
+                    Out("DESTINATION", STRING, "resulting text", length="SIZE"),
+                ),
+            ),
+        ),
+    ),
+    Opcode(0x88, "BP0", "Stops at breakpoint 0; BP_SET puts it over the instruction it replaces"),
+    Opcode(0x89, "BP1", "Stops at breakpoint 1; BP_SET puts it over the instruction it replaces"),
+    Opcode(0x8A, "BP2", "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces"),
+    Opcode(0x8B, "BP3", "Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces"),
+    Opcode(
+        0x8C,
+        "BP_SET",
+        "Sets or removes a breakpoint in a running program",
+        (
+            PRGID,
+            In("NO", DATA8, "number of the breakpoint", range=(0, 2), special={3: "pulse on test pin TP4, no stop"}),
+            In("ADDRESS", DATA32, "where in the image", unit="bytes", special={0: "remove the breakpoint"}),
+        ),
+    ),
+    Opcode(
+        0xF0,
+        "DYNLOAD_VMLOAD",
+        "Loads an additional virtual machine; fails while another one is loaded",
+        (
+            In("VMINDEX", DATA8, "which one", range=(0, 1), special=VM_NAMES),
+            Out("RESULT", DATA8, "OK or FAIL", enum=RESULT),
+        ),
+        dialects=EXTENSIONS,
+    ),
+    Opcode(0xF1, "DYNLOAD_VMEXIT", "Unloads the additional virtual machine", dialects=EXTENSIONS),
+    *_dynload_entries((0xF2, 0xF3, 0xF4, 0xF5, 0xF6, 0xF7, 0xF8, 0xF9, 0xFA, 0xFB)),
+    Opcode(
+        0xFC,
+        "DYNLOAD_GET_VM",
+        "Asks which additional virtual machine is loaded",
+        (Out("RESULT", DATA8, "which one", range=(0, 1), special={-1: "none", **VM_NAMES}),),
+        dialects=EXTENSIONS,
+    ),
+    Opcode(
+        0xFF,
+        "TST",
+        "Tests the hardware, as the factory does; all but TST_OPEN fail unless opened before",
+        commands=(
+            Command(10, "TST_OPEN", "Allows test commands for 10 seconds; each one renews the time"),
+            Command(11, "TST_CLOSE", "Ends the test mode"),
+            Command(
+                12,
+                "TST_READ_PINS",
+                "Reads the pins of a connector",
+                (
+                    PINS_PORT,
+                    In("LENGTH", DATA8, "how many pins to read, usually 5"),
+                    Out("STRING", DATA8, "one character per pin: 0 low, 1 high", length="LENGTH"),
+                ),
+            ),
+            Command(
+                13,
+                "TST_WRITE_PINS",
+                "Sets the pins of a connector",
+                (
+                    PINS_PORT,
+                    In("LENGTH", DATA8, "how many pins to set, usually 5"),
+                    In(
+                        "STRING", DATA8, "one character per pin: 0 low, 1 high, X floating, - as it is", length="LENGTH"
+                    ),
+                ),
+            ),
+            Command(
+                14,
+                "TST_READ_ADC",
+                "Reads the analog converter",
+                (
+                    In(
+                        "INDEX",
+                        DATA8,
+                        "channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports",
+                        range=(0, 15),
+                        special={
+                            12: "battery temperature",
+                            13: "motor current",
+                            14: "battery current",
+                            15: "battery voltage",
+                        },
+                    ),
+                    Out("VALUE", DATA16, "raw reading", range=(0, 4095), unit="counts"),
+                ),
+            ),
+            Command(
+                15,
+                "TST_WRITE_UART",
+                "Sends bytes out of a sensor port's serial line",
+                (
+                    PORT,
+                    In("LENGTH", DATA8, "how many bytes to send", unit="bytes", range=(0, 63)),
+                    In("STRING", DATA8, "the bytes", length="LENGTH"),
+                ),
+            ),
+            Command(
+                16,
+                "TST_READ_UART",
+                "Reads bytes that arrived on a sensor port's serial line",
+                (
+                    PORT,
+                    In("LENGTH", DATA8, "how many bytes to read", unit="bytes", range=(0, 63)),
+                    Out("STRING", DATA8, "the bytes, filled up with zeros", length="LENGTH"),
+                ),
+            ),
+            Command(
+                17,
+                "TST_ENABLE_UART",
+                "Switches the serial lines of all sensor ports on",
+                (In("BITRATE", DATA32, "speed of the line", range=(2400, 115200), unit="bit/s"),),
+            ),
+            Command(18, "TST_DISABLE_UART", "Switches the serial lines of all sensor ports off"),
+            Command(
+                19,
+                "TST_ACCU_SWITCH",
+                "Reads the switch that senses the rechargeable battery",
+                (
+                    Out(
+                        "ACTIVE",
+                        DATA8,
+                        "state of the switch",
+                        range=(0, 1),
+                        special={0: "other batteries", 1: "rechargeable battery"},
+                    ),
+                ),
+            ),
+            Command(20, "TST_BOOT_MODE2", "Starts mode 2 of Bluetooth, the one for Apple's devices"),
+            Command(
+                21,
+                "TST_POLL_MODE2",
+                "Asks how far the start of Bluetooth's mode 2 is",
+                (Out("STATUS", DATA8, "OK, BUSY (still starting) or FAIL", range=(0, 2), enum=RESULT),),
+            ),
+            Command(22, "TST_CLOSE_MODE2", "Ends mode 2 of Bluetooth"),
+            Command(
+                23,
+                "TST_RAM_CHECK",
+                "Asks how the memory test at power-on went",
+                (Out("STATUS", DATA8, "OK or FAIL", range=(0, 2), enum=RESULT),),
+            ),
+        ),
+    ),
+)

@@ -1,0 +1,499 @@
+"""Hypothesis strategies for everything that can be on the wire, drawn from the tables.
+
+    from ev3proto.testing import frames, operations
+
+    @given(frames())
+    def test_my_decoder(frame): ...
+
+For whoever tests a decoder, a brick's emulator or a gateway: a new entry in a table is tested without another word.
+What is made of values (`operations`, `direct_commands`, ...) is built by ev3proto. What is made of bytes
+(`encoded_arguments`, `raw_operations`) is put together here, from the identification bytes alone, because ev3proto
+itself only ever builds the shortest encodings and a decoder has to read all of them.
+
+Nothing else in the project imports this module: it needs hypothesis, which users of ev3proto need not have.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterable, Mapping
+from functools import cache
+from typing import Any
+
+from ev3proto.messages import (
+    DaisyCommand,
+    DaisyReply,
+    DirectCommand,
+    DirectReply,
+    FieldValue,
+    Message,
+    Operation,
+    SystemCommand,
+    SystemReply,
+    Variable,
+)
+from ev3proto.schema import frame as schema
+from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
+from ev3proto.schema.instructions import operation
+from ev3proto.tables import daisy
+from ev3proto.tables import operations as operations_of
+from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, NAN_FLOAT, RANGES, STRING_CODING, TEXT
+from ev3proto.tables.enumerations import FORMAT_TYPES
+from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
+from ev3proto.tables.system import SYSTEM, Field, Kind, SystemStatus
+
+try:
+    from hypothesis import strategies as st
+    from hypothesis.strategies import DrawFn, SearchStrategy
+except ImportError as error:
+    raise ImportError(
+        "ev3proto.testing makes its test data with hypothesis, which is not installed: pip install hypothesis"
+    ) from error
+
+__all__ = [
+    "daisy_messages",
+    "direct_commands",
+    "direct_replies",
+    "encoded_arguments",
+    "frames",
+    "messages",
+    "mutated_frames",
+    "operations",
+    "raw_operations",
+    "system_commands",
+    "system_replies",
+    "values_for",
+]
+
+PlainValue = int | float | str | Variable
+OperationValue = PlainValue | list[PlainValue]
+"""What `ev3proto.operation` takes for one parameter."""
+
+MOST_ELEMENTS = 6
+MOST_OPERATIONS = 6
+MOST_TEXT = 12
+"""Enough to meet every case, few enough to be quick and to shrink to something readable."""
+
+_LISTS = (Type.COUNT, Type.VALUES)
+
+# Values
+
+_texts = st.text(st.characters(min_codepoint=1, max_codepoint=255), max_size=MOST_TEXT)
+"""ISO-8859-1 without the zero that ends a string."""
+
+_indexes = st.integers(0, 31) | st.integers(32, 1018) | st.integers(0, 0xFFFFFFFF)
+"""Of variables: those with a form of one byte, those of the largest memory, and all that an encoding can hold."""
+
+_variables = st.builds(Variable, st.sampled_from((LOCAL, GLOBAL)), _indexes) | st.builds(
+    Variable, st.sampled_from((LOCAL, GLOBAL)), _indexes, handle=st.booleans(), address=st.booleans()
+)
+
+_EDGES = (-0x8000, -0x7FFF, -129, -128, -127, -33, -32, -1, 0, 31, 32, 127, 128, 0x7FFF, 0x8000)
+"""The numbers on both sides of where the shortest encoding changes."""
+
+
+@cache
+def _numbers(kind: Type) -> SearchStrategy[int]:
+    """The numbers of a type, its "not a number" included."""
+    limits = RANGES[kind]
+    edges = [number for number in (*_EDGES, limits.low, limits.high) if limits.low <= number <= limits.high]
+    special = [] if kind is Type.COUNT else [limits.nan]
+    return st.integers(limits.low, limits.high) | st.sampled_from(edges + special)
+
+
+@cache
+def _constants(parameter: Parameter) -> SearchStrategy[PlainValue]:
+    """What stands in place of a variable: numbers, floats, names of an enumeration's members, texts."""
+    if parameter.type is Type.STRING:
+        return _texts
+    if parameter.type is Type.DATAF:
+        numbers: SearchStrategy[PlainValue] = st.floats(width=32)
+    else:
+        numbers = _numbers(parameter.type)
+    if parameter.enum is not None:
+        numbers = st.sampled_from(list(parameter.enum.members)) | numbers
+    # Bytes of an array may stand in place as a string.
+    return numbers | _texts if parameter.length is not None else numbers
+
+
+def _element_of(parameter: Parameter, announced: Type | None = None) -> Parameter:
+    """One element of a list as a parameter of its own; `announced` is the type that another argument told."""
+    kind = parameter.element if isinstance(parameter.element, Type) else announced or Type.ARRAY_TYPED
+    direction = parameter.elements if parameter.type is Type.COUNT else Direction.IN
+    return parameter._replace(type=kind, direction=direction, element=None)
+
+
+@cache
+def values_for(parameter: Parameter) -> SearchStrategy[OperationValue]:
+    """Values of one parameter, as `ev3proto.operation` takes them.
+
+    Inputs get numbers of the type's range, floats, names of the enumeration's members, texts and variables; outputs
+    get variables; lists get a list of these (whole numbers and variables where another argument tells the type).
+    """
+    if parameter.type in _LISTS:
+        return st.lists(_plain_values(_element_of(parameter)), max_size=MOST_ELEMENTS)
+    return _plain_values(parameter)
+
+
+@cache
+def _plain_values(parameter: Parameter) -> SearchStrategy[PlainValue]:
+    return _variables if parameter.is_output else _constants(parameter) | _variables
+
+
+def _announced(teller: Parameter, value: OperationValue) -> Type | None:
+    """The type of a list's elements that another argument's value tells; None where it is a variable or tells none."""
+    number = teller.enum.members[value] if teller.enum is not None and isinstance(value, str) else value
+    return FORMAT_TYPES.get(number) if isinstance(number, int) else None
+
+
+def _teller(declaration: Declaration) -> str | None:
+    """The name of the parameter that tells the type of the list at the end, where there is one."""
+    last = declaration.parameters[-1].element if declaration.parameters else None
+    return last if isinstance(last, str) else None
+
+
+def _most(element: Parameter) -> int:
+    """A list of strings has one element: the firmware takes a single text as a mailbox's message."""
+    return 1 if element.type is Type.STRING else MOST_ELEMENTS
+
+
+@cache
+def _declarations(dialect: str, name: str | None) -> SearchStrategy[Declaration]:
+    found = operations_of(dialect)
+    return st.sampled_from(list(found.values())) if name is None else st.just(found[name])
+
+
+@st.composite
+def _operations(draw: DrawFn, dialect: str, name: str | None) -> Operation:
+    declaration = draw(_declarations(dialect, name))
+    values: list[OperationValue] = []
+    announced: Type | None = None
+    for parameter in declaration.parameters:
+        if parameter.type in _LISTS:
+            element = _element_of(parameter, announced)
+            elements = draw(st.lists(_plain_values(element), max_size=_most(element)))
+            if parameter.type is Type.VALUES:
+                values[-1] = len(elements)
+            values.append(elements)
+        else:
+            values.append(draw(values_for(parameter)))
+            if parameter.name == _teller(declaration):
+                announced = _announced(parameter, values[-1])
+    return operation(declaration.name, *values, dialect=dialect)
+
+
+@cache
+def operations(dialect: str = "official", name: str | None = None) -> SearchStrategy[Operation]:
+    """Operations built from values, each argument in its shortest encoding.
+
+    dialect  the firmware whose operations
+    name     one operation (`SOUND.TONE`); without it all of the dialect, each as often as any other
+    """
+    return _operations(dialect, name)
+
+
+# Bytes
+
+
+def _first_bytes() -> dict[tuple[str, int | None], list[int]]:
+    """The identification bytes of the long forms by kind and width, those with handle and address bits included."""
+    found: dict[tuple[str, int | None], list[int]] = {}
+    for byte, encoding in enumerate(ENCODINGS):
+        if encoding is not None and encoding.width != 0:
+            found.setdefault((encoding.kind, encoding.width), []).append(byte)
+    return found
+
+
+_FIRST_BYTES = _first_bytes()
+_SHORT_FORMS = {
+    (encoding.kind, value): bytes((byte,))
+    for byte, (encoding, value) in enumerate(zip(ENCODINGS, SHORT_VALUES, strict=True))
+    if encoding is not None and value is not None
+}
+
+
+def _in_width(number: int, width: int, signed: bool) -> bool:
+    bits = 8 * width
+    return -(1 << bits - 1) <= number < 1 << bits - 1 if signed else 0 <= number < 1 << bits
+
+
+def _forms(kind: str, number: int, signed: bool, plain: bool = False) -> SearchStrategy[bytes]:
+    """Every way in which a number can stand for a kind of argument; `plain` leaves out handle and address bits."""
+    ways = [st.just(_SHORT_FORMS[kind, number])] if (kind, number) in _SHORT_FORMS else []
+    for width in (1, 2, 4):
+        if (kind, width) in _FIRST_BYTES and _in_width(number, width, signed):
+            firsts = _FIRST_BYTES[kind, width]
+            tail = number.to_bytes(width, "little", signed=signed)
+            ways.append(st.sampled_from([bytes((first,)) + tail for first in (firsts[:1] if plain else firsts)]))
+    return st.one_of(ways)
+
+
+@cache
+def _forms_of_text() -> SearchStrategy[bytes]:
+    """Strings in the form of today and in the old one, which differ in the identification byte only."""
+    heads = [bytes((first,)) for first in _FIRST_BYTES[TEXT, None]]
+    return st.builds(
+        lambda head, text: head + text.encode(STRING_CODING) + b"\0",
+        st.sampled_from(heads),
+        _texts,
+    )
+
+
+@cache
+def _forms_of_variables() -> SearchStrategy[bytes]:
+    return st.tuples(st.sampled_from((LOCAL, GLOBAL)), _indexes).flatmap(lambda it: _forms(it[0], it[1], signed=False))
+
+
+_floats = st.floats(width=32).map(lambda number: struct.pack("<f", number)) | st.just(NAN_FLOAT)
+
+
+@cache
+def _forms_of_constants(parameter: Parameter) -> SearchStrategy[bytes]:
+    kind = parameter.type
+    if kind is Type.STRING:
+        return _forms_of_text()
+    if kind is Type.DATAF:
+        heads = [bytes((first,)) for first in _FIRST_BYTES[CONSTANT, 4]]
+        ways: SearchStrategy[bytes] = st.builds(lambda head, four: head + four, st.sampled_from(heads), _floats)
+    else:
+        plain = kind is Type.COUNT
+        ways = _numbers(kind).flatmap(lambda number: _forms(CONSTANT, number, signed=True, plain=plain))
+    if kind is Type.LABEL:
+        ways |= st.integers(-128, 127).flatmap(lambda number: _forms(JUMP, number, signed=True))
+    return ways | _forms_of_text() if parameter.length is not None else ways
+
+
+@cache
+def encoded_arguments(parameter: Parameter) -> SearchStrategy[bytes]:
+    """The bytes of one argument in any encoding that can stand there, the shortest or not.
+
+    Handle and address bits, labels and the old string form included. For a count: the number alone, without what it
+    counts; for a list of values: one of its elements.
+    """
+    if parameter.type is Type.COUNT:
+        return _forms_of_constants(parameter)
+    if parameter.type is Type.VALUES:
+        parameter = _element_of(parameter)
+    return _forms_of_variables() if parameter.is_output else _forms_of_constants(parameter) | _forms_of_variables()
+
+
+@st.composite
+def _raw_operations(draw: DrawFn, dialect: str, name: str | None) -> bytes:
+    declaration = draw(_declarations(dialect, name))
+    pieces = [bytes((declaration.opcode.number,))]
+    if declaration.command is not None:
+        pieces.append(draw(_forms(CONSTANT, declaration.command.number, signed=True, plain=True)))
+    announced: Type | None = None
+    for parameter in declaration.parameters:
+        if parameter.type in _LISTS:
+            element = _element_of(parameter, announced)
+            elements = draw(st.lists(encoded_arguments(element), max_size=_most(element)))
+            count = draw(_forms(CONSTANT, len(elements), signed=True, plain=True))
+            if parameter.type is Type.VALUES:
+                pieces[-1] = count
+            else:
+                pieces.append(count)
+            pieces += elements
+        elif parameter.name == _teller(declaration):
+            number, announced = draw(st.sampled_from(list(FORMAT_TYPES.items())))
+            pieces.append(draw(_forms(CONSTANT, number, signed=True)))
+        else:
+            pieces.append(draw(encoded_arguments(parameter)))
+    return b"".join(pieces)
+
+
+@cache
+def raw_operations(dialect: str = "official", name: str | None = None) -> SearchStrategy[bytes]:
+    """The bytes of operations, arguments, CMD and counts in any encoding; parameters as for `operations`."""
+    return _raw_operations(dialect, name)
+
+
+# Messages
+
+_counters = st.integers(0, COUNTERS - 1)
+_layers = st.integers(0, 0xFF)
+_memory_sizes = st.fixed_dictionaries(
+    {"global_size": st.integers(0, MAX_GLOBALS), "local_size": st.integers(0, MAX_LOCALS)}
+)
+
+
+def _that_fit(pieces: Iterable[Any], room: int) -> list[Any]:
+    """As many of the operations, from the first on, as a frame has room for."""
+    fitting = []
+    for piece in pieces:
+        room -= len(piece) if isinstance(piece, bytes) else piece.length
+        if room < 0:
+            break
+        fitting.append(piece)
+    return fitting
+
+
+@cache
+def direct_commands(dialect: str = "official") -> SearchStrategy[DirectCommand]:
+    """Direct commands of a few operations, built from values."""
+    room = MAX_FRAME - schema.HEADER_SIZE - schema.MEMORY_SIZE
+    return st.builds(
+        lambda found, counter, reply, sizes: schema.direct_command(
+            *_that_fit(found, room), counter=counter, reply=reply, **sizes
+        ),
+        st.lists(operations(dialect), max_size=MOST_OPERATIONS),
+        _counters,
+        st.booleans(),
+        _memory_sizes,
+    )
+
+
+def direct_replies() -> SearchStrategy[DirectReply]:
+    """Replies to direct commands, with memory of any size that a frame has room for."""
+    return st.builds(
+        schema.direct_reply,
+        st.binary(max_size=MAX_FRAME - schema.HEADER_SIZE),
+        counter=_counters,
+        error=st.booleans(),
+    )
+
+
+_FIELDS: dict[Kind, SearchStrategy[FieldValue]] = {
+    Kind.U8: st.integers(0, 0xFF),
+    Kind.U16: st.integers(0, 0xFFFF),
+    Kind.U32: st.integers(0, 0xFFFFFFFF),
+    Kind.TEXT: _texts,
+    Kind.COUNTED_TEXT: _texts,
+    Kind.LISTING: st.text(st.characters(max_codepoint=255), max_size=4 * MOST_TEXT),
+}
+
+
+def _field(field: Field) -> SearchStrategy[FieldValue]:
+    if field.kind is Kind.DATA:
+        return st.binary(max_size=64 if field.most is None else min(field.most, 64))
+    return _FIELDS[field.kind]
+
+
+@st.composite
+def _fields(draw: DrawFn, declared: tuple[Field, ...]) -> dict[str, FieldValue]:
+    """Values of all fields in their order, lengths too; optional ones are sometimes left away."""
+    values: dict[str, FieldValue] = {}
+    for field in declared:
+        if field.counts is not None:
+            values[field.name] = 0
+        elif not field.optional or draw(st.booleans()):
+            values[field.name] = draw(_field(field))
+    for field in declared:
+        if field.counts is not None:
+            counted = values[field.counts]
+            is_text = next(it for it in declared if it.name == field.counts).kind is Kind.COUNTED_TEXT
+            assert isinstance(counted, str | bytes)
+            # Senders disagree on whether a text's length counts its zero.
+            values[field.name] = len(counted) + (is_text and draw(st.booleans()))
+    return values
+
+
+@st.composite
+def system_commands(draw: DrawFn) -> SystemCommand:
+    """System commands, those of the bootloader included."""
+    entry = draw(st.sampled_from(SYSTEM))
+    fields = draw(_fields(entry.request))
+    return schema.system_command(entry.number, counter=draw(_counters), reply=draw(st.booleans()), **fields)
+
+
+@st.composite
+def system_replies(draw: DrawFn) -> SystemReply:
+    """Replies to system commands with any status; failed ones end in front of any of their fields."""
+    entry = draw(st.sampled_from(SYSTEM))
+    error = draw(st.booleans())
+    status = draw(st.just(0) | st.sampled_from(list(SystemStatus)).map(int) | st.integers(0, 0xFF))
+    fields = draw(_fields(entry.reply))
+    if status or error:
+        present = draw(st.integers(0, len(fields)))
+        fields = dict(list(fields.items())[:present])
+    return schema.system_reply(entry.number, counter=draw(_counters), status=status, error=error, **fields)
+
+
+def _frame(member: MessageType, counter: int, body: bytes) -> bytes:
+    header = {"length": schema.HEADER_SIZE - LENGTH_FIELD + len(body), "counter": counter, "type": member}
+    return bytes(schema.HEADER.build(header)) + body
+
+
+@st.composite
+def _daisy_commands(draw: DrawFn, dialect: str) -> bytes:
+    command = draw(st.sampled_from(daisy.DaisyCommand))
+    payload = draw(st.binary(max_size=56))
+    if command.carries_operations:
+        payload = b"".join(_that_fit(draw(st.lists(raw_operations(dialect), max_size=3)), 56))
+    member = draw(st.sampled_from((MessageType.DAISY_COMMAND_REPLY, MessageType.DAISY_COMMAND_NO_REPLY)))
+    return _frame(member, draw(_counters), bytes((command, draw(_layers), draw(_layers))) + payload)
+
+
+@st.composite
+def _daisy_replies(draw: DrawFn) -> bytes:
+    # Layer, port, status, type, mode, 32 bytes of data, checksum, busy flags; or something shorter that is no report.
+    report = st.binary(min_size=6 + daisy.SENSOR_DATA_SIZE, max_size=6 + daisy.SENSOR_DATA_SIZE + 4)
+    payload = draw(report | st.binary(max_size=20))
+    member = draw(st.sampled_from((MessageType.DAISY_REPLY, MessageType.DAISY_REPLY_ERROR)))
+    return _frame(member, draw(_counters), bytes((draw(_layers), draw(_layers))) + payload)
+
+
+def daisy_messages(dialect: str = "official") -> SearchStrategy[DaisyCommand | DaisyReply]:
+    """Messages from brick to brick, both ways: operations, sensor reports, and payloads that are neither."""
+
+    def parsed(frame: bytes) -> DaisyCommand | DaisyReply:
+        message = schema.parse(frame, dialect=dialect)
+        assert isinstance(message, DaisyCommand | DaisyReply)
+        return message
+
+    return (_daisy_commands(dialect) | _daisy_replies()).map(parsed)
+
+
+def messages(dialect: str = "official") -> SearchStrategy[Message]:
+    """Messages of every type."""
+    return st.one_of(
+        direct_commands(dialect), direct_replies(), system_commands(), system_replies(), daisy_messages(dialect)
+    )
+
+
+# Frames
+
+
+def _raw_direct_commands(dialect: str) -> SearchStrategy[bytes]:
+    room = MAX_FRAME - schema.HEADER_SIZE - schema.MEMORY_SIZE
+
+    def frame(member: MessageType, counter: int, sizes: Mapping[str, int], found: list[bytes]) -> bytes:
+        memory = schema.MEMORY.build({"globals": sizes["global_size"], "locals": sizes["local_size"]})
+        return _frame(member, counter, bytes(memory) + b"".join(_that_fit(found, room)))
+
+    return st.builds(
+        frame,
+        st.sampled_from((MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)),
+        _counters,
+        _memory_sizes,
+        st.lists(raw_operations(dialect), max_size=MOST_OPERATIONS),
+    )
+
+
+def frames(dialect: str = "official") -> SearchStrategy[bytes]:
+    """Frames that are right, of every type and at most 1024 bytes; arguments in any encoding."""
+    return messages(dialect).map(lambda message: message.build()) | _raw_direct_commands(dialect)
+
+
+@st.composite
+def mutated_frames(draw: DrawFn, dialect: str = "official") -> bytes:
+    """Frames that were right until a few of their bytes were changed, added or lost, or their length field was.
+
+    Half of them get a length field that fits again, so that the fault is somewhere behind it. A few are still right.
+    """
+    frame = bytearray(draw(frames(dialect)))
+    for edit in draw(st.lists(st.sampled_from(("change", "insert", "delete", "length")), min_size=1, max_size=3)):
+        at = draw(st.integers(0, len(frame)))
+        if edit == "change" and at < len(frame):
+            frame[at] ^= draw(st.integers(1, 0xFF))
+        elif edit == "insert":
+            frame[at:at] = draw(st.binary(min_size=1, max_size=4))
+        elif edit == "delete":
+            del frame[at : at + draw(st.integers(1, 4))]
+        else:
+            frame[:LENGTH_FIELD] = draw(st.integers(0, 0xFFFF)).to_bytes(LENGTH_FIELD, "little")
+    if len(frame) >= LENGTH_FIELD and draw(st.booleans()):
+        length = min(len(frame) - LENGTH_FIELD, MAX_LENGTH)
+        frame[:LENGTH_FIELD] = length.to_bytes(LENGTH_FIELD, "little")
+    return bytes(frame)

@@ -1,0 +1,62 @@
+"""The one line that tells a message: when, which way, what kind, how it went."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ev3proto.dialogue import Exchange
+from ev3proto.messages import DaisyCommand, DaisyReply, DirectReply, SystemCommand, SystemReply
+from ev3proto.text.spans import Line, Role
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """How a message was come by: which way it went, when, and whether the text it was read from is cut off."""
+
+    direction: str | None = None
+    time: str | None = None
+    cut: bool = False
+
+
+def heading(exchange: Exchange, seen: Seen) -> Line:
+    """`09:12:31.011558 sent DIRECT_COMMAND_REPLY, counter 42, 16 bytes`, and for replies what they answer and how."""
+    message = exchange.message
+    line: Line = []
+    if seen.time:
+        line.append((f"{seen.time} ", Role.ASIDE))
+    if seen.direction:
+        line.append((f"{seen.direction} ", Role.ASIDE))
+    size = len(message.build())
+    if message.type is None:
+        line.append((f"no EV3 message, {_bytes(size)}", Role.HEADING))
+    else:
+        line.append((message.type.name, Role.HEADING))
+        line.append((f", counter {message.counter}, {_bytes(size)}", Role.PLAIN))
+    if seen.cut and message.stated_length is not None:
+        line.append((f" of {message.stated_length + 2}: the text is cut here", Role.MEANING))
+    line += _what(exchange)
+    return line
+
+
+def _bytes(count: int) -> str:
+    return f"{count} byte{'s' * (count != 1)}"
+
+
+def _what(exchange: Exchange) -> Line:
+    message = exchange.message
+    line: Line = []
+    if isinstance(message, SystemCommand | DaisyCommand):
+        line.append((": ", Role.PLAIN))
+        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
+    elif isinstance(message, SystemReply):
+        status = message.status.name if message.status is not None else f"status {message.status_code}"
+        line.append((": ", Role.PLAIN))
+        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
+        line.append((f" {status}", Role.FAULT if message.is_error else Role.VALUE))
+    elif isinstance(message, DirectReply | DaisyReply) and message.type is not None:
+        line.append(
+            (": error" if message.type.is_error else ": ok", Role.FAULT if message.type.is_error else Role.VALUE)
+        )
+    if exchange.is_orphan:
+        line.append((" (the command it answers was not seen)", Role.ASIDE))
+    return line

@@ -1,0 +1,88 @@
+"""How single things are said: a value with its unit and name, bytes as hex, a float with no more digits than it has."""
+
+from __future__ import annotations
+
+import json
+import math
+import struct
+
+from ev3proto.dialogue import Value, ValueType
+from ev3proto.messages import Argument
+from ev3proto.tables.encoding import GLOBAL, LOCAL
+
+_SINGLE = struct.Struct("<f")
+
+
+def short_float(value: float) -> str:
+    """A single-precision float in as few digits as tell it from its neighbours: `7.92`, not `7.920000076293945`."""
+    if not math.isfinite(value):
+        return str(value)
+    for digits in range(1, 10):
+        text = f"{value:.{digits}g}"
+        try:
+            if _SINGLE.pack(float(text)) == _SINGLE.pack(value):
+                break
+        except OverflowError:
+            continue
+    number = float(text)
+    return repr(int(number)) + ".0" if number.is_integer() and abs(number) < 1e7 else repr(number)
+
+
+def quoted(text: str) -> str:
+    """A text in double quotes, control characters escaped, letters of every language as they are."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def spaced_hex(data: bytes) -> str:
+    """`0E 00 2A`."""
+    return data.hex(" ").upper()
+
+
+def plain(value: ValueType) -> str:
+    """A value alone: numbers, quoted texts, lists in brackets, bytes as hex (long ones cut, with their number)."""
+    if isinstance(value, str):
+        return quoted(value)
+    if isinstance(value, float):
+        return short_float(value)
+    if isinstance(value, bytes):
+        return spaced_hex(value) if len(value) <= 24 else f"{spaced_hex(value[:24])} ... ({len(value)} bytes)"
+    if isinstance(value, list):
+        return f"[{', '.join(plain(item) for item in value)}]"
+    return str(value)
+
+
+def argument_value(argument: Argument) -> str:
+    """An argument's value: `440`, `"myEV3"`, `GV(0)`, with handle and address marked."""
+    if argument.kind in (LOCAL, GLOBAL):
+        text = f"{'G' if argument.kind == GLOBAL else 'L'}V({argument.value})"
+    else:
+        text = plain(argument.value)
+    if argument.form.handle:
+        text = f"handle {text}"
+    if argument.form.address:
+        text = f"address {text}"
+    return text
+
+
+def argument_meaning(argument: Argument) -> str:
+    """What the tables know of a constant: its name in the enumeration, or its special meaning, or else its unit."""
+    if argument.is_variable or argument.kind == "string":
+        return ""
+    parameter = argument.parameter
+    if argument.symbol is not None:
+        return argument.symbol
+    if isinstance(argument.value, int) and argument.value in parameter.special:
+        return parameter.special[argument.value]
+    return parameter.unit or ""
+
+
+def value_text(value: Value) -> str:
+    """A value from a reply: `7.92 V`, `16 (TYPE_TOUCH)`, `none (NaN)`."""
+    if value.is_nan:
+        return f"{plain(value.value)} (not a number: there is no value)"
+    text = plain(value.value)
+    if isinstance(value.symbol, list):
+        return f"{text} ({', '.join(name or '?' for name in value.symbol)})"
+    if value.symbol is not None:
+        return f"{text} ({value.symbol})"
+    return f"{text} {value.unit}" if value.unit else text

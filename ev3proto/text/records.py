@@ -1,0 +1,159 @@
+"""A message as one JSON object: every key that other tools may rely on."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from ev3proto.dialogue import Exchange, Value
+from ev3proto.messages import (
+    Argument,
+    DaisyCommand,
+    DaisyReply,
+    DirectCommand,
+    DirectReply,
+    Message,
+    Operation,
+    SystemCommand,
+    SystemReply,
+)
+from ev3proto.text.heading import Seen
+
+
+def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
+    """The object of one message.
+
+    Floats that are not finite are the strings "nan", "inf", "-inf"; bytes are hex; keys that do not apply are absent.
+    """
+    message = exchange.message
+    entry: dict[str, Any] = {"kind": message.kind}
+    if message.type is not None:
+        entry["type"] = message.type.name
+    entry["length"] = message.length if message.fault is None or message.type is not None else None
+    entry["counter"] = message.counter if message.type is not None else None
+    if seen.direction is not None:
+        entry["direction"] = seen.direction
+    if seen.time is not None:
+        entry["time"] = seen.time
+    entry.update(_contents(message))
+    if exchange.request is not None or isinstance(message, SystemReply):
+        entry["values"] = [_value(value) for value in exchange.values]
+    if message.fault is not None:
+        entry["fault"] = {"offset": message.fault.offset, "reason": message.fault.reason}
+    if seen.cut:
+        entry["cut"] = True
+    if message.rest:
+        entry["rest"] = message.rest.hex()
+    entry["hex"] = message.build().hex()
+    return {key: value for key, value in entry.items() if value is not None or key in ("command",)}
+
+
+def _contents(message: Message) -> dict[str, Any]:
+    match message:
+        case DirectCommand():
+            return {
+                "globals": message.global_size,
+                "locals": message.local_size,
+                "operations": [_operation(operation) for operation in message.operations],
+            }
+        case DirectReply():
+            return {"status": "error" if message.is_error else "ok", "memory": message.memory.hex()}
+        case SystemCommand():
+            return {"command": message.command, "number": message.number, "fields": _fields(message)}
+        case SystemReply():
+            return {
+                "command": message.command,
+                "number": message.number,
+                "status": "error" if message.is_error else "ok",
+                "status_name": message.status.name if message.status is not None else None,
+                "status_code": message.status_code,
+                "fields": _fields(message),
+            }
+        case DaisyCommand():
+            return {
+                "command": message.command,
+                "number": message.number,
+                "fields": {
+                    "layer_from": message.layer_from,
+                    "layer_to": message.layer_to,
+                    "payload": message.payload.hex(),
+                },
+                "operations": [_operation(operation) for operation in message.operations],
+            }
+        case DaisyReply():
+            fields: dict[str, Any] = {
+                "layer_from": message.layer_from,
+                "layer_to": message.layer_to,
+                "payload": message.payload.hex(),
+            }
+            if message.report is not None:
+                for name in ("layer", "port", "status", "type", "mode", "data", "checksum", "busy"):
+                    fields[name] = _plain(getattr(message.report, name))
+            return {"status": "error" if message.type and message.type.is_error else "ok", "fields": fields}
+    return {}
+
+
+def _fields(message: SystemCommand | SystemReply) -> dict[str, Any]:
+    return {name: _plain(value) for name, value in message.fields.items()}
+
+
+def _operation(operation: Operation) -> dict[str, Any]:
+    entry: dict[str, Any] = {
+        "op": operation.name,
+        "opcode": operation.opcode,
+        "command": operation.command,
+        "offset": operation.offset,
+        "length": operation.length,
+        "args": [_argument(argument) for argument in operation.arguments],
+    }
+    cmd = operation.cmd if operation.is_complete else None
+    if cmd is not None and cmd.length > 1:
+        entry["command_encoding"] = cmd.encoding
+    if not operation.is_complete:
+        entry["complete"] = False
+    return entry
+
+
+def _argument(argument: Argument) -> dict[str, Any]:
+    entry: dict[str, Any] = {
+        "name": argument.name,
+        "kind": argument.kind,
+        "encoding": argument.encoding,
+        "value": _plain(argument.value),
+        "offset": argument.offset,
+        "length": argument.length,
+    }
+    if argument.form.handle:
+        entry["handle"] = True
+    if argument.form.address:
+        entry["address"] = True
+    if argument.symbol is not None:
+        entry["symbol"] = argument.symbol
+    return entry
+
+
+def _value(value: Value) -> dict[str, Any]:
+    entry: dict[str, Any] = {
+        "op": value.op,
+        "command": value.command,
+        "name": value.name,
+        "value": _plain(value.value),
+        "type": value.type,
+        "offset": value.offset,
+        "length": value.length,
+    }
+    if value.unit is not None:
+        entry["unit"] = value.unit
+    if value.symbol is not None:
+        entry["symbol"] = value.symbol
+    return entry
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, bytes):
+        return value.hex()
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
+    return value

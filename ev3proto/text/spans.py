@@ -1,0 +1,27 @@
+"""Lines made of pieces that each know what they are, so that a terminal can colour them and a pipe gets them plain."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+
+class Role(StrEnum):
+    """What a piece of a line is."""
+
+    PLAIN = "plain"
+    HEADING = "heading"
+    OPERATION = "operation"
+    NAME = "name"
+    VALUE = "value"
+    MEANING = "meaning"
+    ASIDE = "aside"
+    FAULT = "fault"
+
+
+Span = tuple[str, Role]
+Line = list[Span]
+
+
+def plain_text(line: Line) -> str:
+    """The line without its roles."""
+    return "".join(text for text, _ in line).rstrip()

@@ -1,0 +1,47 @@
+"""What was pasted, cut into frames: usually one, sometimes several, sometimes one with padding behind it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ev3proto.messages import Message
+from ev3proto.schema.frame import parse
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH
+
+REPORT_SIZES = (64, MAX_FRAME)
+"""Bytes of the USB reports in which bricks talk: what follows the frame in one of them has no meaning."""
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A message out of pasted bytes; `padding` bytes without meaning followed it."""
+
+    message: Message
+    padding: int = 0
+
+
+def split(data: bytes, *, dialect: str = "official") -> Iterator[Piece]:
+    """The messages in pasted bytes. Never raises; what is wrong stands in each message's fault."""
+    ends = list(_ends(data))
+    if len(ends) > 1 and ends[-1] == len(data):
+        start = 0
+        for end in ends:
+            yield Piece(parse(data[start:end], strict=False, dialect=dialect))
+            start = end
+        return
+    if ends and ends[0] < len(data) and (len(data) in REPORT_SIZES or not any(data[ends[0] :])):
+        yield Piece(parse(data[: ends[0]], strict=False, dialect=dialect), len(data) - ends[0])
+        return
+    yield Piece(parse(data, strict=False, dialect=dialect))
+
+
+def _ends(data: bytes) -> Iterator[int]:
+    """Where the frames end when each starts where the one before ended."""
+    at = 0
+    while at + LENGTH_FIELD <= len(data):
+        length = int.from_bytes(data[at : at + LENGTH_FIELD], "little")
+        at += LENGTH_FIELD + length
+        if not MIN_LENGTH <= length <= MAX_LENGTH or at > len(data):
+            return
+        yield at

@@ -1,0 +1,166 @@
+r"""The annotated table: the frame's bytes in groups, above them what each group is, below them what it says.
+
+\ len \ cnt \ty\ hd  \op\cd\VOLUME\...
+0x|0E:00|2A:00|80|00:00|94|01|01    |...
+\ 14  \ 42  \no\ 0,0 \S \T \1     \...
+\     \     \  \     \O \O \      \...
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ev3proto.dialogue import Exchange
+from ev3proto.messages import DaisyCommand, DirectCommand, DirectReply, Message, Operation, SystemCommand, SystemReply
+from ev3proto.text.heading import Seen, heading
+from ev3proto.text.phrases import argument_value, plain, value_text
+from ev3proto.text.spans import Line, Role
+
+_SHORT_TYPES = {
+    "DIRECT_COMMAND_REPLY": "Re",
+    "DIRECT_COMMAND_NO_REPLY": "no",
+    "SYSTEM_COMMAND_REPLY": "Re",
+    "SYSTEM_COMMAND_NO_REPLY": "no",
+    "DAISY_COMMAND_REPLY": "Re",
+    "DAISY_COMMAND_NO_REPLY": "no",
+    "DIRECT_REPLY": "ok",
+    "SYSTEM_REPLY": "ok",
+    "DAISY_REPLY": "ok",
+    "DIRECT_REPLY_ERROR": "er",
+    "SYSTEM_REPLY_ERROR": "er",
+    "DAISY_REPLY_ERROR": "er",
+}
+
+MOST_COLUMNS = 110
+"""Width at which a table goes on in a new band."""
+
+_MOST_BYTES = 12
+"""Bytes shown in one cell; longer ones are cut in the middle of the text, not of the meaning."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A group of bytes. Upright meanings are written from top to bottom, a letter a row, as names of opcodes are."""
+
+    label: str
+    data: bytes
+    meaning: str = ""
+    upright: bool = False
+
+    @property
+    def hex(self) -> str:
+        """`0E:00`."""
+        text = self.data[:_MOST_BYTES].hex(":").upper()
+        return text + ":..." if len(self.data) > _MOST_BYTES else text
+
+    @property
+    def width(self) -> int:
+        """Columns it takes."""
+        return max(len(self.hex), len(self.label), 0 if self.upright else len(self.meaning))
+
+    @property
+    def rows(self) -> list[str]:
+        """Its meaning, row by row."""
+        return list(self.meaning) if self.upright else [self.meaning]
+
+
+def table(exchange: Exchange, seen: Seen) -> Iterator[Line]:
+    """The lines of one message: a heading, then one band of cells or more."""
+    yield heading(exchange, seen)
+    message = exchange.message
+    for number, band in enumerate(_bands(list(_cells(message)))):
+        yield from _draw(band, first=number == 0)
+    for value in exchange.values if isinstance(message, DirectReply) else ():
+        operation = f"{value.op} {value.command}" if value.command else value.op
+        yield [(f"{operation} {value.name} = {value_text(value)}", Role.VALUE)]
+    if message.fault is not None and not (seen.cut and message.fault.truncated):
+        yield [(f"fault at {message.fault}", Role.FAULT)]
+
+
+def _bands(cells: list[Cell]) -> Iterator[list[Cell]]:
+    band: list[Cell] = []
+    columns = 2
+    for cell in cells:
+        if band and columns + cell.width + 1 > MOST_COLUMNS:
+            yield band
+            band, columns = [], 2
+        band.append(cell)
+        columns += cell.width + 1
+    if band:
+        yield band
+
+
+def _draw(cells: list[Cell], first: bool) -> Iterator[Line]:
+    rule = "-" * (3 + sum(cell.width + 1 for cell in cells))
+    prefix = "0x" if first else "  "
+    yield [(rule, Role.ASIDE)]
+    yield [("  \\" + "".join(f"{cell.label.ljust(cell.width)}\\" for cell in cells), Role.NAME)]
+    yield [(rule, Role.ASIDE)]
+    yield [(f"{prefix}|" + "".join(f"{cell.hex.ljust(cell.width)}|" for cell in cells), Role.HEADING)]
+    yield [(rule, Role.ASIDE)]
+    for row in range(max(len(cell.rows) for cell in cells)):
+        pieces = (cell.rows[row] if row < len(cell.rows) else "" for cell in cells)
+        line = "".join(f"{piece.ljust(cell.width)}\\" for piece, cell in zip(pieces, cells, strict=True))
+        yield [("  \\" + line, Role.VALUE)]
+    yield [(rule, Role.ASIDE)]
+
+
+def _cells(message: Message) -> Iterator[Cell]:
+    frame = message.build()
+    if message.type is None:
+        yield Cell("bytes", frame)
+        return
+    yield Cell("len", frame[:2], str(message.length))
+    yield Cell("cnt", frame[2:4], str(message.counter))
+    yield Cell("ty" if message.type.is_command else "rs", frame[4:5], _SHORT_TYPES[message.type.name])
+    at = 5
+    match message:
+        case DirectCommand() if len(frame) >= 7:
+            yield Cell("hd", frame[5:7], f"{message.global_size},{message.local_size}")
+            at = 7
+            for operation in message.operations:
+                yield from _operation(operation)
+                at = operation.offset + operation.length
+        case SystemCommand() | SystemReply():
+            yield Cell("cd", frame[5:6], message.command or "?", upright=True)
+            at = 6
+            if isinstance(message, SystemReply):
+                yield Cell("st", frame[6:7], message.status.name if message.status is not None else "?", upright=True)
+                at = 7
+            at += len(frame) - at - len(message.rest)
+            yield from _fields(message, frame[: len(frame) - len(message.rest)])
+        case DirectReply() if message.memory:
+            yield Cell("global memory", message.memory)
+            at = 5 + len(message.memory)
+        case DaisyCommand():
+            yield Cell("cd", frame[5:6], message.command or "?", upright=True)
+            yield Cell("layers", frame[6:8], f"{message.layer_from} -> {message.layer_to}")
+            at = 8
+            for operation in message.operations:
+                yield from _operation(operation)
+                at = operation.offset + operation.length
+    if at < len(frame):
+        yield Cell("rest", frame[at:])
+
+
+def _fields(message: SystemCommand | SystemReply, frame: bytes) -> Iterator[Cell]:
+    """The fields as one cell: their names and values stand below the bytes that carry them."""
+    start = 7 if isinstance(message, SystemReply) else 6
+    if frame[start:]:
+        meaning = ", ".join(f"{name}={plain(value)}" for name, value in message.fields.items())
+        yield Cell("fields", frame[start:], meaning if len(meaning) <= MOST_COLUMNS else meaning[:MOST_COLUMNS] + "...")
+
+
+def _operation(operation: Operation) -> Iterator[Cell]:
+    yield Cell("op", operation.raw[:1], operation.name, upright=True)
+    cmd = operation.cmd
+    if cmd is not None:
+        yield Cell("cd", cmd.raw, operation.command or "", upright=True)
+    for argument in operation.arguments:
+        meaning = argument.symbol or argument_value(argument)
+        upright = len(meaning) > max(len(argument.name), 3 * len(argument.raw))
+        yield Cell(argument.name, argument.raw, meaning, upright)
+    read = sum((1, cmd.length if cmd else 0, *(argument.length for argument in operation.arguments)))
+    if read < operation.length:
+        yield Cell("rest", operation.raw[read:])

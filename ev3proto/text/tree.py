@@ -1,0 +1,146 @@
+"""A message as an indented tree: header, operations, arguments with their encodings, and what each of them means."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.dialogue import Exchange, Transfer
+from ev3proto.messages import (
+    Argument,
+    DaisyCommand,
+    DaisyReply,
+    DirectCommand,
+    DirectReply,
+    Message,
+    Operation,
+    SystemCommand,
+    SystemReply,
+)
+from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
+from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
+from ev3proto.tables.system import SYSTEM
+from ev3proto.text.heading import Seen, heading
+from ev3proto.text.phrases import argument_meaning, argument_value, plain, spaced_hex, value_text
+from ev3proto.text.spans import Line, Role
+
+_TEXTS = {entry.number: entry.text for entry in SYSTEM}
+_MOST_REST = 32
+
+
+def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
+    """The lines of one message."""
+    yield heading(exchange, seen)
+    message = exchange.message
+    match message:
+        case DirectCommand():
+            if message.global_size or message.local_size:
+                yield [(f"  memory: {message.global_size} bytes global, {message.local_size} bytes local", Role.ASIDE)]
+            for operation in message.operations:
+                yield from _operation(operation)
+        case DirectReply():
+            yield from _values(exchange)
+        case SystemCommand() | SystemReply():
+            yield from _system(message, exchange.transfer)
+        case DaisyCommand() | DaisyReply():
+            yield from _daisy(message)
+    yield from _fault(message, seen.cut)
+
+
+def _operation(operation: Operation) -> Iterator[Line]:
+    line: Line = [(f"  {operation.offset:4}  ", Role.ASIDE), (operation.name, Role.OPERATION)]
+    if operation.command:
+        line.append((f" {operation.command}", Role.OPERATION))
+    line.append((f"  {operation.declaration.text}", Role.ASIDE))
+    yield line
+    cmd = operation.cmd if operation.is_complete else None
+    if cmd is not None and cmd.length > 1:
+        yield [(f"  {cmd.offset:4}    CMD = {cmd.value}", Role.PLAIN), (f"  {cmd.encoding}", Role.ASIDE)]
+    width = max((len(argument.name) for argument in operation.arguments), default=0)
+    for argument in operation.arguments:
+        yield _argument(argument, width)
+
+
+def _argument(argument: Argument, width: int) -> Line:
+    line: Line = [
+        (f"  {argument.offset:4}    ", Role.ASIDE),
+        (argument.name.ljust(width), Role.NAME),
+        (" = ", Role.PLAIN),
+        (argument_value(argument), Role.VALUE),
+    ]
+    meaning = argument_meaning(argument)
+    if meaning:
+        line.append((f" {meaning}", Role.MEANING))
+    line.append((f"  {argument.encoding}: {argument.parameter.text}", Role.ASIDE))
+    return line
+
+
+def _values(exchange: Exchange) -> Iterator[Line]:
+    message = exchange.message
+    assert isinstance(message, DirectReply)
+    for value in exchange.values:
+        operation = f"{value.op} {value.command}" if value.command else value.op
+        yield [
+            (f"  {value.offset:4}  ", Role.ASIDE),
+            (operation, Role.OPERATION),
+            (f" {value.name}", Role.NAME),
+            (" = ", Role.PLAIN),
+            (value_text(value), Role.VALUE),
+            (f"  {value.type}", Role.ASIDE),
+        ]
+    if message.memory and not exchange.values:
+        yield [(f"     5  global memory: {spaced_hex(message.memory)}", Role.PLAIN)]
+
+
+def _system(message: SystemCommand | SystemReply, transfer: Transfer | None) -> Iterator[Line]:
+    text = _TEXTS.get(message.number)
+    if text and isinstance(message, SystemCommand):
+        yield [(f"        {text}", Role.ASIDE)]
+    width = max((len(name) for name in message.fields), default=0)
+    for name, value in message.fields.items():
+        yield [
+            ("        ", Role.PLAIN),
+            (name.ljust(width), Role.NAME),
+            (" = ", Role.PLAIN),
+            (plain(value), Role.VALUE),
+        ]
+    if transfer is not None and transfer.path:
+        of = "an unknown number of" if transfer.size is None else str(transfer.size)
+        progress = f"{transfer.transferred} of {of} bytes"
+        yield [("        ", Role.PLAIN), (f"{plain(transfer.path)}: {progress}", Role.MEANING)]
+
+
+def _daisy(message: DaisyCommand | DaisyReply) -> Iterator[Line]:
+    if isinstance(message, DaisyCommand) and message.command is not None:
+        yield [(f"        {DAISY_TEXTS[DaisySubCommand[message.command]]}", Role.ASIDE)]
+    yield [(f"        from layer {message.layer_from} to layer {message.layer_to}", Role.PLAIN)]
+    if isinstance(message, DaisyCommand) and message.operations:
+        for operation in message.operations:
+            yield from _operation(operation)
+    elif isinstance(message, DaisyReply) and message.report is not None:
+        report = message.report
+        yield [
+            (
+                f"        layer {report.layer} port {report.port}: type {report.type} mode {report.mode}"
+                f" status {report.status}",
+                Role.VALUE,
+            )
+        ]
+        yield [(f"        data {plain(report.data)}", Role.PLAIN)]
+    elif message.payload:
+        yield [(f"        payload {plain(message.payload)}", Role.PLAIN)]
+
+
+def _fault(message: Message, cut: bool) -> Iterator[Line]:
+    if message.fault is None:
+        return
+    if message.rest:
+        shown = spaced_hex(message.rest[:_MOST_REST]) + (" ..." if len(message.rest) > _MOST_REST else "")
+        yield [("        not read: ", Role.ASIDE), (shown, Role.PLAIN), (_letters(message.rest), Role.MEANING)]
+    if not (cut and message.fault.truncated):
+        yield [(f"  fault at {message.fault}", Role.FAULT)]
+
+
+def _letters(rest: bytes) -> str:
+    """The text in bytes that start like a string, for arguments that are cut in the middle."""
+    text = rest[1:].split(b"\0", 1)[0].decode("latin-1")
+    return f'  "{text}..."' if rest[0] & 0xEF == 0x84 and text.isprintable() and text else ""

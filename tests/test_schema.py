@@ -1,0 +1,728 @@
+"""The protocol by example: what the published frames mean, what faulty ones are told, what the builder refuses.
+
+Every expected value is written out from the description of the protocol. The schemas are shown as the Constructs that
+they are, for people who want to put them into a `Struct` of their own.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import construct
+import pytest
+
+import ev3proto
+from ev3proto import GV, LV, BuildError, DecodeError
+from ev3proto.schema.fields import Fields
+from ev3proto.schema.frame import HEADER, MEMORY, frame_schema
+from ev3proto.schema.identification import ENCODINGS, IDENTIFICATION, LABEL_BYTE
+from ev3proto.schema.instructions import instruction_set
+from ev3proto.tables.system import SYSTEM
+
+
+def frame_of(text: str) -> bytes:
+    """`0E:00|2A:00|...` as people print frames."""
+    return bytes.fromhex(text.replace(":", " ").replace("|", " "))
+
+
+def direct_command(text: str) -> ev3proto.DirectCommand:
+    message = ev3proto.parse(frame_of(text))
+    assert isinstance(message, ev3proto.DirectCommand)
+    return message
+
+
+def direct_reply(text: str) -> ev3proto.DirectReply:
+    message = ev3proto.parse(frame_of(text))
+    assert isinstance(message, ev3proto.DirectReply)
+    return message
+
+
+def arguments_of(operation: ev3proto.Operation) -> list[tuple[str, object, str]]:
+    return [(argument.name, argument.value, argument.encoding) for argument in operation.arguments]
+
+
+# The schemas are Constructs
+
+TONE = bytes.fromhex("94 01 01 82 B8 01 82 E8 03")
+"""SOUND TONE at volume 1, 440 Hz, 1000 ms."""
+
+
+def test_an_operation_builds_from_values() -> None:
+    assert instruction_set()["SOUND.TONE"].build([1, 440, 1000]) == TONE
+
+
+def test_an_operation_builds_from_names() -> None:
+    values = {"VOLUME": 1, "FREQUENCY": 440, "DURATION": 1000}
+    assert instruction_set()["sound.tone"].build(values) == TONE
+
+
+def test_an_operation_parses() -> None:
+    operation = instruction_set()["SOUND.TONE"].parse(TONE)
+    assert (operation.name, operation.command) == ("SOUND", "TONE")
+    assert arguments_of(operation) == [("VOLUME", 1, "LC0"), ("FREQUENCY", 440, "LC2"), ("DURATION", 1000, "LC2")]
+
+
+def test_an_operation_is_built_again_as_it_was() -> None:
+    longer = bytes.fromhex("94 81 01 81 01 83 B8 01 00 00 82 E8 03")
+    schema = instruction_set()["SOUND.TONE"]
+    assert schema.build(schema.parse(longer)) == longer
+
+
+def test_another_operation_is_refused() -> None:
+    with pytest.raises(DecodeError, match=r"opcode of SOUND\.TONE is 0x94"):
+        instruction_set()["SOUND.TONE"].parse(bytes.fromhex("96"))
+    with pytest.raises(DecodeError, match=r"CMD of SOUND\.TONE is 1"):
+        instruction_set()["SOUND.TONE"].parse(bytes.fromhex("94 00"))
+
+
+def test_an_operation_stands_in_a_struct() -> None:
+    record = construct.Struct(
+        "time" / construct.Int32ul,
+        "operation" / instruction_set()["SOUND.TONE"],
+        "end" / construct.Const(b"END"),
+    )
+    data = b"\x10\x00\x00\x00" + TONE + b"END"
+    found = record.parse(data)
+    assert found.time == 16
+    assert found.operation.full_name == "SOUND.TONE"
+    assert found.operation.length == 9
+    assert record.build({"time": 16, "operation": [1, 440, 1000]}) == data
+    assert record.build(found) == data
+
+
+def test_byte_code_stands_in_a_struct() -> None:
+    record = construct.Prefixed(construct.Int8ul, instruction_set())
+    found = record.parse(b"\x04\x95\x60\x96\x0a")
+    assert [operation.full_name for operation in found] == ["SOUND_TEST", "SOUND_READY", "OBJECT_END"]
+    assert record.build(found) == b"\x04\x95\x60\x96\x0a"
+
+
+def test_a_frame_stands_in_a_struct() -> None:
+    record = construct.Struct("frames" / construct.GreedyRange(frame_schema()))
+    data = frame_of("03:00|2A:00|02|04:00|2B:00|02|07")
+    found = record.parse(data)
+    assert [message.counter for message in found.frames] == [42, 43]
+    assert record.build(found) == data
+
+
+def test_fields_of_a_system_command_stand_in_a_struct() -> None:
+    (entry,) = [entry for entry in SYSTEM if entry.name == "LIST_FILES"]
+    record = construct.Struct("number" / construct.Int8ul, "fields" / Fields(entry.request))
+    data = b"\x99\xe8\x03/home/\x00"
+    assert record.parse(data).fields == {"max_bytes": 1000, "path": "/home/"}
+    assert record.build({"number": 0x99, "fields": {"max_bytes": 1000, "path": "/home/"}}) == data
+
+
+def test_a_misspelt_operation_gets_a_suggestion() -> None:
+    with pytest.raises(KeyError, match=r"SOUND\.TONE"):
+        instruction_set()["SOUND.TON"]
+
+
+# Identification bytes, header, memory
+
+
+@pytest.mark.parametrize("byte", range(256))
+def test_an_identification_byte_goes_both_ways(byte: int) -> None:
+    found = IDENTIFICATION.parse(bytes((byte,)))
+    assert found.is_long == bool(byte & 0x80)
+    assert found.is_variable == bool(byte & 0x40)
+    assert IDENTIFICATION.build(found) == bytes((byte,))
+
+
+@pytest.mark.parametrize(
+    ("byte", "name", "kind", "width"),
+    [
+        (0x00, "LC0", "constant", 0),
+        (0x1F, "LC0", "constant", 0),
+        (0x3F, "LC0", "constant", 0),
+        (0x40, "LV0", "local", 0),
+        (0x60, "GV0", "global", 0),
+        (0x80, "LCS_OLD", "string", None),
+        (0x81, "LC1", "constant", 1),
+        (0x82, "LC2", "constant", 2),
+        (0x83, "LC4", "constant", 4),
+        (0x84, "LCS", "string", None),
+        (0xA0, "LAB1", "label", 1),
+        (0xC1, "LV1", "local", 1),
+        (0xC2, "LV2", "local", 2),
+        (0xC3, "LV4", "local", 4),
+        (0xE1, "GV1", "global", 1),
+        (0xE2, "GV2", "global", 2),
+        (0xE3, "GV4", "global", 4),
+    ],
+)
+def test_identification_bytes_have_the_names_everybody_uses(byte: int, name: str, kind: str, width: int | None) -> None:
+    encoding = ENCODINGS[byte]
+    assert encoding is not None
+    assert (encoding.name, encoding.kind, encoding.width) == (name, kind, width)
+    assert not encoding.handle
+    assert not encoding.address
+
+
+@pytest.mark.parametrize(
+    ("byte", "handle", "address"), [(0x91, True, False), (0x89, False, True), (0xF9, True, True), (0xD2, True, False)]
+)
+def test_handle_and_address_bits(byte: int, handle: bool, address: bool) -> None:
+    encoding = ENCODINGS[byte]
+    assert encoding is not None
+    assert (encoding.handle, encoding.address) == (handle, address)
+
+
+def test_the_label_byte() -> None:
+    assert LABEL_BYTE == 0xA0
+
+
+def test_header() -> None:
+    found = HEADER.parse(frame_of("0E:00|2A:80|80"))
+    assert (found.length, found.counter, found.type) == (14, 0x802A, 0x80)
+    assert HEADER.build({"length": 14, "counter": 0x802A, "type": 0x80}) == frame_of("0E:00|2A:80|80")
+
+
+@pytest.mark.parametrize(
+    ("text", "global_size", "local_size"),
+    [
+        ("00:00", 0, 0),
+        ("01:00", 1, 0),
+        ("10:00", 16, 0),
+        ("00:14", 0, 5),
+        ("FF:03", 1023, 0),
+        ("00:04", 0, 1),
+        ("00:FC", 0, 63),
+        ("FD:0B", 1021, 2),
+        ("FF:FF", 1023, 63),
+    ],
+)
+def test_memory(text: str, global_size: int, local_size: int) -> None:
+    """Bits 0 to 9 are global memory, bits 10 to 15 local memory: the declaration and the parser read the same."""
+    found = MEMORY.parse(frame_of(text))
+    assert (found.globals, found.locals) == (global_size, local_size)
+    assert MEMORY.build({"globals": global_size, "locals": local_size}) == frame_of(text)
+    command = direct_command(f"05:00|2A:00|00|{text}")
+    assert (command.global_size, command.local_size) == (global_size, local_size)
+    built = ev3proto.direct_command(counter=42, reply=True, global_size=global_size, local_size=local_size)
+    assert built.build() == frame_of(f"05:00|2A:00|00|{text}")
+
+
+# Direct commands, the published examples
+
+
+def test_set_brickname() -> None:
+    command = direct_command("0E:00|2A:00|00|00:00|D4:08:84:6D:79:45:56:33:00")
+    assert command.type is ev3proto.MessageType.DIRECT_COMMAND_REPLY
+    assert (command.kind, command.counter, command.length) == ("direct-command", 42, 14)
+    assert command.wants_reply
+    (operation,) = command.operations
+    assert (operation.name, operation.command, operation.offset, operation.length) == ("COM_SET", "SET_BRICKNAME", 7, 9)
+    assert arguments_of(operation) == [("NAME", "myEV3", "LCS")]
+    (name,) = operation.arguments
+    assert (name.offset, name.length, name.raw) == (9, 7, b"\x84myEV3\x00")
+    reply = direct_reply("03:00|2A:00|02")
+    assert (reply.kind, reply.counter, reply.memory, reply.is_error) == ("direct-reply", 42, b"", False)
+
+
+def test_output_power_and_start() -> None:
+    command = direct_command("0C:00|00:00|80|00:00|A4:00:01:14:A6:00:01")
+    assert command.type is ev3proto.MessageType.DIRECT_COMMAND_NO_REPLY
+    assert not command.wants_reply
+    power, start = command.operations
+    assert (power.name, power.command, power.offset, power.length) == ("OUTPUT_POWER", None, 7, 4)
+    assert arguments_of(power) == [("LAYER", 0, "LC0"), ("NOS", 1, "LC0"), ("POWER", 20, "LC0")]
+    assert (start.name, start.command, start.offset, start.length) == ("OUTPUT_START", None, 11, 3)
+    assert arguments_of(start) == [("LAYER", 0, "LC0"), ("NOS", 1, "LC0")]
+
+
+def test_output_stop() -> None:
+    (operation,) = direct_command("09:00|00:00|80|00:00|A3:00:01:00").operations
+    assert operation.full_name == "OUTPUT_STOP"
+    assert arguments_of(operation) == [("LAYER", 0, "LC0"), ("NOS", 1, "LC0"), ("BRAKE", 0, "LC0")]
+
+
+def test_input_read() -> None:
+    command = direct_command("0B:00|01:00|00|01:00|9A:00:00:00:00:60")
+    assert (command.global_size, command.local_size) == (1, 0)
+    (operation,) = command.operations
+    assert operation.full_name == "INPUT_READ"
+    assert [(it.value, it.encoding) for it in operation.arguments] == [(0, "LC0")] * 4 + [(0, "GV0")]
+    assert operation.arguments[-1].kind == "global"
+    assert operation.arguments[-1].parameter.is_output
+    assert direct_reply("04:00|01:00|02|00").memory == b"\x00"
+
+
+def test_input_device_get_name() -> None:
+    command = direct_command("0B:00|01:00|00|10:00|99:15:00:00:10:60")
+    assert command.global_size == 16
+    (operation,) = command.operations
+    assert operation.full_name == "INPUT_DEVICE.GET_NAME"
+    assert [(it.value, it.encoding) for it in operation.arguments] == [(0, "LC0"), (0, "LC0"), (16, "LC0"), (0, "GV0")]
+
+
+def test_input_device_list() -> None:
+    command = direct_command("09:00|01:00|00|05:00|98:04:60:64")
+    (operation,) = command.operations
+    assert operation.full_name == "INPUT_DEVICE_LIST"
+    assert [(it.value, it.encoding) for it in operation.arguments] == [(4, "LC0"), (0, "GV0"), (4, "GV0")]
+    dialogue = ev3proto.Dialogue()
+    assert dialogue.feed(command) == []
+    values = dialogue.feed(direct_reply("08:00|01:00|02|7E:7E:7E:7D:00"))
+    assert [value.value for value in values] == [[0x7E, 0x7E, 0x7E, 0x7D], 0]
+    assert [value.offset for value in values] == [5, 9]
+
+
+def test_init_bytes_and_memory_write() -> None:
+    command = direct_command("13:00|01:00|80|00:14|2F:40:05:01:02:03:04:05:7E:01:00:04:05:40")
+    assert (command.global_size, command.local_size) == (0, 5)
+    init, write = command.operations
+    assert init.full_name == "INIT_BYTES"
+    assert arguments_of(init) == [
+        ("DESTINATION", 0, "LV0"),
+        ("LENGTH", 5, "LC0"),
+        ("SOURCE[0]", 1, "LC0"),
+        ("SOURCE[1]", 2, "LC0"),
+        ("SOURCE[2]", 3, "LC0"),
+        ("SOURCE[3]", 4, "LC0"),
+        ("SOURCE[4]", 5, "LC0"),
+    ]
+    assert (write.full_name, write.offset) == ("MEMORY_WRITE", 15)
+    assert [(it.value, it.encoding) for it in write.arguments] == [
+        (1, "LC0"),
+        (0, "LC0"),
+        (4, "LC0"),
+        (5, "LC0"),
+        (0, "LV0"),
+    ]
+
+
+def test_memory_read() -> None:
+    (operation,) = direct_command("0B:00|01:00|00|05:00|7F:01:00:04:05:60").operations
+    assert operation.full_name == "MEMORY_READ"
+    assert [(it.value, it.encoding) for it in operation.arguments] == [
+        (1, "LC0"),
+        (0, "LC0"),
+        (4, "LC0"),
+        (5, "LC0"),
+        (0, "GV0"),
+    ]
+
+
+def test_program_stop() -> None:
+    (operation,) = direct_command("07:00|01:00|80|00:00|02:01").operations
+    assert operation.full_name == "PROGRAM_STOP"
+    assert [(it.value, it.encoding) for it in operation.arguments] == [(1, "LC0")]
+
+
+def test_an_error_reply_tells_nothing_more() -> None:
+    reply = direct_reply("03:00|2A:00|04")
+    assert reply.type is ev3proto.MessageType.DIRECT_REPLY_ERROR
+    assert reply.is_error
+    assert reply.memory == b""
+
+
+def test_counters_are_unsigned() -> None:
+    assert direct_reply("03:00|00:80|02").counter == 32768
+    assert direct_reply("03:00|FF:FF|02").counter == 65535
+
+
+def test_a_cmd_above_31_takes_two_bytes() -> None:
+    """UI_DRAW TEXTBOX is 32, which LC0 cannot hold."""
+    operation = ev3proto.operation("UI_DRAW.TEXTBOX", 0, 0, 178, 128, "text", 10, 1, LV(0))
+    assert operation.raw[:3] == b"\x84\x81\x20"
+
+
+@pytest.mark.parametrize("cmd", ["01", "81:01", "82:01:00", "83:01:00:00:00"])
+def test_cmd_is_a_parameter_like_any_other(cmd: str) -> None:
+    code = frame_of(f"94:{cmd}:01:82:B8:01:82:E8:03")
+    frame = (5 + len(code)).to_bytes(2, "little") + frame_of("2A:00|80|00:00") + code
+    message = ev3proto.parse(frame)
+    assert isinstance(message, ev3proto.DirectCommand)
+    (operation,) = message.operations
+    assert operation.full_name == "SOUND.TONE"
+    assert operation.cmd is not None
+    assert (operation.cmd.value, operation.cmd.raw) == (1, frame_of(cmd))
+    assert [argument.value for argument in operation.arguments] == [1, 440, 1000]
+
+
+@pytest.mark.parametrize(
+    ("text", "encoding", "value"),
+    [
+        ("05", "LC0", 5),
+        ("3F", "LC0", -1),
+        ("20", "LC0", -32),
+        ("81:05", "LC1", 5),
+        ("81:FF", "LC1", -1),
+        ("82:05:00", "LC2", 5),
+        ("82:18:FC", "LC2", -1000),
+        ("83:05:00:00:00", "LC4", 5),
+        ("A0:05", "LAB1", 5),
+        ("A0:FB", "LAB1", -5),
+        ("5F", "LV0", 31),
+        ("C1:FF", "LV1", 255),
+        ("C2:00:01", "LV2", 256),
+        ("7F", "GV0", 31),
+        ("E1:20", "GV1", 32),
+        ("E2:00:01", "GV2", 256),
+        ("E3:00:00:01:00", "GV4", 65536),
+        ("84:48:69:00", "LCS", "Hi"),
+        ("80:48:69:00", "LCS_OLD", "Hi"),
+        ("84:E4:00", "LCS", "ä"),
+        ("84:00", "LCS", ""),
+    ],
+)
+def test_encodings(text: str, encoding: str, value: object) -> None:
+    """As the argument of a jump, which takes anything."""
+    operation = instruction_set()["JR"].parse(b"\x40" + frame_of(text))
+    (argument,) = operation.arguments
+    assert (argument.encoding, argument.value, argument.raw) == (encoding, value, frame_of(text))
+
+
+def test_a_float_is_an_lc4_where_the_parameter_is_a_dataf() -> None:
+    assert ev3proto.operation("MOVEF_F", 1.0, LV(0)).raw == frame_of("3F:83:00:00:80:3F:40")
+    as_float = instruction_set()["MOVEF_F"].parse(frame_of("3F:83:00:00:80:3F:40"))
+    as_number = instruction_set()["MOVE32_32"].parse(frame_of("3A:83:00:00:80:3F:40"))
+    assert as_float.arguments[0].value == 1.0
+    assert as_number.arguments[0].value == 0x3F800000
+
+
+@pytest.mark.parametrize(
+    ("name", "raw"),
+    [
+        ("MOVE8_8", "30:81:80:40"),
+        ("MOVE16_16", "35:82:00:80:40"),
+        ("MOVE32_32", "3A:83:00:00:00:80:40"),
+        ("MOVEF_F", "3F:83:00:00:C0:7F:40"),
+    ],
+)
+def test_not_a_number(name: str, raw: str) -> None:
+    assert ev3proto.operation(name, float("nan"), LV(0)).raw == frame_of(raw)
+
+
+@pytest.mark.parametrize(
+    ("value", "raw"),
+    [
+        (31, "1F"),
+        (32, "81:20"),
+        (-32, "20"),
+        (-33, "81:DF"),
+        (127, "81:7F"),
+        (128, "82:80:00"),
+        (-127, "81:81"),
+        (-128, "82:80:FF"),
+        (32767, "82:FF:7F"),
+        (32768, "83:00:80:00:00"),
+        (-32768, "83:00:80:FF:FF"),
+        (2147483647, "83:FF:FF:FF:7F"),
+        (LV(31), "5F"),
+        (LV(32), "C1:20"),
+        (LV(256), "C2:00:01"),
+        (GV(31), "7F"),
+        (GV(255), "E1:FF"),
+        (GV(65536), "E3:00:00:01:00"),
+        (GV(3, handle=True), "F1:03"),
+        (LV(3, address=True), "C9:03"),
+    ],
+)
+def test_the_builder_takes_the_shortest(value: object, raw: str) -> None:
+    assert ev3proto.operation("MOVE32_32", value, LV(0)).raw == b"\x3a" + frame_of(raw) + b"\x40"
+
+
+# System commands
+
+
+@pytest.mark.parametrize(
+    ("text", "command", "fields"),
+    [
+        ("0B:00|01:00|01|92|10:00:00:00:2E:2E:00", "BEGIN_DOWNLOAD", {"size": 16, "path": ".."}),
+        ("07:00|01:00|01|93|02:AA:BB", "CONTINUE_DOWNLOAD", {"handle": 2, "data": b"\xaa\xbb"}),
+        ("09:00|01:00|01|94|E8:03:2E:2E:00", "BEGIN_UPLOAD", {"max_bytes": 1000, "path": ".."}),
+        ("07:00|01:00|01|95|02:E8:03", "CONTINUE_UPLOAD", {"handle": 2, "max_bytes": 1000}),
+        ("09:00|01:00|01|96|E8:03:2E:2E:00", "BEGIN_GETFILE", {"max_bytes": 1000, "path": ".."}),
+        ("07:00|01:00|01|97|02:E8:03", "CONTINUE_GETFILE", {"handle": 2, "max_bytes": 1000}),
+        ("05:00|01:00|01|98|02", "CLOSE_FILEHANDLE", {"handle": 2}),
+        ("15:00|01:00|01|98|02" + ":11" * 16, "CLOSE_FILEHANDLE", {"handle": 2, "hash": b"\x11" * 16}),
+        ("09:00|01:00|01|99|E8:03:2E:2E:00", "LIST_FILES", {"max_bytes": 1000, "path": ".."}),
+        ("07:00|01:00|01|9A|02:E8:03", "CONTINUE_LIST_FILES", {"handle": 2, "max_bytes": 1000}),
+        ("06:00|01:00|01|9B|61:00", "CREATE_DIR", {"path": "a"}),
+        ("06:00|01:00|01|9C|61:00", "DELETE_FILE", {"path": "a"}),
+        ("04:00|01:00|01|9D", "LIST_OPEN_HANDLES", {}),
+        (
+            # The name's length counts its zero, as the firmware sends it ...
+            "0C:00|01:00|81|9E|03:61:62:00:02:00:31:00",
+            "WRITEMAILBOX",
+            {"name_length": 3, "name": "ab", "payload_length": 2, "payload": b"1\x00"},
+        ),
+        (
+            # ... and does not, as the published text has it.
+            "0C:00|01:00|81|9E|02:61:62:00:02:00:31:00",
+            "WRITEMAILBOX",
+            {"name_length": 2, "name": "ab", "payload_length": 2, "payload": b"1\x00"},
+        ),
+        (
+            "0D:00|01:00|01|9F|03:30:31:00:04:31:32:33:00",
+            "BLUETOOTHPIN",
+            {"mac_length": 3, "mac": "01", "pin_length": 4, "pin": "123"},
+        ),
+        ("04:00|01:00|81|A0", "ENTERFWUPDATE", {}),
+        ("07:00|01:00|01|A1|61:62:00", "SETBUNDLEID", {"id": "ab"}),
+        ("07:00|01:00|01|A2|61:62:00", "SETBUNDLESEEDID", {"id": "ab"}),
+        (
+            "0C:00|01:00|01|F0|00:00:01:00:00:02:00:00",
+            "BEGIN_DOWNLOAD_WITH_ERASE",
+            {"address": 0x10000, "image_size": 512},
+        ),
+        ("0C:00|01:00|01|F1|00:00:01:00:00:02:00:00", "BEGIN_DOWNLOAD", {"address": 0x10000, "image_size": 512}),
+        ("06:00|01:00|01|F2|AA:BB", "DOWNLOAD_DATA", {"data": b"\xaa\xbb"}),
+        ("04:00|01:00|01|F3", "CHIP_ERASE", {}),
+        ("04:00|01:00|01|F4", "START_APP", {}),
+        ("0C:00|01:00|01|F5|00:00:01:00:00:02:00:00", "GET_CHECKSUM", {"address": 0x10000, "image_size": 512}),
+        ("04:00|00:00|01|F6", "GET_VERSION", {}),
+    ],
+)
+def test_system_commands(text: str, command: str, fields: dict[str, object]) -> None:
+    frame = frame_of(text)
+    message = ev3proto.parse(frame)
+    assert isinstance(message, ev3proto.SystemCommand)
+    assert (message.command, message.number, dict(message.fields)) == (command, frame[5], fields)
+    assert message.wants_reply == (frame[4] == 0x01)
+    built = ev3proto.system_command(frame[5], counter=message.counter, reply=frame[4] == 0x01, **message.fields)
+    assert built == message
+    assert built.build() == frame
+
+
+@pytest.mark.parametrize(
+    ("text", "command", "status", "fields"),
+    [
+        ("06:00|01:00|03|92:00|02", "BEGIN_DOWNLOAD", "SUCCESS", {"handle": 2}),
+        ("05:00|01:00|05|92:06", "BEGIN_DOWNLOAD", "ILLEGAL_PATH", {}),
+        ("06:00|01:00|03|93:08|02", "CONTINUE_DOWNLOAD", "END_OF_FILE", {"handle": 2}),
+        (
+            "0C:00|01:00|03|94:00|10:00:00:00:02:AA:BB",
+            "BEGIN_UPLOAD",
+            "SUCCESS",
+            {"size": 16, "handle": 2, "data": b"\xaa\xbb"},
+        ),
+        ("07:00|01:00|03|95:08|02:AA", "CONTINUE_UPLOAD", "END_OF_FILE", {"handle": 2, "data": b"\xaa"}),
+        ("05:00|01:00|03|98:00", "CLOSE_FILEHANDLE", "SUCCESS", {}),
+        ("06:00|01:00|03|98:00|02", "CLOSE_FILEHANDLE", "SUCCESS", {"handle": 2}),
+        (
+            "0D:00|01:00|03|99:08|03:00:00:00:02:61:2F:0A",
+            "LIST_FILES",
+            "END_OF_FILE",
+            {"list_size": 3, "handle": 2, "list": "a/\n"},
+        ),
+        ("09:00|01:00|03|9A:08|02:61:2F:0A", "CONTINUE_LIST_FILES", "END_OF_FILE", {"handle": 2, "list": "a/\n"}),
+        ("05:00|01:00|05|9B:07", "CREATE_DIR", "FILE_EXITS", {}),
+        ("09:00|01:00|03|F5:00|78:56:34:12", "GET_CHECKSUM", "SUCCESS", {"checksum": 0x12345678}),
+    ],
+)
+def test_system_replies(text: str, command: str, status: str, fields: dict[str, object]) -> None:
+    message = ev3proto.parse(frame_of(text))
+    assert isinstance(message, ev3proto.SystemReply)
+    assert message.command == command
+    assert message.status is ev3proto.SystemStatus[status]
+    assert dict(message.fields) == fields
+    assert message.build() == frame_of(text)
+
+
+def test_end_of_file_is_no_failure() -> None:
+    message = ev3proto.parse(frame_of("07:00|01:00|03|95:08|02:AA"))
+    assert isinstance(message, ev3proto.SystemReply)
+    assert not message.is_error
+
+
+def test_the_bootloader_has_a_begin_download_of_its_own() -> None:
+    assert ev3proto.system_command("BEGIN_DOWNLOAD", size=1, path="a").number == 0x92
+    assert ev3proto.system_command(0xF1, address=0, image_size=1).command == "BEGIN_DOWNLOAD"
+
+
+def test_lengths_are_worked_out() -> None:
+    message = ev3proto.system_command("WRITEMAILBOX", reply=False, name="ab", payload=b"1\x00")
+    assert message.build() == frame_of("0C:00|00:00|81|9E|03:61:62:00:02:00:31:00")
+
+
+# The daisy chain
+
+
+def test_daisy_operations_downstream() -> None:
+    message = ev3proto.parse(frame_of("0A:00|01:00|8A|A0:00:01|A3:00:01:00"))
+    assert isinstance(message, ev3proto.DaisyCommand)
+    assert (message.kind, message.command, message.number) == ("daisy-command", "DOWNSTREAM", 0xA0)
+    assert (message.layer_from, message.layer_to) == (0, 1)
+    assert message.payload == frame_of("A3:00:01:00")
+    (operation,) = message.operations
+    assert (operation.full_name, operation.offset) == ("OUTPUT_STOP", 8)
+
+
+@pytest.mark.parametrize(
+    ("number", "name"),
+    [
+        (0xA0, "DOWNSTREAM"),
+        (0xA1, "UPSTREAM"),
+        (0xA2, "INFO"),
+        (0xA3, "UNLOCK_SLAVE"),
+        (0xA4, "SET_TYPE"),
+        (0xA5, "DOWNSTREAM_WITH_BUSY"),
+    ],
+)
+def test_daisy_commands(number: int, name: str) -> None:
+    message = ev3proto.parse(frame_of("06:00|01:00|0A") + bytes((number, 1, 2)))
+    assert isinstance(message, ev3proto.DaisyCommand)
+    assert (message.command, message.layer_from, message.layer_to, message.payload) == (name, 1, 2, b"")
+    assert message.wants_reply
+
+
+def test_daisy_sensor_report() -> None:
+    data = bytes(range(32))
+    body = frame_of("01:00|01:02:00:10:03") + data + frame_of("5A|0F")
+    message = ev3proto.parse((3 + len(body)).to_bytes(2, "little") + frame_of("01:00|08") + body)
+    assert isinstance(message, ev3proto.DaisyReply)
+    assert (message.kind, message.layer_from, message.layer_to) == ("daisy-reply", 1, 0)
+    report = message.report
+    assert report is not None
+    assert (report.layer, report.port, report.status, report.type, report.mode) == (1, 2, 0, 16, 3)
+    assert (report.data, report.checksum, report.busy) == (data, 0x5A, b"\x0f")
+
+
+# What is wrong, and where
+
+
+@pytest.mark.parametrize(
+    ("text", "offset", "reason"),
+    [
+        # The envelope
+        ("", 0, "at least 5 bytes"),
+        ("03:00|2A", 3, "at least 5 bytes"),
+        ("04:00|2A:00|02", 0, "cut off"),
+        ("03:00|2A:00|02|FF", 5, "longer than its length field says"),
+        ("02:00|2A:00|02", 0, "length field says 2"),
+        ("FF:04|2A:00|02", 0, "length field says 1279"),
+        ("03:00|2A:00|77", 4, "0x77 is no message type"),
+        # Direct commands
+        ("04:00|2A:00|00|00", 6, "two bytes that ask for memory"),
+        ("06:00|2A:00|00|00:00|FE", 7, "0xFE is no opcode"),
+        ("07:00|2A:00|00|00:00|94:1F", 8, "SOUND has no CMD 31"),
+        ("07:00|2A:00|00|00:00|94:60", 8, "CMD of SOUND is GV0"),
+        ("06:00|2A:00|00|00:00|94", 8, "CMD"),
+        ("08:00|2A:00|00|00:00|A4:00:01", 10, "argument POWER should start"),
+        ("0A:00|2A:00|00|00:00|A4:00:01:82:14", 10, "POWER runs past the end of the frame"),
+        ("0B:00|2A:00|00|00:00|96|94:02:01:84:41", 11, "the zero that ends it is missing"),
+        # A count that would keep a careless decoder busy for minutes
+        ("0C:00|2A:00|00|00:00|2F:40:83:FF:FF:FF:7F", 9, "LENGTH cannot be 2147483647"),
+        ("08:00|2A:00|00|00:00|2F:40:3F", 9, "LENGTH cannot be -1"),
+        ("09:00|2A:00|00|00:00|2F:40:41:01", 9, "LENGTH must be a constant"),
+        ("0A:00|2A:00|00|00:00|C1:0A:40:00:3F", 11, "ELEMENTS cannot be -1"),
+        # Identification bytes that the firmware does not define
+        ("09:00|2A:00|00|00:00|A3:00:01:85", 10, "0x85 is no identification byte"),
+        ("09:00|2A:00|00|00:00|A3:00:01:86", 10, "0x86 is no identification byte"),
+        ("09:00|2A:00|00|00:00|A3:00:01:87", 10, "0x87 is no identification byte"),
+        ("09:00|2A:00|00|00:00|A3:00:01:C0", 10, "0xC0 is no identification byte"),
+        ("09:00|2A:00|00|00:00|A3:00:01:C4", 10, "0xC4 is no identification byte"),
+        # System messages
+        ("03:00|2A:00|01", 5, "system command should stand"),
+        ("04:00|2A:00|01|77", 5, "0x77 is no system command"),
+        ("06:00|2A:00|01|9B|61:62", 6, "path runs past the end"),
+        ("06:00|2A:00|01|95|02:E8", 7, "max_bytes"),
+        ("05:00|2A:00|01|9D|00", 6, "1 byte left over"),
+        ("0C:00|2A:00|81|9E|03:61:62:00:03:00:31:00", 12, "payload_length says 3 bytes, but 2 follow"),
+        ("04:00|2A:00|03|92", 6, "a status"),
+        # The daisy chain
+        ("05:00|2A:00|0A|A0:00", 7, "two layers"),
+        ("06:00|2A:00|0A|77:00:01", 5, "0x77 is no daisy sub-command"),
+        ("04:00|2A:00|08|00", 6, "two layers"),
+    ],
+)
+def test_faults(text: str, offset: int, reason: str) -> None:
+    frame = frame_of(text)
+    started = time.perf_counter()
+    with pytest.raises(DecodeError) as raised:
+        ev3proto.parse(frame)
+    assert time.perf_counter() - started < 0.5
+    assert (raised.value.offset, reason in raised.value.reason) == (offset, True), str(raised.value)
+    lenient = ev3proto.parse(frame, strict=False)
+    assert lenient.fault == raised.value.fault
+    assert lenient.build() == frame
+
+
+def test_a_fault_is_a_value_error() -> None:
+    with pytest.raises(ValueError, match=r"^offset 7: 0xFE is no opcode of the official firmware$"):
+        ev3proto.parse(frame_of("06:00|2A:00|00|00:00|FE"))
+
+
+def test_a_frame_has_at_most_1024_bytes() -> None:
+    assert len(ev3proto.parse(b"\xfe\x03\x2a\x00\x02" + bytes(1019)).build()) == 1024
+    with pytest.raises(DecodeError, match="length field says 1023"):
+        ev3proto.parse(b"\xff\x03\x2a\x00\x02" + bytes(1020))
+
+
+def test_what_is_in_front_of_a_fault_is_there() -> None:
+    frame = frame_of("0D:00|2A:00|80|01:00|A6:00:01|94:01:81:14:85")
+    message = ev3proto.parse(frame, strict=False)
+    assert isinstance(message, ev3proto.DirectCommand)
+    assert message.fault is not None
+    assert message.fault.offset == 14
+    assert message.global_size == 1
+    start, tone = message.operations
+    assert (start.full_name, start.is_complete) == ("OUTPUT_START", True)
+    assert (tone.full_name, tone.is_complete) == ("SOUND.TONE", False)
+    assert arguments_of(tone) == [("VOLUME", 20, "LC1")]
+    assert message.rest == b"\x85"
+    assert message.build() == frame
+
+
+def test_the_bootloader_fault_is_named() -> None:
+    """The request written over the first bytes of the reply: somebody on a USB 3 port saw just these bytes."""
+    frame = frame_of("04:00:00:00:01:F6:7F:B6:00:00:00:06:00:00")
+    message = ev3proto.parse(frame, strict=False)
+    assert message.fault is not None
+    assert message.fault.offset == 6
+    for words in ("bootloader", "USB 3", "GET_VERSION", "request written over"):
+        assert words in message.fault.reason
+    assert message.build() == frame
+
+
+# What the builder refuses
+
+
+@pytest.mark.parametrize(
+    ("build", "words"),
+    [
+        (lambda: ev3proto.operation("SOUND.TONE", 300, 440, 1000), ["VOLUME", "300", "-127 to 127"]),
+        (lambda: ev3proto.operation("SOUND.TONE", -129, 440, 1000), ["VOLUME", "-129", "-127 to 127"]),
+        (lambda: ev3proto.operation("SOUND.TONE", 1, 40000, 1000), ["FREQUENCY", "40000", "-32767 to 32767"]),
+        (lambda: ev3proto.operation("SOUND.TONE", 1.5, 440, 1000), ["VOLUME", "1.5", "whole number"]),
+        (lambda: ev3proto.operation("SOUND.TONE", "loud", 440, 1000), ["VOLUME", "'loud'", "number"]),
+        (lambda: ev3proto.operation("SOUND.TONE", None, 440, 1000), ["VOLUME", "None", "DATA8"]),
+        (lambda: ev3proto.operation("SOUND.TONE", 1, 440), ["SOUND.TONE", "DURATION"]),
+        (lambda: ev3proto.operation("SOUND.TONE", VOLUME=1, PITCH=440), ["PITCH", "FREQUENCY"]),
+        (lambda: ev3proto.operation("SOUND.TONE", LV(-1), 440, 1000), ["VOLUME", "LV(-1)", "0 to 4294967295"]),
+        (lambda: ev3proto.operation("SOUND.PLAY", 1, "a\0b"), ["NAME", r"'a\x00b'", "zero"]),
+        (lambda: ev3proto.operation("SOUND.PLAY", 1, "€"), ["NAME", "'€'", "ISO-8859-1"]),
+        (lambda: ev3proto.operation("SOUND.PLAY", 1, 5), ["NAME", "5", "string"]),
+        (lambda: ev3proto.operation("SOUND_TEST", 1), ["BUSY", "output", "GV(0)"]),
+        (lambda: ev3proto.operation("MOVEF_F", 1e39, LV(0)), ["SOURCE", "1e+39", "3.4028235e38"]),
+        (lambda: ev3proto.operation("MOVE32_32", 2147483648, LV(0)), ["SOURCE", "2147483648", "2147483647"]),
+        (lambda: ev3proto.operation("INIT_BYTES", LV(0), 3, [1, 2]), ["LENGTH", "3", "2 values follow"]),
+        (lambda: ev3proto.operation("CALL", 1, [0] * 128), ["PARAMETERS", "128", "0 to 127"]),
+        (lambda: ev3proto.operation("SOUND.TON", 1), ["SOUND.TON", "SOUND.TONE"]),
+        (lambda: ev3proto.direct_command(local_size=64), ["local_size", "64", "0 to 63"]),
+        (lambda: ev3proto.direct_command(global_size=1024), ["global_size", "1024", "0 to 1023"]),
+        (lambda: ev3proto.direct_command(counter=65536), ["counter", "65536", "0 to 65535"]),
+        (lambda: ev3proto.direct_command(*[ev3proto.operation("SOUND_READY")] * 1018), ["1025 bytes", "1024"]),
+        (lambda: ev3proto.direct_reply(bytes(1020)), ["1025 bytes", "1024"]),
+        (lambda: ev3proto.system_command("CREATE_DIR", path="a\0"), ["path", r"'a\x00'", "zero"]),
+        (lambda: ev3proto.system_command("CREATE_DIR"), ["path", "missing"]),
+        (lambda: ev3proto.system_command("CLOSE_FILEHANDLE", handle=256), ["handle", "256", "0 to 255"]),
+        (lambda: ev3proto.system_command("LIST_FILE", path="a"), ["LIST_FILE", "LIST_FILES"]),
+        (lambda: ev3proto.system_reply("CREATE_DIR", status=256), ["status", "256", "0 to 255"]),
+    ],
+)
+def test_refusals(build: Callable[[], object], words: list[str]) -> None:
+    """The sentence names the parameter, the value, and what it may be."""
+    with pytest.raises(BuildError) as raised:
+        build()
+    for word in words:
+        assert word in str(raised.value)
+
+
+def test_the_largest_frame_is_built() -> None:
+    command = ev3proto.direct_command(*[ev3proto.operation("SOUND_READY")] * 1017)
+    assert len(command.build()) == 1024

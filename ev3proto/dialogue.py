@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import struct
-from collections import OrderedDict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
@@ -127,15 +126,16 @@ class Dialogue:
     """
 
     def __init__(self) -> None:
-        self._pending: OrderedDict[tuple[str, int], list[Message]] = OrderedDict()
-        self._waiting = 0
+        self._pending: dict[tuple[str, int], list[int]] = {}
+        self._waiting: dict[int, Message] = {}
+        self._seen = 0
         self._transfers: dict[int, Transfer] = {}
         self._begun: dict[int, Transfer] = {}
 
     @property
     def unanswered(self) -> list[Message]:
         """The commands that wait for their reply, oldest first."""
-        return [message for messages in self._pending.values() for message in messages]
+        return list(self._waiting.values())
 
     def feed(self, message: Message) -> list[Value]:
         """What a reply says, by name; an empty list for commands and for replies to commands that were not seen."""
@@ -161,34 +161,31 @@ class Dialogue:
     # Pairing
 
     def _remember(self, message: Message) -> None:
-        assert message.type is not None
-        key = (message.type.carries, message.counter)
-        waiting = self._pending.setdefault(key, [])
-        self._pending.move_to_end(key)
-        waiting.append(message)
-        self._waiting += 1
+        waiting = self._pending.setdefault(_key(message), [])
+        waiting.append(self._seen)
+        self._waiting[self._seen] = message
+        self._seen += 1
         if len(waiting) > MOST_PER_COUNTER:
-            del waiting[0]
-            self._waiting -= 1
-        while self._waiting > MOST_PENDING:
-            _, forgotten = self._pending.popitem(last=False)
-            self._waiting -= len(forgotten)
+            self._forget(message, waiting[0])
+        if len(self._waiting) > MOST_PENDING:
+            number, oldest = next(iter(self._waiting.items()))
+            self._forget(oldest, number)
+
+    def _forget(self, message: Message, number: int) -> None:
+        del self._waiting[number]
+        key = _key(message)
+        self._pending[key].remove(number)
+        if not self._pending[key]:
+            del self._pending[key]
 
     def _answered(self, reply: Message) -> Message | None:
         """The command a reply answers: of those with its counter the newest that it fits."""
-        assert reply.type is not None
-        key = (reply.type.carries, reply.counter)
-        waiting = self._pending.get(key)
-        if not waiting:
-            return None
-        index = next((i for i in reversed(range(len(waiting))) if _fits(waiting[i], reply)), None)
-        if index is None:
-            return None
-        request = waiting.pop(index)
-        self._waiting -= 1
-        if not waiting:
-            del self._pending[key]
-        return request
+        for number in reversed(self._pending.get(_key(reply), [])):
+            command = self._waiting[number]
+            if _fits(command, reply):
+                self._forget(command, number)
+                return command
+        return None
 
     # Files
 
@@ -234,6 +231,11 @@ class Dialogue:
             for name in ("data", "list"):
                 transfer.transferred += len(reply.fields.get(name, b""))  # type: ignore[arg-type]
         return transfer
+
+
+def _key(message: Message) -> tuple[str, int]:
+    """What a reply has in common with the command it answers."""
+    return ("" if message.type is None else message.type.carries, message.counter)
 
 
 def _number(value: FieldValue | None) -> int:

@@ -55,8 +55,12 @@ class BuildError(ConstructError, ValueError):  # type: ignore[misc]
 
 
 def near_misses(name: str, known: Iterable[str]) -> str:
-    """`: did you mean TONE?` for a name that is nearly one of those known (in capitals), else an empty text."""
+    """`: did you mean SOUND.TONE?` for a name that is nearly a known one or what it has behind its dot; else nothing."""
     import difflib  # it takes a millisecond, which only a misspelt name should cost
 
-    near = difflib.get_close_matches(name.upper(), known, 3, 0.5)
+    targets: dict[str, str] = {}
+    for full in known:
+        targets.setdefault(full.rpartition(".")[2], full)
+        targets[full] = full
+    near = dict.fromkeys(targets[found] for found in difflib.get_close_matches(name.upper(), targets, 3, 0.6))
     return f": did you mean {' or '.join(near)}?" if near else ""

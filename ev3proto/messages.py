@@ -358,7 +358,7 @@ class SystemCommand(Message):
 
     number: int
     command: str | None = None
-    fields: Mapping[str, FieldValue] = field(default_factory=dict)
+    fields: Mapping[str, FieldValue] = field(default_factory=dict, hash=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -368,7 +368,7 @@ class SystemReply(Message):
     number: int
     command: str | None = None
     status_code: int = 0
-    fields: Mapping[str, FieldValue] = field(default_factory=dict)
+    fields: Mapping[str, FieldValue] = field(default_factory=dict, hash=False)
 
     @property
     def status(self) -> SystemStatus | None:

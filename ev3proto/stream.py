@@ -74,7 +74,7 @@ class Decoder:
             return self._schema.read_frame(frame)
         except DecodeError as error:
             reason = f"in the frame that starts at offset {start} of the stream: {error.reason}"
-            raise DecodeError(start + error.offset, reason) from None
+            raise DecodeError(start + error.offset, reason, error.truncated) from None
 
     def close(self) -> Fault | None:
         """Says that nothing more will come.

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 import click
@@ -26,26 +28,38 @@ from ev3proto.text.tree import tree
 FORMATS = ("tree", "table", "asm", "json")
 
 
+_BYTE = re.compile(r"(0x)?[0-9a-f]{2},?", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
 class Source:
     """One thing that was named on the command line: a file, standard input, or a frame itself."""
 
-    def __init__(self, name: str) -> None:
-        self.name = name
+    name: str
+    is_frame: bool
 
     def pasted(self) -> Iterator[Pasted]:
         """What stands in it. Raises OSError when it cannot be read."""
-        if self.name == "-":
+        if self.is_frame:
+            yield read_argument(self.name)
+        elif self.name == "-":
             yield from read_text(io.TextIOWrapper(sys.stdin.buffer, "utf-8", "replace"))
-        elif Path(self.name).is_file():
+        else:
             with Path(self.name).open(encoding="utf-8", errors="replace") as lines:
                 yield from read_text(lines)
-        else:
-            yield read_argument(self.name)
 
-    @property
-    def is_frame(self) -> bool:
-        """True where the words on the command line are the frame."""
-        return self.name != "-" and not _exists(self.name)
+    def where(self, pasted: Pasted) -> str:
+        """How a complaint about it starts."""
+        if self.is_frame:
+            return f"{self.name[:60]!r}" + ("" if pasted.data else " is no file and no frame")
+        return f"{'standard input' if self.name == '-' else self.name}, line {pasted.line}"
+
+
+def _sources(names: tuple[str, ...]) -> list[Source]:
+    """What was named; bytes that were typed without quotes around them are one frame."""
+    if len(names) > 1 and all(_BYTE.fullmatch(name) for name in names):
+        return [Source(" ".join(names), is_frame=True)]
+    return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
 
 
 def _exists(name: str) -> bool:
@@ -132,25 +146,17 @@ def decode(sources: tuple[str, ...], style: str, as_json: bool, dialect: str) ->
 
     \b
       ev3proto decode "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|"
-      ev3proto decode 0e002a0080000094010182b80182e803
+      ev3proto decode 0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03
       ev3proto decode --format table robot.log
       python3 my_program.py | ev3proto decode --json
     """
     show = Show("json" if as_json else style, dialect)
-    several = len(sources) > 1
-    for number, name in enumerate(sources or ("-",), 1):
-        source = Source(name)
-        with _readable(name):
+    for source in _sources(sources):
+        with _readable(source.name):
             for pasted in source.pasted():
-                show.pasted(pasted, _where(source, pasted, number, several))
+                show.pasted(pasted, source.where(pasted))
     if not show.count:
         if not show.at_fault:
             complain("there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01")
         show.at_fault = True
     sys.exit(1 if show.at_fault else 0)
-
-
-def _where(source: Source, pasted: Pasted, number: int, several: bool) -> str:
-    if source.is_frame:
-        return f"argument {number}" if several else "the frame"
-    return f"{'standard input' if source.name == '-' else source.name}, line {pasted.line}"

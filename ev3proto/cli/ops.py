@@ -69,7 +69,7 @@ class Entry:
     def matches(self, words: tuple[str, ...]) -> bool:
         """Whether all words stand in its name, meaning or parameters."""
         parameters = (f"{parameter.name} {parameter.text}" for parameter in self.declaration.parameters)
-        text = " ".join((self.name, self.declaration.text, self.declaration.opcode.text, *parameters)).lower()
+        text = " ".join((self.name, self.declaration.text, *parameters)).lower()
         return all(word.lower() in text for word in words)
 
     def line(self) -> Line:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from construct import Construct, GreedyBytes, Int8ul, Int16ul, Int32ul, NullTerminated, StringEncoded
@@ -132,28 +132,37 @@ class Fields(Bytewise):
 
     def write(self, value: Mapping[str, Any]) -> bytes:
         """The bytes of fields given by name; lengths that are left away are worked out. Raises BuildError."""
+        completed = self.completed(value)
+        for field in self.fields:
+            if field.name not in completed and not field.optional:
+                raise BuildError(f"{field.name} is missing: {field.text}")
+            if field.most is not None and field.name in completed:
+                size = len(self._piece(field, completed[field.name], completed))
+                if size > field.most:
+                    raise BuildError(f"{field.name} would have {size} bytes; the firmware takes at most {field.most}")
+        return self.write_present(completed)
+
+    def write_present(self, value: Mapping[str, Any]) -> bytes:
+        """The bytes of the fields that are there, which may be only the first few. Raises BuildError."""
+        self._refuse_unknown(value)
+        return b"".join(self._piece(field, value[field.name], value) for field in self.fields if field.name in value)
+
+    def completed(self, value: Mapping[str, Any]) -> dict[str, Any]:
+        """The fields with the lengths that were left away. Raises BuildError."""
+        self._refuse_unknown(value)
+        found = dict(value)
+        for field in self.fields:
+            if field.counts is not None and field.counts in value and field.name not in value:
+                found[field.name] = self._size(field.counts, value)
+        return {field.name: found[field.name] for field in self.fields if field.name in found}
+
+    def _refuse_unknown(self, value: Mapping[str, Any]) -> None:
         for name in value:
             if name not in self.by_name:
                 raise BuildError(f"there is no field {name}: the fields are {', '.join(self.by_name) or 'none'}")
-        return b"".join(self._pieces(value))
-
-    def write_present(self, value: Mapping[str, Any]) -> bytes:
-        """The bytes of the fields that are there, which may be only the first few, as a frame was parsed."""
-        return b"".join(self._piece(field, value[field.name], value) for field in self.fields if field.name in value)
-
-    def _pieces(self, value: Mapping[str, Any]) -> Iterator[bytes]:
-        for field in self.fields:
-            if field.name in value:
-                yield self._piece(field, value[field.name], value)
-            elif field.counts is not None:
-                yield self._piece(field, self._size(field.counts, value), value)
-            elif not field.optional:
-                raise BuildError(f"{field.name} is missing: {field.text}")
 
     def _size(self, name: str, value: Mapping[str, Any]) -> int:
         """Bytes of a counted field; a text's zero is counted in, as the firmware itself does."""
-        if name not in value:
-            raise BuildError(f"{name} is missing: {self.by_name[name].text}")
         if self.by_name[name].kind is Kind.COUNTED_TEXT:
             return len(_text(value[name], name)) + 1
         return len(value[name])
@@ -165,10 +174,9 @@ class Fields(Bytewise):
                 raise BuildError(f"{field.name} cannot be {value!r}: it is a whole number from 0 to {high}")
         elif field.kind is Kind.COUNTED_TEXT:
             counter = next(counter.name for counter in self.fields if counter.counts == field.name)
-            length = values[counter] if counter in values else self._size(field.name, values)
-            return CountedText(length).write(value)
+            return CountedText(values[counter]).write(value)
         elif field.kind is Kind.DATA:
-            if not isinstance(value, bytes | bytearray):
+            if not isinstance(value, bytes):
                 raise BuildError(f"{field.name} takes bytes, not {value!r}")
         else:
             _text(value, field.name, zeros=field.kind is Kind.LISTING)

@@ -330,7 +330,7 @@ def _direct_command_body(message: DirectCommand) -> bytes:
         ("global_size", message.global_size, MAX_GLOBALS),
         ("local_size", message.local_size, MAX_LOCALS),
     ):
-        if not 0 <= value <= most:
+        if not isinstance(value, int) or not 0 <= value <= most:
             raise BuildError(f"{name} cannot be {value!r}: a header can ask for 0 to {most} bytes")
     memory = _memory.pack(message.local_size << GLOBAL_BITS | message.global_size)
     return memory + b"".join([operation.raw for operation in message.operations])
@@ -341,23 +341,38 @@ def _direct_reply_body(message: DirectReply) -> bytes:
 
 
 def _system_command_body(message: SystemCommand) -> bytes:
-    return bytes((message.number,)) + _present(REQUESTS, message.number, message.fields)
+    return _byte("number", message.number) + _present(REQUESTS, message.number, message.fields)
 
 
 def _system_reply_body(message: SystemReply) -> bytes:
-    return bytes((message.number, message.status_code)) + _present(REPLIES, message.number, message.fields)
+    head = _byte("number", message.number) + _byte("status", message.status_code)
+    return head + _present(REPLIES, message.number, message.fields)
 
 
 def _present(schemas: Mapping[int, Fields], number: int, fields: Mapping[str, FieldValue]) -> bytes:
-    return schemas[number].write_present(fields) if fields else b""
+    if not fields:
+        return b""
+    if number not in schemas:
+        raise BuildError(f"0x{number:02X} is no system command, so nobody knows its fields")
+    return schemas[number].write_present(fields)
+
+
+def _byte(name: str, value: int) -> bytes:
+    if isinstance(value, int) and 0 <= value <= 0xFF:
+        return bytes((value,))
+    raise BuildError(f"{name} cannot be {value!r}: it is a whole number from 0 to 255")
 
 
 def _daisy_command_body(message: DaisyCommand) -> bytes:
-    return bytes((message.number, message.layer_from, message.layer_to)) + message.payload
+    return _byte("number", message.number) + _layers(message) + message.payload
 
 
 def _daisy_reply_body(message: DaisyReply) -> bytes:
-    return bytes((message.layer_from, message.layer_to)) + message.payload
+    return _layers(message) + message.payload
+
+
+def _layers(message: DaisyCommand | DaisyReply) -> bytes:
+    return _byte("layer_from", message.layer_from) + _byte("layer_to", message.layer_to)
 
 
 _BODIES: dict[type[Message], Callable[[Any], bytes]] = {
@@ -455,6 +470,14 @@ def _system_entry(command: int | str) -> system.SystemCommand:
     raise BuildError(f"there is no system command {command}{hint}")
 
 
+def _checked(schema: Fields, data: bytes, *, complete: bool) -> dict[str, FieldValue]:
+    """The fields as a receiver reads them. BuildError where they contradict each other, as a wrong length does."""
+    values, _, fault = schema.read_leniently(data, 0, complete=complete)
+    if fault is not None:
+        raise BuildError(fault.reason)
+    return values
+
+
 def system_command(command: int | str, *, counter: int = 0, reply: bool = True, **fields: FieldValue) -> SystemCommand:
     """A system command from the values of its fields; length fields are worked out when they are left away.
 
@@ -464,7 +487,7 @@ def system_command(command: int | str, *, counter: int = 0, reply: bool = True, 
     """
     entry = _system_entry(command)
     schema = REQUESTS[entry.number]
-    values, _ = schema.read(schema.write(fields), 0)
+    values = _checked(schema, schema.write(fields), complete=True)
     message = SystemCommand(
         type=MessageType.SYSTEM_COMMAND_REPLY if reply else MessageType.SYSTEM_COMMAND_NO_REPLY,
         counter=counter,
@@ -483,12 +506,8 @@ def system_reply(
     entry = _system_entry(command)
     schema = REPLIES[entry.number]
     failed = bool(status) or error
-    data = schema.write_present(fields) if failed else schema.write(fields)
-    values, _, fault = schema.read_leniently(data, 0, complete=not failed)
-    if fault is not None:
-        raise BuildError(fault.reason)
-    if not 0 <= status <= 0xFF:
-        raise BuildError(f"status cannot be {status!r}: it is a whole number from 0 to 255")
+    data = schema.write_present(schema.completed(fields)) if failed else schema.write(fields)
+    values = _checked(schema, data, complete=not failed)
     message = SystemReply(
         type=MessageType.SYSTEM_REPLY_ERROR if error else MessageType.SYSTEM_REPLY,
         counter=counter,

@@ -12,6 +12,7 @@ from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables.declaration import DATA8, Declaration, Direction, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, RANGES, STRING_CODING
 from ev3proto.tables.enumerations import FORMAT_TYPES
+from ev3proto.tables.frame import MAX_FRAME
 
 CMD = ArgumentSchema(Parameter("CMD", DATA8, "which of the family's commands it is"))
 """CMD is a parameter like any other: one byte where it is 31 or less, but senders may encode it longer."""
@@ -53,14 +54,19 @@ class OperationSchema(Bytewise):
         end = self.scan(data, end, len(data))
         return Operation((self, data, at, end)), end
 
-    def walk(self, data: bytes, at: int, limit: int) -> Iterator[tuple[ArgumentSchema, int, int]]:
-        """Schema, start and end of one argument after the other, carefully. DecodeError at the first that is faulty."""
+    def walk(
+        self, data: bytes, at: int, limit: int, room: int | None = None
+    ) -> Iterator[tuple[ArgumentSchema, int, int]]:
+        """Schema, start and end of one argument after the other, carefully. DecodeError at the first that is faulty.
+
+        room  how many bytes a list may need, where that is not what is left up to `limit`
+        """
         start = at
         for schema in self.fixed:
             start, at = at, schema.measure(data, at, limit)
             yield schema, start, at
         if self.list_parameter is not None:
-            for index in range(self._count(data, start, at, limit)):
+            for index in range(self._count(data, start, at, limit - at if room is None else room)):
                 schema = self._element(index, None)
                 start, at = at, schema.measure(data, at, limit)
                 yield schema, start, at
@@ -71,16 +77,14 @@ class OperationSchema(Bytewise):
             at = end
         return at
 
-    def _count(self, data: bytes, start: int, end: int, limit: int) -> int:
+    def _count(self, data: bytes, start: int, end: int, room: int) -> int:
         """How many list elements follow the argument in `data[start:end]`."""
         counter = self.fixed[-1]
         argument, _ = counter.read_at(data, start, end)
         name = argument.name
         if argument.kind != CONSTANT or not isinstance(argument.value, int):
             raise DecodeError(start, f"{name} must be a constant: without it nobody knows how many values follow")
-        bound = limit - end
-        if counter.parameter.type is Type.COUNT:
-            bound = min(bound, RANGES[Type.COUNT].high)
+        bound = min(room, RANGES[Type.COUNT].high) if counter.parameter.type is Type.COUNT else room
         if not 0 <= argument.value <= bound:
             raise DecodeError(
                 start,
@@ -160,7 +164,7 @@ class OperationSchema(Bytewise):
         found: list[Argument] = []
         try:
             at = at + 1 if self.declaration.command is None else CMD.measure(data, at + 1, end)
-            for schema, start, behind in self.walk(data, at, end):
+            for schema, start, behind in self.walk(data, at, end, room=MAX_FRAME):
                 found.append(schema.read_at(data, start, behind)[0])
         except DecodeError:
             pass
@@ -217,8 +221,11 @@ class OperationSchema(Bytewise):
             yield piece
         if self.list_parameter is not None:
             elements = values[len(self.fixed) :]
-            if arguments[-1].value != len(elements) or arguments[-1].kind != CONSTANT:
-                raise BuildError(f"{arguments[-1].name} says {arguments[-1].value}, but {len(elements)} values follow")
+            count = arguments[-1]
+            if count.kind != CONSTANT:
+                raise BuildError(f"{count.name} must be a constant: it tells how many values follow; or give it a list")
+            if count.value != len(elements):
+                raise BuildError(f"{count.name} says {count.value}, but {len(elements)} values follow")
             element = self._element_type(arguments)
             for index, value in enumerate(elements):
                 yield self._element(index, element).write(value)

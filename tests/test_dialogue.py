@@ -1,0 +1,216 @@
+"""Dialogues: replies read through the commands they answer."""
+
+from __future__ import annotations
+
+import math
+import struct
+
+import pytest
+
+import ev3proto
+from ev3proto import GV, LV, Value
+from ev3proto.dialogue import MOST_PENDING
+
+
+def ask(*operations: ev3proto.Operation, counter: int = 1, size: int = 64) -> ev3proto.DirectCommand:
+    return ev3proto.direct_command(*operations, counter=counter, reply=True, global_size=size, local_size=16)
+
+
+def answer(memory: bytes, counter: int = 1, size: int = 64) -> ev3proto.DirectReply:
+    return ev3proto.direct_reply(memory.ljust(size, b"\0"), counter=counter)
+
+
+def values(*operations: ev3proto.Operation, memory: bytes) -> list[Value]:
+    dialogue = ev3proto.Dialogue()
+    assert dialogue.feed(ask(*operations)) == []
+    return dialogue.feed(answer(memory))
+
+
+def test_a_float_with_its_unit() -> None:
+    (value,) = values(ev3proto.operation("UI_READ.GET_VBATT", GV(0)), memory=struct.pack("<f", 7.92))
+    assert (value.op, value.command, value.name, value.unit, value.type) == (
+        "UI_READ",
+        "GET_VBATT",
+        "VALUE",
+        "V",
+        "DATAF",
+    )
+    assert value.value == pytest.approx(7.92)
+    assert (value.offset, value.length) == (5, 4)
+
+
+def test_the_examples_of_the_protocol() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ev3proto.parse(bytes.fromhex("0B 00 01 00 00 01 00 9A 00 00 00 00 60")))
+    (percent,) = dialogue.feed(ev3proto.parse(bytes.fromhex("04 00 01 00 02 00")))
+    assert (percent.name, percent.value) == ("PCT", 0)
+    dialogue.feed(ev3proto.parse(bytes.fromhex("09 00 05 00 00 05 00 98 04 60 64")))
+    devices, changed = dialogue.feed(ev3proto.parse(bytes.fromhex("08 00 05 00 02 7E 7E 7E 7D 00")))
+    assert devices.name == "ARRAY"
+    assert devices.value == [126, 126, 126, 125]
+    assert devices.symbol == ["TYPE_NONE", "TYPE_NONE", "TYPE_NONE", "TYPE_UNKNOWN"]
+    assert (changed.name, changed.value, changed.offset) == ("CHANGED", 0, 9)
+
+
+@pytest.mark.parametrize(
+    ("memory", "text"),
+    [(b"EV3-BRICK\0rest", "EV3-BRICK"), (b"0123456789abcdefTOO MUCH", "0123456789abcdef"), (b"\xe9t\xe9\0", "été")],
+)
+def test_strings_end_at_their_zero_or_their_length(memory: bytes, text: str) -> None:
+    (value,) = values(ev3proto.operation("INPUT_DEVICE.GET_NAME", 0, 0, 16, GV(0)), memory=memory)
+    assert (value.name, value.value, value.type) == ("DESTINATION", text, "string")
+
+
+def test_a_length_of_minus_one_is_no_limit() -> None:
+    (value,) = values(ev3proto.operation("UI_READ.GET_FW_VERS", -1, GV(3)), memory=b"...V1.09H\0")
+    assert value.value == "V1.09H"
+
+
+def test_names_of_enumerations() -> None:
+    kind, mode = values(ev3proto.operation("INPUT_DEVICE.GET_TYPEMODE", 0, 0, GV(0), GV(1)), memory=b"\x1d\x02")
+    assert (kind.value, kind.symbol) == (29, "TYPE_COLOR")
+    assert (mode.value, mode.symbol) == (2, None)
+
+
+@pytest.mark.parametrize(
+    ("name", "layout", "expected"),
+    [("READY_PCT", "<bb", [50, -3]), ("READY_RAW", "<ii", [100000, -1]), ("READY_SI", "<ff", [1.5, -2.0])],
+)
+def test_several_values_of_a_sensor(name: str, layout: str, expected: list[float]) -> None:
+    size = struct.calcsize(layout) // 2
+    operation = ev3proto.operation(f"INPUT_DEVICE.{name}", 0, 0, 0, 0, [GV(0), GV(size)])
+    found = values(operation, memory=struct.pack(layout, *expected))
+    assert [(value.name, value.value) for value in found] == [("VALUES[0]", expected[0]), ("VALUES[1]", expected[1])]
+
+
+def test_a_sensor_s_values_in_the_format_asked_for() -> None:
+    operation = ev3proto.operation("INPUT_READEXT", 0, 0, 0, 0, "DATA_16", [GV(0), GV(2)])
+    assert [value.value for value in values(operation, memory=struct.pack("<hh", 1000, -5))] == [1000, -5]
+
+
+def test_arrays() -> None:
+    (value,) = values(ev3proto.operation("MEMORY_READ", 1, 0, 0, 5, GV(0)), memory=bytes((1, 2, 255, 4, 5, 6)))
+    assert value.value == [1, 2, -1, 4, 5]
+
+
+def test_only_what_is_in_the_reply_is_a_value() -> None:
+    operations = [
+        ev3proto.operation("OUTPUT_READ", 0, 0, GV(4), LV(0)),
+        ev3proto.operation("SOUND.TONE", 1, 440, 1000),
+        ev3proto.operation("OUTPUT_GET_COUNT", 0, 1, GV(62)),
+    ]
+    assert [value.name for value in values(*operations, memory=bytes(64))] == ["SPEED"]
+
+
+def test_not_a_number() -> None:
+    number, real = values(
+        ev3proto.operation("INPUT_READ", 0, 0, 0, 0, GV(0)),
+        ev3proto.operation("INPUT_READSI", 0, 0, 0, 0, GV(4)),
+        memory=b"\x80\0\0\0\x00\x00\xc0\x7f",
+    )
+    assert number.value == -128
+    assert number.is_nan
+    assert isinstance(real.value, float)
+    assert math.isnan(real.value)
+    assert real.is_nan
+
+
+def test_an_error_says_nothing_more() -> None:
+    dialogue = ev3proto.Dialogue()
+    command = ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)))
+    dialogue.feed(command)
+    exchange = dialogue.follow(ev3proto.direct_reply(counter=1, error=True))
+    assert exchange.request == command
+    assert exchange.values == []
+    assert dialogue.unanswered == []
+
+
+def test_replies_to_commands_nobody_saw() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)), counter=7))
+    exchange = dialogue.follow(answer(b"", counter=8))
+    assert exchange.is_orphan
+    assert exchange.values == []
+    assert [message.counter for message in dialogue.unanswered] == [7]
+
+
+def test_replies_late_and_out_of_order() -> None:
+    dialogue = ev3proto.Dialogue()
+    for counter in (65535, 0):
+        dialogue.feed(ask(ev3proto.operation("OUTPUT_GET_COUNT", 0, 1, GV(0)), counter=counter))
+    assert dialogue.feed(answer(struct.pack("<i", 2), counter=0))[0].value == 2
+    assert dialogue.feed(answer(struct.pack("<i", 1), counter=65535))[0].value == 1
+    assert dialogue.feed(answer(b"", counter=0)) == []
+
+
+def test_a_counter_used_again() -> None:
+    """The first command's reply was lost; the second's must not be read through the first."""
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)), counter=5, size=4))
+    dialogue.feed(ask(ev3proto.operation("OUTPUT_TEST", 0, 15, GV(0)), counter=5, size=1))
+    assert [value.name for value in dialogue.feed(answer(b"\x01", counter=5, size=1))] == ["BUSY"]
+
+
+def test_a_sender_that_never_changes_its_counter() -> None:
+    """Two commands on their way at once: the size of the reply tells which one it answers."""
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)), counter=0, size=4))
+    dialogue.feed(ask(ev3proto.operation("OUTPUT_TEST", 0, 15, GV(0)), counter=0, size=1))
+    assert dialogue.feed(answer(struct.pack("<f", 8), counter=0, size=4))[0].value == 8.0
+    assert dialogue.feed(answer(b"\x01", counter=0, size=1))[0].value == 1
+
+
+def test_commands_that_want_no_reply_take_no_part() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)), counter=5, size=4))
+    dialogue.feed(ev3proto.direct_command(ev3proto.operation("NOP"), counter=5))
+    assert dialogue.feed(answer(struct.pack("<f", 8), counter=5, size=4))[0].name == "VALUE"
+
+
+def test_what_waits_is_bounded() -> None:
+    dialogue = ev3proto.Dialogue()
+    message = ask(ev3proto.operation("NOP"), counter=3)
+    for _ in range(50):
+        dialogue.feed(message)
+    assert len(dialogue.unanswered) == 4
+    assert MOST_PENDING == 65536
+
+
+def test_system_replies_have_fields_of_their_own() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ev3proto.system_command("LIST_FILES", counter=2, max_bytes=1000, path="/home/root/lms2012/sys/"))
+    found = dialogue.feed(
+        ev3proto.system_reply("LIST_FILES", counter=2, status=8, list_size=9, handle=0, list="ui/\nlib/\n")
+    )
+    assert [(value.op, value.command, value.name, value.value) for value in found] == [
+        ("LIST_FILES", None, "list_size", 9),
+        ("LIST_FILES", None, "handle", 0),
+        ("LIST_FILES", None, "list", "ui/\nlib/\n"),
+    ]
+    assert [(value.offset, value.length) for value in found] == [(7, 4), (11, 1), (12, 9)]
+
+
+def test_a_download_is_followed_by_its_handle() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ev3proto.system_command("BEGIN_DOWNLOAD", counter=1, size=10, path="../prjs/a.rbf"))
+    begun = dialogue.follow(ev3proto.system_reply("BEGIN_DOWNLOAD", counter=1, handle=3)).transfer
+    assert begun is not None
+    assert (begun.path, begun.size, begun.handle, begun.transferred) == ("../prjs/a.rbf", 10, 3, 0)
+    for number, piece in enumerate((b"123456", b"7890"), 2):
+        dialogue.feed(ev3proto.system_command("CONTINUE_DOWNLOAD", counter=number, handle=3, data=piece))
+        exchange = dialogue.follow(ev3proto.system_reply("CONTINUE_DOWNLOAD", counter=number, handle=3))
+        assert exchange.transfer is begun
+    assert begun.transferred == 10
+    assert begun.is_complete
+
+
+def test_an_upload_is_followed_by_its_handle() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ev3proto.system_command("BEGIN_UPLOAD", counter=1, max_bytes=4, path="a.rtf"))
+    dialogue.feed(ev3proto.system_reply("BEGIN_UPLOAD", counter=1, size=6, handle=0, data=b"abcd"))
+    asked = dialogue.follow(ev3proto.system_command("CONTINUE_UPLOAD", counter=2, handle=0, max_bytes=4)).transfer
+    assert asked is not None
+    assert (asked.path, asked.size, asked.transferred) == ("a.rtf", 6, 4)
+    told = dialogue.follow(ev3proto.system_reply("CONTINUE_UPLOAD", counter=2, status=8, handle=0, data=b"ef"))
+    assert told.transfer is asked
+    assert asked.is_complete

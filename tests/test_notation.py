@@ -1,0 +1,483 @@
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from ev3proto.text.notation import Pasted, read_argument, read_text
+
+# SOUND TONE 1, 440, 1000, the lesson's tone.
+TONE = bytes([14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3])
+REPLY = b"\x03\x00\x2a\x00\x02"
+
+
+def pieces(text: str) -> list[Pasted]:
+    return list(read_text(text.splitlines(keepends=True)))
+
+
+def only(text: str) -> Pasted:
+    found = pieces(text)
+    assert len(found) == 1, found
+    return found[0]
+
+
+WAYS = {
+    "lesson": r"0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|",
+    "lesson, no last bar": "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03",
+    "lesson, lower case": "0x|0e:00|2a:00|80|00:00|94|01|01|82:b8:01|82:e8:03|",
+    "lesson, no 0x": "0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|",
+    "lesson, blanks": "0x| 0E:00 | 2A:00 | 80 | 00:00 | 94 | 01 | 01 | 82:B8:01 | 82:E8:03 |",
+    "bare": "0E002A0080000094010182B80182E803",
+    "bare, 0x": "0x0e002a0080000094010182b80182e803",
+    "bare, quoted": '"0e002a0080000094010182b80182e803"',
+    "blanks": "0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03",
+    "groups of four": "0e00 2a00 8000 0094 0101 82b8 0182 e803",
+    "commas": "0e,00,2a,00,80,00,00,94,01,01,82,b8,01,82,e8,03",
+    "commas in brackets": "[0e, 00, 2a, 00, 80, 00, 00, 94, 01, 01, 82, b8, 01, 82, e8, 03]",
+    "dashes": "0E-00-2A-00-80-00-00-94-01-01-82-B8-01-82-E8-03",
+    "colons": "0E:00:2A:00:80:00:00:94:01:01:82:B8:01:82:E8:03",
+    "0x and commas": "0x0E, 0x00, 0x2A, 0x0, 0x80, 0x00, 0x00, 0x94, 0x1, 0x1, 0x82, 0xB8, 0x01, 0x82, 0xE8, 0x03",
+    "remark behind": "0e002a0080000094010182b80182e803  # a tone",
+    "escapes": r"\x0e\x00\x2a\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03",
+    "escapes and characters": r"\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03",
+    "escapes behind the b that a shell left": r"b\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03",
+    "C string": r'"\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03"',
+    "byte string": r"b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03'",
+    "byte string, other quotes": r'b"\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03"',
+    "byte string at a prompt": r">>> b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03'",
+    "bytearray": r"bytearray(b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03')",
+    "assignment": r"ops = b'\x0e\x00*\x00\x80\x00\x00\x94\x01\x01\x82\xb8\x01\x82\xe8\x03'",
+    "bytes of a list": "bytes([14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3])",
+    "fromhex": "bytes.fromhex('0e002a00 80000094 010182b8 0182e803')",
+    "unhexlify": 'frame = binascii.unhexlify("0e002a0080000094010182b80182e803")',
+    "list": "[14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3]",
+    "JSON": '{"data": [14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3]}',
+    "decimal in braces": "{14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3}",
+    "C array in a line": "const uint8_t cmd[16] = {0x0E,0,0x2A,0,0x80,0,0,0x94u,1,1,0x82,0xB8,1,0x82,0xE8,3}; // tone",
+    "C array": """unsigned char cmd[] = {
+        0x0E, 0x00,             // length
+        0x2A, 0x00, 0x80, 0x00, 0x00,
+
+        0x94, /* SOUND, {TONE} */ 0x01, 0x01,
+        0x82, 0xB8, 0x01, 0x82, 0xE8, 0x03,
+    };
+    """,
+    "list over lines": "frame = [\n  14, 0, 42, 0, 128, 0, 0,  # header\n  148, 1, 1, 130, 184, 1,\n  130, 232, 3]",
+    "Wireshark": "0000   0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03   ..*.............\n",
+    "hexdump -C": "00000000  0e 00 2a 00 80 00 00 94  01 01 82 b8 01 82 e8 03  |..*.............|\n00000010\n",
+    "xxd": "00000000: 0e00 2a00 8000 0094 0101 82b8 0182 e803  ..*.............",
+    "od": "0000000 0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03\n0000020\n",
+    "tcpdump": "\t0x0000:  0e00 2a00 8000 0094 0101 82b8 0182 e803  ..*.............",
+    "dump of two lines": "0000  0e 00 2a 00 80 00 00 94                            ..*.....\n"
+    "0008  01 01 82 b8 01 82 e8 03                            ab cd ef\n",
+    "dump of three lines": "00000000: 0e00 2a00 80  ..*..\n"
+    "00000005: 0000 9401 01  .....\n"
+    "0000000a: 82b8 0182 e803  ......\n",
+}
+
+
+@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS.keys())
+def test_every_way_to_write_a_frame(way: str) -> None:
+    pasted = only(way)
+    assert pasted.data == TONE
+    assert pasted.problem is None
+    assert not pasted.cut
+    assert pasted.direction is pasted.time is None
+    assert pasted.line == 1
+    assert pasted.text
+    assert len(pasted.text) <= 200
+    argument = read_argument(way)
+    assert argument.data == TONE
+    assert argument.problem is None
+
+
+LOG = {
+    "09:12:31.011558 Sent 0x|03:00|2A:00|02|": ("sent", "09:12:31.011558"),
+    "19:45:30.898732 Recv 0x|03:00|2A:00|02|": ("received", "19:45:30.898732"),
+    "[09:12:31] SENDING: 03002a0002": ("sent", "09:12:31"),
+    "2024-01-31T09:12:31.5Z rx 03 00 2a 00 02": ("received", "2024-01-31T09:12:31.5Z"),
+    "2024-01-31 09:12:31,011 DEBUG Received 5 bytes: 03 00 2a 00 02": ("received", "2024-01-31 09:12:31,011"),
+    "INFO:ev3:Sent 0x|03:00|2A:00|02|": ("sent", None),
+    r"Sent b'\x03\x00*\x00\x02'": ("sent", None),
+    r"my_ev3.send(b'\x03\x00*\x00\x02')": ("sent", None),
+    "09:12:31 read bytearray([3, 0, 42, 0, 2])": ("received", "09:12:31"),
+    "bytes_read = {3, 0, 42, 0, 2};": ("received", None),
+    "TX: 03:00:2a:00:02": ("sent", None),
+    "rx 03-00-2a-00-02": ("received", None),
+    ">> 03 00 2a 00 02": ("sent", None),
+    "<< 03 00 2a 00 02": ("received", None),
+    "-> 03 00 2a 00 02": ("sent", None),
+    "<- 03 00 2a 00 02": ("received", None),
+    "Write 0x03, 0x00, 0x2a, 0x00, 0x02": ("sent", None),
+    r"read \x03\x00*\x00\x02": ("received", None),
+    "09:12:31 03002a0002": (None, "09:12:31"),
+    "> 03002a0002": (None, None),
+}
+
+
+@pytest.mark.parametrize("line", LOG)
+def test_log_lines(line: str) -> None:
+    pasted = only(line)
+    assert (pasted.data, pasted.problem) == (REPLY, None)
+    assert (pasted.direction, pasted.time) == LOG[line]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "11:39:49.039902 Sent 0x|3C:00|2A:00|80|00:00|82:1B:...",
+        "0x|3C:00|2A:00|80|00:00|82:1B:…",
+        "Sent 0x|3C:00|2A:00|80|00:00|82:1B:0...",
+        "3c002a0080000082 1b ...",
+        r"b'<\x00*\x00\x80\x00\x00\x82\x1b...",
+        r"b'<\x00*\x00\x80\x00\x00\x82\x1b\x0...",
+        r"\x3c\x00*\x00\x80\x00\x00\x82\x1b…",
+        "{60, 0, 42, 0, 128, 0, 0, 130, 27, ...}",
+        "[60, 0, 42, 0, 128, 0, 0, 130, 27, ...",
+        "bytes.fromhex('3c002a0080000082 1b...')",
+    ],
+)
+def test_lines_that_were_cut(line: str) -> None:
+    pasted = only(line)
+    assert pasted.data == b"\x3c\x00\x2a\x00\x80\x00\x00\x82\x1b"
+    assert pasted.cut
+    assert pasted.problem is None
+
+
+def test_dots_inside_a_byte_string_are_bytes() -> None:
+    pasted = only(r"b'\x06\x00*\x00\x80...'")
+    assert (pasted.data, pasted.cut) == (b"\x06\x00*\x00\x80...", False)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "   ",
+        "# 0e002a0080000094010182b80182e803",
+        "// 0e 00 2a 00 80 00 00 94",
+        "------------------------------------------------------------",
+        r"\ len \ cnt \ty\ hd \op\cd\ Name \ ",
+        r"\ 14 \ 42 \Re\ 0,0 \C \S \ \"myEV3\" \ ",
+        r"\ \ \ \ \o \E \ \ ",
+        "add face",
+        "dead beef cafe is what they add",
+        "decade facade accede",
+        "We read 10 20 30 40 50 values",
+        "Read 10, 20, 30 and 40",
+        "Received 1234567890 bytes",
+        "09:12:31 12 34",
+        "09:12:31.011558",
+        "2024-01-31",
+        "10 20 30",
+        "But in fact, we send0x|84:6D:79:45:56:33:00|",
+        "opCom_Set = 0x|D4|",
+        "0x|84|",
+        "0b 1000 0100 VVVV VVVV ... 0000 0000",
+        "range: -2,147,483,647 – 2,147,483,647, length: 5 byte",
+        "my_ev3 = ev3.EV3(protocol=ev3.BLUETOOTH, host='00:16:53:42:2B:99')",
+        "ops = b''.join([",
+        "if name == b'something long': pass",
+        "as others found [1, 2, 3, 4, 5]",
+        "VOLUME: in percent [0 - 100]",
+        'Sent {"op": "SOUND", "args": []}',
+        "void play(int volume) {\n  if (volume > 100) {\n    return;\n  }\n}",
+        "colours = [\n  'red',\n  'green',\n]",
+        "Don't add b'elieve",
+    ],
+)
+def test_prose_yields_nothing(text: str) -> None:
+    assert pieces(text) == []
+
+
+def test_the_lines_of_a_block_that_is_no_array_are_read() -> None:
+    text = (
+        "void play() {\n\n  // 1, 2\n  send(b'\\x03\\x00*\\x00\\x02');\n  char nop[] = {6, 0, 42, 0, 128, 0, 0, 1};\n}"
+    )
+    assert [(piece.line, piece.data) for piece in pieces(text)] == [
+        (4, REPLY),
+        (5, b"\x06\x00\x2a\x00\x80\x00\x00\x01"),
+    ]
+
+
+def test_several_frames_in_a_line() -> None:
+    assert [piece.data for piece in pieces(f"frames = [{TONE!r}, {REPLY!r}]")] == [TONE, REPLY]
+    assert [piece.data for piece in pieces(f"frames = [{list(TONE)}, {list(REPLY)}]")] == [TONE, REPLY]
+    both = pieces("Sent 0x|06:00|2A:00|00|00:00|01| Recv 0x|03:00|2A:00|02|")
+    assert [(piece.data, piece.direction) for piece in both] == [
+        (b"\x06\x00\x2a\x00\x00\x00\x00\x01", "sent"),
+        (REPLY, "received"),
+    ]
+
+
+def test_frames_among_other_lines_know_their_lines() -> None:
+    text = "The reply is:\n----------------\n0x|03:00|2A:00|02|\n----------------\n\n0000  03 00 2a 00 02\n03002a0002\n"
+    assert [(piece.line, piece.data) for piece in pieces(text)] == [(3, REPLY), (6, REPLY), (7, REPLY)]
+
+
+def test_a_dump_that_starts_anew_is_another_one() -> None:
+    text = "0000  03 00 2a 00 02\n0000  03 00 2a 00 02\n0005  03 00 2a 00 02\n"
+    assert [(piece.line, piece.data) for piece in pieces(text)] == [(1, REPLY), (2, REPLY + REPLY)]
+
+
+FAULTY = {
+    "Sent 0E002A008000009": (b"\x0e\x00\x2a\x00\x80\x00\x00", "column 6", "odd number"),
+    "Recv 03 00 2a 00 zz": (b"\x03\x00\x2a\x00", "column 18", "'zz' is no hex"),
+    "Sent 0x|0E:0G|2A:00|": (b"\x0e", "column 12", "'0G' is no hex"),
+    "0x|0E:00|2A:00|80|xx:00|": (b"\x0e\x00\x2a\x00\x80", "column 19", "'xx' is no hex"),
+    "Sent {14, 0, 300}": (b"\x0e\x00", "column 14", "300 is more than 255"),
+    "{14, 0, 42, 0, 256}": (b"\x0e\x00\x2a\x00", "column 16", "256 is more than 255"),
+    "{14, 0, 42, 0, 0x1234}": (b"\x0e\x00\x2a\x00", "column 16", "more than 255"),
+    "{14, 0, 42, 0, 010}": (b"\x0e\x00\x2a\x00", "column 16", "octal"),
+    "{14, 0, 42, 0, 128, opSOUND}": (b"\x0e\x00\x2a\x00\x80", "column 21", "'opSOUND' is no number"),
+    "{14, 0, 42, 0, 128,\n 0, x}": (b"\x0e\x00\x2a\x00\x80\x00", "line 2, column 5", "'x' is no number"),
+    "{14, 0, 42, 0, 128 0}": (b"\x0e\x00\x2a\x00\x80", "column 20", "comma"),
+    "{14, 0, 42, 0, 128": (b"\x0e\x00\x2a\x00\x80", "column 1", "no end"),
+    r"Sent b'\x0e\x00*": (b"\x0e\x00*", "column 17", "no end"),
+    r"Sent b'\x0e\x00\xzz'": (b"\x0e\x00", "column 16", "byte string"),
+    r"Sent \x0e\x00\xzz": (b"\x0e\x00", "column 14", "no escape"),
+    "Sent bytes.fromhex('0e002a00800')": (b"\x0e\x00\x2a\x00\x80", "column 21", "odd number"),
+    "0000  0e 00 2a 00 80 0g 00\n0010  01": (b"\x0e\x00\x2a\x00\x80", "column 22", "is no hex"),
+    "0000  0e 00 2a 00 80\n*\n0020  00 00": (b"\x0e\x00\x2a\x00\x80", "line 2", "leaves lines out"),
+}
+
+
+@pytest.mark.parametrize("text", FAULTY)
+def test_what_cannot_be_read_is_told(text: str) -> None:
+    data, place, reason = FAULTY[text]
+    pasted = only(text)
+    assert pasted.problem is not None
+    assert pasted.data == data
+    assert place in pasted.problem
+    assert reason in pasted.problem
+
+
+def test_a_dump_in_words_is_refused() -> None:
+    assert "hexdump -C" in (read_argument("0000000 000e 002a 0080 9400 0101 b882 8201 03e8").problem or "")
+
+
+ARGUMENTS = {
+    "0E": b"\x0e",
+    "0e 00": b"\x0e\x00",
+    "0x|03:00|": b"\x03\x00",
+    "[14, 0]": b"\x0e\x00",
+    r"b'\x0e'": b"\x0e",
+    r"\x0e": b"\x0e",
+    "dead beef cafe": b"\xde\xad\xbe\xef\xca\xfe",
+    "0e 00 2a\n00 80": b"\x0e\x00\x2a\x00\x80",
+}
+
+
+@pytest.mark.parametrize("text", ARGUMENTS)
+def test_an_argument_may_be_short(text: str) -> None:
+    pasted = read_argument(text)
+    assert (pasted.data, pasted.problem) == (ARGUMENTS[text], None)
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("", "empty"),
+        (" ", "empty"),
+        ("hello", "column 1: 'hello' is no hex"),
+        ("robot.log", "column 1: 'robot.log' is no hex"),
+        ("0e0", "odd number"),
+        ("0e 00 2x", "column 7: '2x' is no hex"),
+        ("[300]", "more than 255"),
+        ("0x0E, 0x1FF", "column 7: '0x1FF' is more than 255"),
+        ("--", "column 1"),
+        ("some\nprose", "column 1"),
+        ("Sent 03002a0002\nSent 03002a0002", "2 frames"),
+    ],
+)
+def test_an_argument_that_cannot_be_read_has_a_problem(text: str, reason: str) -> None:
+    assert reason in (read_argument(text).problem or "")
+
+
+def wireshark(data: bytes) -> str:
+    lines = []
+    for offset in range(0, len(data), 16):
+        row = data[offset : offset + 16]
+        shown = "".join(chr(byte) if 32 <= byte < 127 else "." for byte in row)
+        digits = row[:8].hex(" ") + "  " + row[8:].hex(" ")
+        lines.append(f"{offset:04x}  {digits:<48}   {shown}")
+    return "\n".join(lines)
+
+
+def xxd(data: bytes) -> str:
+    lines = []
+    for offset in range(0, len(data), 16):
+        row = data[offset : offset + 16]
+        shown = "".join(chr(byte) if 32 <= byte < 127 else "." for byte in row)
+        lines.append(f"{offset:08x}: {row.hex(' ', -2):<39}  {shown}")
+    return "\n".join(lines)
+
+
+def c_array(data: bytes) -> str:
+    rows = [data[offset : offset + 8] for offset in range(0, len(data), 8)]
+    return (
+        "uint8_t x[] = {\n" + "".join("  " + "".join(f"0x{byte:02X}, " for byte in row) + "\n" for row in rows) + "};"
+    )
+
+
+FORMATS: dict[str, Callable[[bytes], str]] = {
+    "lesson": lambda data: "0x|" + data.hex(":").upper() + "|",
+    "log line": lambda data: "09:12:31.011558 Sent 0x|" + data.hex(":").upper() + "|",
+    "bare": bytes.hex,
+    "blanks": lambda data: data.hex(" "),
+    "colons": lambda data: data.hex(":"),
+    "dashes": lambda data: data.hex("-").upper(),
+    "commas": lambda data: data.hex(","),
+    "0x": lambda data: ", ".join(map(hex, data)),
+    "escapes": lambda data: "".join(f"\\x{byte:02x}" for byte in data),
+    "repr": repr,
+    "printed repr": lambda data: f"Sent {data!r}",
+    "bytearray": lambda data: repr(bytearray(data)),
+    "list": lambda data: repr(list(data)),
+    "bytes of a list": lambda data: f"bytes({list(data)})",
+    "fromhex": lambda data: f"bytes.fromhex('{data.hex()}')",
+    "braces": lambda data: "{" + ",".join(map(str, data)) + "}",
+    "C array": c_array,
+    "Wireshark": wireshark,
+    "xxd": xxd,
+}
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@given(data=st.binary(min_size=5, max_size=100))
+@example(data=b"00000")
+@example(data=b"\xaa" * 16)
+@example(data=b"ab cd ef 00 11 22")
+@example(data=b"\x00" * 40)
+def test_any_bytes_in_any_form(form: str, data: bytes) -> None:
+    text = FORMATS[form](data)
+    pasted = only(text)
+    assert (pasted.data, pasted.problem, pasted.cut) == (data, None, False)
+    argument = read_argument(text)
+    assert (argument.data, argument.problem, argument.cut) == (data, None, False)
+
+
+SCRAPS = st.sampled_from(
+    [
+        "0x|",
+        "0e:00|",
+        "b'",
+        "\\x",
+        "\\x0e",
+        "'",
+        '"',
+        "{",
+        "[",
+        "}",
+        "]",
+        "14, ",
+        "//",
+        "/*",
+        "*/",
+        "Sent ",
+        "09:12:31 ",
+        "...",
+        "…",
+        "0000  ",
+        "00000010: ",
+        "\n",
+        "*",
+        "fromhex('",
+        "0e ",
+        "\\",
+        "\x00",
+        "\ud800",
+        "²",
+        "300",
+        "->",
+        "|",
+    ]
+)
+
+
+@given(text=st.one_of(st.text(), st.lists(SCRAPS).map("".join)))
+def test_no_text_raises(text: str) -> None:
+    for pasted in [*pieces(text), *read_text([text]), read_argument(text)]:
+        assert pasted.line >= 1
+        assert len(pasted.text) <= 200
+        assert pasted.problem is None or pasted.problem
+
+
+@pytest.mark.parametrize(
+    "unit",
+    [
+        "b'",
+        "b\"\\'",
+        "'\\x",
+        "\\x00",
+        "{",
+        "[1,",
+        "{1 ",
+        "{/*",
+        "/*",
+        "0x|",
+        "0x|0",
+        "00",
+        "0 ",
+        "- ",
+        "sent ",
+        "fromhex('",
+        "{0x01,",
+        "1,",
+        "b'\\x00' ",
+        "[1,2,3,4,5],",
+        "=[",
+        "1",
+        "#",
+        "a",
+        "...",
+        "09:12:31 ",
+        "0000  00 ",
+        "=[1,2,3,4,5]",
+    ],
+)
+def test_a_long_line_takes_no_more_than_its_length(unit: str) -> None:
+    def seconds(size: int) -> float:
+        line = (unit * size)[:size]
+        start = time.perf_counter()
+        list(read_text(["{" + line, line]))
+        read_argument(line)
+        return time.perf_counter() - start
+
+    # Eight times the length is eight times the work, or 64 times if it were quadratic.
+    assert seconds(160_000) < 25 * seconds(20_000) + 0.5
+
+
+def test_what_is_collected_is_bounded() -> None:
+    row = "0x01, " * 16 + "\n"
+    pasted = only("uint8_t x[] = {\n" + row * 2000 + "};")
+    assert "64 KiB" in (pasted.problem or "")
+    assert set(pasted.data) == {1}
+    assert len(pasted.data) < 1 << 16
+    rows = (f"{offset:08x}  {'01 ' * 16}\n" for offset in range(0, 1 << 18, 16))
+    (dump,) = read_text(rows)
+    assert "64 KiB" in (dump.problem or "")
+    assert len(dump.data) <= (1 << 16) + 16
+
+
+def test_a_line_of_a_megabyte_is_read_and_a_longer_one_is_not() -> None:
+    assert len(only("00" * (1 << 19)).data) == 1 << 19
+    too_long = only("00" * (1 << 19) + "0")
+    assert too_long.data == b""
+    assert "was not read" in (too_long.problem or "")
+
+
+def test_lines_are_read_as_they_come() -> None:
+    given_out: list[int] = []
+
+    def lines() -> Iterator[str]:
+        for number in range(3):
+            given_out.append(number)
+            yield "03 00 2a 00 02\n"
+
+    found = read_text(lines())
+    assert next(found).data == REPLY
+    assert given_out == [0]

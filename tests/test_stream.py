@@ -1,0 +1,90 @@
+"""Streams: chunks of any size to whole messages, bounded memory, and what is said when no frame can come any more."""
+
+from __future__ import annotations
+
+import tracemalloc
+
+import pytest
+
+import ev3proto
+
+NOP = bytes.fromhex("06 00 01 00 80 00 00 01")
+TONE = bytes.fromhex("0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03")
+
+
+def test_a_frame_byte_by_byte() -> None:
+    decoder = ev3proto.Decoder()
+    found = [message for byte in TONE for message in decoder.feed(bytes((byte,)))]
+    assert found == [ev3proto.parse(TONE)]
+    assert decoder.close() is None
+
+
+def test_several_frames_in_one_chunk() -> None:
+    decoder = ev3proto.Decoder()
+    counters = [message.counter for message in decoder.feed(NOP + TONE + NOP[:3])]
+    assert counters == [1, 42]
+    assert decoder.position == 24
+    assert decoder.pending == NOP[:3]
+
+
+def test_what_is_not_taken_comes_with_the_next_chunk() -> None:
+    decoder = ev3proto.Decoder()
+    assert next(iter(decoder.feed(NOP + TONE))).counter == 1
+    assert [message.counter for message in decoder.feed(NOP)] == [42, 1]
+
+
+def test_a_length_that_no_frame_has() -> None:
+    decoder = ev3proto.Decoder(strict=False)
+    found = decoder.feed(NOP + b"GET /target")
+    assert next(found).counter == 1
+    with pytest.raises(ev3proto.StreamError, match="17735.*3 to 1022") as error:
+        next(found)
+    assert error.value.offset == 8
+    with pytest.raises(ev3proto.StreamError):
+        list(decoder.feed(b""))
+
+
+@pytest.mark.parametrize("length", [0, 1, 2, 1023, 65535])
+def test_impossible_lengths(length: int) -> None:
+    with pytest.raises(ev3proto.StreamError):
+        list(ev3proto.Decoder().feed(length.to_bytes(2, "little")))
+
+
+def test_a_faulty_frame_does_not_end_the_stream() -> None:
+    unknown = bytes.fromhex("06 00 02 00 80 00 00 FE")
+    decoder = ev3proto.Decoder()
+    with pytest.raises(ev3proto.DecodeError, match="starts at offset 8 of the stream: 0xFE is no opcode") as error:
+        list(decoder.feed(NOP + unknown + TONE))
+    assert error.value.offset == 15
+    assert [message.counter for message in decoder.feed(b"")] == [42]
+    lenient = ev3proto.Decoder(strict=False)
+    faults = [message.fault for message in lenient.feed(NOP + unknown + TONE)]
+    assert [fault and fault.offset for fault in faults] == [None, 7, None]
+
+
+def test_a_stream_that_ends_inside_a_frame() -> None:
+    decoder = ev3proto.Decoder()
+    assert list(decoder.feed(TONE[:5])) == []
+    with pytest.raises(ev3proto.StreamError, match="ends inside a frame, of which 5 bytes came"):
+        decoder.close()
+    lenient = ev3proto.Decoder(strict=False)
+    assert list(lenient.feed(NOP + TONE[:1])) != []
+    fault = lenient.close()
+    assert fault is not None
+    assert (fault.offset, fault.truncated) == (8, True)
+
+
+def test_memory_stays_that_of_one_frame() -> None:
+    decoder = ev3proto.Decoder()
+
+    def stream(frames: int) -> None:
+        for _ in range(frames):
+            for _ in decoder.feed(TONE):
+                pass
+
+    stream(100)
+    tracemalloc.start()
+    stream(5000)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 100_000

@@ -1,0 +1,131 @@
+"""The tables are whole: what the instruction set counts, and that every entry says what a reader needs."""
+
+from __future__ import annotations
+
+import pytest
+
+from ev3proto.tables import AREAS, OPCODES, enumerations, operations
+from ev3proto.tables.declaration import DIALECTS, Declaration, Enumeration, Parameter, Type, declarations
+from ev3proto.tables.system import SYSTEM, Kind, SystemStatus
+
+EVERYTHING = [entry for entry in declarations(OPCODES) if entry.dialects]
+PARAMETERS = [(entry, parameter) for entry in EVERYTHING for parameter in entry.parameters]
+ENUMERATIONS = [value for value in vars(enumerations).values() if isinstance(value, Enumeration)]
+
+
+def test_the_official_firmware_counts() -> None:
+    entries = operations("official").values()
+    assert len(entries) == 458
+    assert len({entry.opcode.number for entry in entries if entry.command is None}) == 187
+    assert len({entry.opcode.number for entry in entries if entry.command is not None}) == 18
+    assert len([entry for entry in entries if entry.command is not None]) == 271
+
+
+def test_the_other_firmwares_add_and_rename() -> None:
+    official, xtended, compat = (set(operations(dialect)) for dialect in DIALECTS)
+    assert len({name for name in xtended | compat if "." not in name} - official) == 20
+    assert {name for name in xtended | compat if "." in name} - official == {
+        "PROGRAM_INFO.GET_PRGNAME",
+        "UI_DRAW.RECTANGLE",
+        "ARRAY.DESTROY",
+        "ARRAY.SET_SIZE",
+        "UI_BUTTON.GET_BUMPED",
+        "COM_GET.LIST_STATE",
+    }
+    assert official - xtended == {"UI_DRAW.RECT", "ARRAY.DELETE", "ARRAY.SIZE"}
+    assert official - compat == {"UI_DRAW.RECT", "ARRAY.DELETE", "ARRAY.SIZE", "UI_BUTTON.GET_BUMBED"}
+
+
+def test_an_unknown_dialect_names_the_known_ones() -> None:
+    with pytest.raises(ValueError, match="official, xtended, compat"):
+        operations("leJOS")
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_no_number_means_two_operations(dialect: str) -> None:
+    numbers = [(e.opcode.number, e.command.number if e.command else None) for e in operations(dialect).values()]
+    assert len(numbers) == len(set(numbers))
+
+
+def test_areas_are_the_firmware_s() -> None:
+    assert list(AREAS) == [
+        "vm",
+        "math",
+        "move",
+        "branch",
+        "compare",
+        "ui",
+        "timer",
+        "sound",
+        "input",
+        "output",
+        "memory",
+        "com",
+    ]
+
+
+@pytest.mark.parametrize("entry", EVERYTHING, ids=lambda entry: entry.name)
+def test_every_operation_says_what_it_does(entry: Declaration) -> None:
+    assert entry.text[0].isupper()
+    assert len(entry.text) > 10
+    assert not entry.text.endswith(".")
+    assert len({parameter.name for parameter in entry.parameters}) == len(entry.parameters)
+
+
+@pytest.mark.parametrize(("entry", "parameter"), PARAMETERS, ids=lambda one: one.name)
+def test_every_parameter_is_consistent(entry: Declaration, parameter: Parameter) -> None:
+    names = [other.name for other in entry.parameters]
+    assert len(parameter.text) > 2
+    assert not parameter.text.endswith(".")
+    if isinstance(parameter.length, str):
+        assert parameter.length in names
+    if isinstance(parameter.element, str):
+        assert parameter.element in names
+    if parameter.range is not None:
+        assert parameter.range[0] < parameter.range[1]
+    if parameter.type in (Type.COUNT, Type.VALUES):
+        assert parameter.element is not None
+        assert parameter is entry.parameters[-1]
+    if parameter.type is Type.VALUES:
+        assert entry.parameters[-2].type is Type.DATA32
+
+
+def test_there_are_27_enumerations() -> None:
+    assert len(ENUMERATIONS) == 27
+    for enumeration in ENUMERATIONS:
+        assert enumeration.text
+        assert enumeration.members
+
+
+@pytest.mark.parametrize(
+    ("enumeration", "value", "name"),
+    [
+        (enumerations.LEDPATTERN, 5, "LED_RED_FLASH"),
+        (enumerations.BUTTONTYPE, 6, "BACK_BUTTON"),
+        (enumerations.TYPE, 126, "TYPE_NONE"),
+        (enumerations.RESULT, 2, "FAIL"),
+        (enumerations.WARNING, 64, "WARNING_BATTLOW"),
+        (enumerations.WARNING, 5, "WARNING_TEMP|WARNING_VOLTAGE"),
+        (enumerations.LEDPATTERN, 10, None),
+        (enumerations.LEDPATTERN, "1", None),
+    ],
+)
+def test_names_of_numbers(enumeration: Enumeration, value: object, name: str | None) -> None:
+    assert enumeration.name_of(value) == name
+
+
+def test_system_commands() -> None:
+    assert [entry.number for entry in SYSTEM] == [*range(0x92, 0xA3), *range(0xF0, 0xF7)]
+    assert [entry.name for entry in SYSTEM if not entry.answered] == ["WRITEMAILBOX", "ENTERFWUPDATE"]
+    for entry in SYSTEM:
+        for fields in (entry.request, entry.reply):
+            names = [field.name for field in fields]
+            assert all(field.counts in (None, *names) for field in fields)
+            # What has no length of its own takes all that is left, so nothing can stand behind it.
+            assert all(field.kind not in (Kind.DATA, Kind.LISTING) for field in fields[:-1])
+
+
+def test_end_of_file_is_no_failure() -> None:
+    assert SystemStatus.FILE_EXITS == 7
+    assert not SystemStatus.END_OF_FILE.is_failure
+    assert SystemStatus.ILLEGAL_PATH.is_failure

@@ -55,7 +55,7 @@ class BuildError(ConstructError, ValueError):  # type: ignore[misc]
 
 
 def near_misses(name: str, known: Iterable[str]) -> str:
-    """`: did you mean SOUND.TONE?` for a name that is nearly a known one or what it has behind its dot; else nothing."""
+    """`: did you mean SOUND.TONE?` for a name that nearly is a known one (or its part behind the dot); or nothing."""
     import difflib  # it takes a millisecond, which only a misspelt name should cost
 
     targets: dict[str, str] = {}

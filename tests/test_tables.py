@@ -126,6 +126,6 @@ def test_system_commands() -> None:
 
 
 def test_end_of_file_is_no_failure() -> None:
-    assert SystemStatus.FILE_EXITS == 7
+    assert SystemStatus(7).name == "FILE_EXITS"
     assert not SystemStatus.END_OF_FILE.is_failure
     assert SystemStatus.ILLEGAL_PATH.is_failure

@@ -124,6 +124,8 @@ class Show:
 def _readable(name: str) -> Iterator[None]:
     try:
         yield
+    except BrokenPipeError:
+        raise
     except OSError as error:
         complain(f"{name}: cannot be read: {error.strerror or error}")
         sys.exit(1)

@@ -6,11 +6,10 @@ They are lines of text, not frames, and come before any frame does.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass
 from typing import Any
 
-from construct import Const, Construct, FocusedSeq, GreedyBytes, NullTerminated, StringEncoded, Struct
-from construct.core import ConstructError
+from construct import Struct
 
 from ev3proto.errors import BuildError, DecodeError
 from ev3proto.schema.bytewise import Bytewise
@@ -26,13 +25,29 @@ NEWLINE = b"\r\n"
 _LABELS = {"serial": b"Serial-Number", "port": b"Port", "name": b"Name", "protocol": b"Protocol"}
 
 
-def _line(label: bytes) -> Construct:
+class Line(Bytewise):
     """One line, `label: text`, of which the text is the value."""
-    text = StringEncoded(NullTerminated(GreedyBytes, term=NEWLINE), STRING_CODING)
-    return FocusedSeq("text", Const(label + b": "), "text" / text)
+
+    def __init__(self, label: bytes) -> None:
+        super().__init__()
+        self.head = label + b": "
+
+    def read(self, data: bytes, at: int) -> tuple[str, int]:
+        """The text of the line at an offset, and the offset behind the line. Raises DecodeError."""
+        end = data.find(NEWLINE, at)
+        if end < 0 or not data.startswith(self.head, at):
+            raise DecodeError(at, f"a line '{self.head.decode()}...', ended by \\r\\n, should stand here")
+        return data[at + len(self.head) : end].decode(STRING_CODING), end + len(NEWLINE)
+
+    def write(self, value: Any) -> bytes:
+        """The line. BuildError for a text with a line break or characters outside ISO-8859-1."""
+        if not isinstance(value, str) or NEWLINE.decode() in value or any(ord(letter) > 0xFF for letter in value):
+            raise BuildError(f"{self.head.decode()[:-2]} cannot be {value!r}: it is one line of ISO-8859-1 text")
+        return self.head + value.encode(STRING_CODING) + NEWLINE
 
 
-BEACON = Struct(*(name / _line(label) for name, label in _LABELS.items()))
+LINES = {name: Line(label) for name, label in _LABELS.items()}
+BEACON = Struct(*(name / line for name, line in LINES.items()))
 """The datagram that a brick broadcasts every few seconds."""
 
 
@@ -50,24 +65,15 @@ class Beacon:
         """The beacon in a datagram. DecodeError names the line at fault."""
         at = 0
         values: dict[str, str] = {}
-        for name, label in _LABELS.items():
-            try:
-                values[name] = BEACON._subcons[name].parse(datagram[at:])
-            except ConstructError:
-                line = label.decode()
-                raise DecodeError(at, f"a beacon has a line '{line}: ...' here, ended by \\r\\n") from None
-            at += len(label) + 2 + len(values[name]) + len(NEWLINE)
+        for name, line in LINES.items():
+            values[name], at = line.read(datagram, at)
         if at < len(datagram):
             raise DecodeError(at, f"{len(datagram) - at} bytes follow the beacon's last line")
         return cls(**values)
 
     def build(self) -> bytes:
         """The datagram. BuildError for a text with a line break or characters outside ISO-8859-1."""
-        values = {field.name: getattr(self, field.name) for field in fields(self)}
-        for name, text in values.items():
-            if not isinstance(text, str) or NEWLINE.decode() in text or any(ord(letter) > 0xFF for letter in text):
-                raise BuildError(f"{name} cannot be {text!r}: it is one line of ISO-8859-1 text")
-        built: bytes = BEACON.build(values)
+        built: bytes = BEACON.build(asdict(self))
         return built
 
 

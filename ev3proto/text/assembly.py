@@ -27,8 +27,9 @@ def _constant(argument: Argument) -> str:
     if isinstance(value, str):
         return quoted(value)
     if isinstance(value, float):
-        if struct.pack("<f", value) == argument.raw[1:]:
-            return short_float(value)
+        text = short_float(value)
+        if struct.pack("<f", float(text)) == argument.raw[1:]:
+            return text
         (pattern,) = struct.unpack("<I", argument.raw[1:])
         return f"0x{pattern:08X}"
     return str(value)
@@ -51,7 +52,7 @@ def assembly(exchange: Exchange, heading: str) -> Iterator[str]:
     message = exchange.message
     yield f"// {heading}"
     if isinstance(message, DirectCommand):
-        yield f"// {message.global_size} bytes of global and {message.local_size} of local memory"
+        yield f"// memory: {message.global_size} bytes global, {message.local_size} bytes local"
     if isinstance(message, DirectCommand | DaisyCommand):
         for operation in message.operations:
             yield operation_line(operation)

@@ -1,0 +1,73 @@
+"""WiFi discovery: the beacon, the unlock text and its variants, both ways."""
+
+from __future__ import annotations
+
+import pytest
+
+import ev3proto
+from ev3proto import Beacon, Unlock
+from ev3proto.schema.discovery import ACCEPT
+
+BEACON = b"Serial-Number: 0016533f0c1e\r\nPort: 5555\r\nName: EV3\r\nProtocol: EV3\r\n"
+
+
+def test_a_beacon_both_ways() -> None:
+    beacon = Beacon.parse(BEACON)
+    assert beacon == Beacon(serial="0016533f0c1e", port="5555", name="EV3", protocol="EV3")
+    assert beacon.build() == BEACON
+
+
+def test_a_beacon_with_a_name() -> None:
+    assert Beacon("0016533f0c1e", name="Käthe").build().splitlines()[2] == b"Name: K\xe4the"
+    with pytest.raises(ev3proto.BuildError, match="one line of ISO-8859-1"):
+        Beacon("0016533f0c1e", name="two\r\nlines").build()
+
+
+@pytest.mark.parametrize(
+    ("datagram", "offset", "reason"),
+    [
+        (b"", 0, "Serial-Number"),
+        (b"Serial-Number: 1\r\nPort 5555\r\n", 18, "Port"),
+        (BEACON[:-1], 52, "Protocol"),
+        (BEACON + b"x", 67, "1 bytes follow"),
+    ],
+)
+def test_no_beacon(datagram: bytes, offset: int, reason: str) -> None:
+    with pytest.raises(ev3proto.DecodeError, match=reason) as error:
+        Beacon.parse(datagram)
+    assert error.value.offset == offset
+
+
+@pytest.mark.parametrize(
+    ("text", "unlock"),
+    [
+        (
+            b"GET /target?sn=0016533f0c1e VMTP1.0\r\nProtocol: EV3\r\n\r\n",
+            Unlock("0016533f0c1e", space=True, newline="\r\n", blank_line=True),
+        ),
+        (
+            b"GET /target?sn=0016533f0c1eVMTP1.0\nProtocol: EV3\n",
+            Unlock("0016533f0c1e", space=False, newline="\n", blank_line=False),
+        ),
+        (b"GET /target?sn=VMTP1.0\nProtocol: EV3\n\n", Unlock("", space=False, newline="\n", blank_line=True)),
+    ],
+)
+def test_unlock_texts_both_ways(text: bytes, unlock: Unlock) -> None:
+    assert Unlock.parse(text) == unlock
+    assert unlock.build() == text
+
+
+@pytest.mark.parametrize("text", [b"", b"GET / HTTP/1.1\r\n\r\n", b"GET /target?sn=00 VMTP1.0\r\nProtocol: EV3\n"])
+def test_no_unlock_text(text: bytes) -> None:
+    with pytest.raises(ev3proto.DecodeError):
+        Unlock.parse(text)
+
+
+@pytest.mark.parametrize("unlock", [Unlock("two words"), Unlock("1", newline="\r"), Unlock("☃")])
+def test_refused_unlock_texts(unlock: Unlock) -> None:
+    with pytest.raises(ev3proto.BuildError, match="serial number"):
+        unlock.build()
+
+
+def test_what_the_brick_answers() -> None:
+    assert ACCEPT == b"Accept:EV340\r\n\r\n"

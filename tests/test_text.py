@@ -1,0 +1,241 @@
+"""How messages are shown: tree, annotated table, assembly, JSON."""
+
+from __future__ import annotations
+
+import ev3proto
+from ev3proto import Dialogue, operation, parse
+from ev3proto.text.assembly import assembly, operation_line
+from ev3proto.text.heading import Seen, heading
+from ev3proto.text.phrases import plain, short_float
+from ev3proto.text.records import record
+from ev3proto.text.spans import plain_text
+from ev3proto.text.split import split
+from ev3proto.text.table import table
+from ev3proto.text.tree import tree
+
+TONE = bytes.fromhex("0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03")
+NAME = bytes.fromhex("0E 00 2A 00 00 00 00 D4 08 84 6D 79 45 56 33 00")
+ASK = bytes.fromhex("08 00 01 00 00 04 00 81 01 60")
+ANSWER = bytes.fromhex("07 00 01 00 02 A4 70 FD 40")
+LIST = bytes.fromhex("0C 00 01 00 01 99 E8 03") + b"/prjs\0"
+LISTED = bytes.fromhex("0F 00 01 00 03 99 08 07 00 00 00 00") + b"a.rbf"
+REFUSED = bytes.fromhex("05 00 01 00 05 99 06")
+DOWNSTREAM = bytes.fromhex("09 00 01 00 0A A0 00 01 A6 00 0F")
+UNKNOWN = bytes.fromhex("06 00 01 00 80 00 00 FE")
+
+
+def shown(frame: bytes, seen: Seen | None = None, *, before: bytes | None = None) -> list[str]:
+    dialogue = Dialogue()
+    if before is not None:
+        dialogue.feed(parse(before))
+    lines = tree(dialogue.follow(parse(frame, strict=False)), seen or Seen())
+    return [plain_text(line) for line in lines]
+
+
+def drawn(frame: bytes) -> list[str]:
+    return [plain_text(line) for line in table(Dialogue().follow(parse(frame, strict=False)), Seen())]
+
+
+def test_the_tree_of_a_command() -> None:
+    assert shown(TONE, Seen("sent", "09:12:31.011558")) == [
+        "09:12:31.011558 sent DIRECT_COMMAND_NO_REPLY, counter 42, 16 bytes",
+        "     7  SOUND TONE  Plays one tone and returns at once",
+        "     9    VOLUME    = 1 %  LC0: how loud",
+        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver moves others into the range",
+        "    13    DURATION  = 1000 ms  LC2: how long, read without sign (-1 is 65535)",
+    ]
+
+
+def test_the_tree_of_a_reply_reads_its_memory() -> None:
+    assert shown(ANSWER, before=ASK) == [
+        "DIRECT_REPLY, counter 1, 9 bytes: ok",
+        "     5  UI_READ GET_VBATT VALUE = 7.92 V  DATAF",
+    ]
+    assert shown(ANSWER) == [
+        "DIRECT_REPLY, counter 1, 9 bytes: ok (the command it answers was not seen)",
+        "     5  global memory: A4 70 FD 40",
+    ]
+
+
+def test_the_tree_shows_a_cmd_that_is_encoded_longer() -> None:
+    assert "     8    CMD = 1  LC1" in shown(bytes.fromhex("09 00 01 00 00 04 00 81 81 01 60"))
+
+
+def test_the_tree_of_a_faulty_frame() -> None:
+    lines = shown(bytes.fromhex("0B 00 2A 00 80 00 00 94 01 01 82 B8 01"))
+    assert lines[-2:] == [
+        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver moves others into the range",
+        "  fault at offset 13: the frame ends where the argument DURATION should start",
+    ]
+
+
+def test_the_tree_of_system_messages() -> None:
+    assert shown(LIST) == [
+        "SYSTEM_COMMAND_REPLY, counter 1, 14 bytes: LIST_FILES",
+        "        Lists a folder and fetches the first piece of the listing",
+        "        max_bytes = 1000",
+        '        path      = "/prjs"',
+        '        "/prjs": 0 of an unknown number of bytes',
+    ]
+    assert shown(LISTED, before=LIST)[0] == "SYSTEM_REPLY, counter 1, 17 bytes: LIST_FILES END_OF_FILE"
+    assert shown(LISTED, before=LIST)[-1] == '        "/prjs": 5 of 7 bytes'
+
+
+def test_the_tree_of_daisy_messages() -> None:
+    assert shown(DOWNSTREAM)[:3] == [
+        "DAISY_COMMAND_REPLY, counter 1, 11 bytes: DOWNSTREAM",
+        "        Hands operations on to a brick further down",
+        "        from layer 0 to layer 1",
+    ]
+    assert shown(DOWNSTREAM)[3].startswith("     8  OUTPUT_START")
+
+
+def test_the_annotated_table() -> None:
+    assert drawn(NAME) == [
+        "DIRECT_COMMAND_REPLY, counter 42, 16 bytes",
+        "---------------------------------------------------",
+        "  \\len  \\cnt  \\ty\\hd   \\op\\cd\\NAME                \\",
+        "---------------------------------------------------",
+        "0x|0E:00|2A:00|00|00:00|D4|08|84:6D:79:45:56:33:00|",
+        "---------------------------------------------------",
+        '  \\14   \\42   \\Re\\0,0  \\C \\S \\"myEV3"             \\',
+        *(
+            f"  \\     \\     \\  \\     \\{left} \\{right} \\                    \\"
+            for left, right in zip("OM_SET      ", "ET_BRICKNAME", strict=True)
+        ),
+        "---------------------------------------------------",
+    ]
+
+
+def test_the_table_holds_every_byte_of_every_kind_of_message() -> None:
+    for frame in (NAME, ASK, ANSWER, LIST, LISTED, REFUSED, DOWNSTREAM, UNKNOWN, b"\x03\x00\x01"):
+        rows = [line for line in drawn(frame) if line.startswith(("0x|", "  |"))]
+        text = "".join(rows).replace("0x|", "").replace("|", " ").replace(":", " ")
+        if "..." not in text:
+            assert bytes.fromhex(text) == frame
+        else:
+            assert frame.startswith(bytes.fromhex(text.partition("...")[0]))
+
+
+def test_assembly_fixes_every_encoding() -> None:
+    lines = {
+        operation("SOUND.TONE", 1, 440, 1000): "opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)",
+        operation("MOVEF_F", 1.5, b"\xc1\x04"): "opMOVEF_F, LCF(1.5), LV1(4)",
+        operation("FILE.CLOSE", b"\xd1\x04"): "opFILE, LC0(CLOSE), HND(LV1(4))",
+        operation("UI_DRAW.STORE", b"\x81\x05"): "opUI_DRAW, LC0(STORE), LC1(5)",
+        operation("JR", b"\xa0\xfb"): "opJR, LAB1(-5)",
+        operation("MOVEF_F", b"\x83\x01\x00\xc0\x7f", b"\x40"): "opMOVEF_F, LC4(0x7FC00001), LV0(0)",
+    }
+    for one, line in lines.items():
+        assert operation_line(one) == line
+
+
+def test_assembly_of_a_message() -> None:
+    exchange = Dialogue().follow(parse(NAME))
+    assert list(assembly(exchange, plain_text(heading(exchange, Seen())))) == [
+        "// DIRECT_COMMAND_REPLY, counter 42, 16 bytes",
+        "// memory: 0 bytes global, 0 bytes local",
+        'opCOM_SET, LC0(SET_BRICKNAME), LCS("myEV3")',
+    ]
+
+
+def test_json_of_a_command_has_the_promised_keys() -> None:
+    tone = parse(bytes.fromhex("0e002a0080000094010182b80182e803"))
+    assert record(Dialogue().follow(tone), Seen()) == {
+        "kind": "direct-command",
+        "type": "DIRECT_COMMAND_NO_REPLY",
+        "length": 14,
+        "counter": 42,
+        "globals": 0,
+        "locals": 0,
+        "operations": [
+            {
+                "op": "SOUND",
+                "opcode": 148,
+                "command": "TONE",
+                "offset": 7,
+                "length": 9,
+                "args": [
+                    {"name": "VOLUME", "kind": "constant", "encoding": "LC0", "value": 1, "offset": 9, "length": 1},
+                    {
+                        "name": "FREQUENCY",
+                        "kind": "constant",
+                        "encoding": "LC2",
+                        "value": 440,
+                        "offset": 10,
+                        "length": 3,
+                    },
+                    {
+                        "name": "DURATION",
+                        "kind": "constant",
+                        "encoding": "LC2",
+                        "value": 1000,
+                        "offset": 13,
+                        "length": 3,
+                    },
+                ],
+            }
+        ],
+        "hex": "0e002a0080000094010182b80182e803",
+    }
+
+
+def test_json_of_variables_handles_and_replies() -> None:
+    dialogue = Dialogue()
+    argument = record(dialogue.follow(parse(ASK)), Seen())["operations"][0]["args"][0]
+    assert (argument["kind"], argument["encoding"], argument["value"]) == ("global", "GV0", 0)
+    entry = record(dialogue.follow(parse(ANSWER)), Seen("received"))
+    assert (entry["status"], entry["direction"]) == ("ok", "received")
+    assert {key: entry["values"][0][key] for key in ("op", "command", "name", "unit")} == {
+        "op": "UI_READ",
+        "command": "GET_VBATT",
+        "name": "VALUE",
+        "unit": "V",
+    }
+    handle = record(Dialogue().follow(parse(bytes.fromhex("09 00 01 00 80 00 04 C0 07 D1 02"))), Seen())
+    assert handle["operations"][0]["args"][0]["handle"] is True
+
+
+def test_json_of_a_fault() -> None:
+    entry = record(Dialogue().follow(parse(UNKNOWN, strict=False)), Seen())
+    assert entry["fault"] == {"offset": 7, "reason": "0xFE is no opcode of the official firmware"}
+    assert entry["rest"] == "fe"
+
+
+def test_json_of_system_messages() -> None:
+    dialogue = Dialogue()
+    request = record(dialogue.follow(parse(LIST)), Seen())
+    assert (request["kind"], request["command"]) == ("system-command", "LIST_FILES")
+    assert request["fields"] == {"max_bytes": 1000, "path": "/prjs"}
+    reply = record(dialogue.follow(parse(REFUSED)), Seen())
+    assert (reply["kind"], reply["command"], reply["status"]) == ("system-reply", "LIST_FILES", "error")
+    assert reply["status_name"] == "ILLEGAL_PATH"
+
+
+def test_floats_have_no_more_digits_than_they_need() -> None:
+    assert short_float(7.920000076293945) == "7.92"
+    assert short_float(1.0) == "1.0"
+    assert short_float(0.10000000149011612) == "0.1"
+    assert short_float(16777216.0) == "16777216.0"
+    assert short_float(3.4028234663852886e38) == "3.4028235e+38"
+    assert short_float(float("nan")) == "nan"
+    assert plain([1.5, 2.0]) == "[1.5, 2.0]"
+    assert plain('quo"te\n') == '"quo\\"te\\n"'
+
+
+def test_several_frames_in_one_piece() -> None:
+    assert [piece.message.counter for piece in split(TONE + ASK)] == [42, 1]
+
+
+def test_padding_of_a_usb_report() -> None:
+    (piece,) = split(TONE.ljust(1024, b"\xaa"))
+    assert piece.message == ev3proto.parse(TONE)
+    assert piece.padding == 1008
+    (piece,) = split(TONE + bytes(3))
+    assert (piece.message.fault, piece.padding) == (None, 3)
+
+
+def test_bytes_behind_a_frame_are_a_fault() -> None:
+    (piece,) = split(TONE + b"\x01")
+    assert piece.message.fault is not None
+    assert piece.message.fault.offset == 16

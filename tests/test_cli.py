@@ -51,27 +51,8 @@ def test_every_form_as_argument_and_on_standard_input(form: str) -> None:
 
 
 def test_bytes_without_quotes() -> None:
-    done = run(
-        "decode",
-        "--json",
-        "0e",
-        "00",
-        "2a",
-        "00",
-        "80",
-        "00",
-        "00",
-        "94",
-        "01",
-        "01",
-        "01",
-        "01",
-        "82",
-        "e8",
-        "03",
-        "00",
-    )
-    assert json.loads(done.stdout)["operations"][0]["command"] == "TONE"
+    done = run("decode", "--json", "06", "00", "01", "00", "80", "00", "00", "01")
+    assert json.loads(done.stdout)["operations"][0]["op"] == "NOP"
 
 
 def test_every_frame_of_the_lesson() -> None:

@@ -28,8 +28,9 @@ from ev3proto.messages import (
     SystemReply,
     Variable,
 )
-from ev3proto.schema.frame import direct_command, direct_reply, parse, system_command, system_reply
+from ev3proto.schema.frame import parse
 from ev3proto.schema.instructions import operation
+from ev3proto.schema.make import direct_command, direct_reply, system_command, system_reply
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SystemStatus
 from ev3proto.version import VERSION

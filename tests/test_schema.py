@@ -6,6 +6,8 @@ they are, for people who want to put them into a `Struct` of their own.
 
 from __future__ import annotations
 
+import copy
+import pickle
 import time
 from collections.abc import Callable
 
@@ -726,3 +728,10 @@ def test_refusals(build: Callable[[], object], words: list[str]) -> None:
 def test_the_largest_frame_is_built() -> None:
     command = ev3proto.direct_command(*[ev3proto.operation("SOUND_READY")] * 1017)
     assert len(command.build()) == 1024
+
+
+def test_messages_can_be_copied_and_pickled() -> None:
+    message = ev3proto.parse(bytes.fromhex("0e002a0080000094010182b80182e803"))
+    assert copy.deepcopy(message) == message
+    assert pickle.loads(pickle.dumps(message)) == message
+    assert len(pickle.dumps(message)) < 600

@@ -11,7 +11,7 @@ from typing import Any
 from construct import BitsInteger, BitStruct, Bytes, ByteSwapped, GreedyBytes, Int8ul, Int16ul, Struct
 from construct.core import ConstructError
 
-from ev3proto.errors import BuildError, DecodeError, near_misses
+from ev3proto.errors import BuildError, DecodeError
 from ev3proto.messages import (
     NO_FLAW,
     DaisyCommand,
@@ -416,105 +416,3 @@ def parse(frame: bytes, *, strict: bool = True, dialect: str = "official") -> Me
         frame = bytes(frame)
     schema = frame_schema(dialect)
     return schema.read_frame(frame) if strict else schema.read_leniently(frame)
-
-
-def direct_command(
-    *operations: Operation,
-    counter: int = 0,
-    reply: bool = False,
-    global_size: int = 0,
-    local_size: int = 0,
-) -> DirectCommand:
-    """A direct command of these operations, each at the offset that it has in the frame.
-
-    counter      0 to 65535
-    reply        whether the brick is to answer
-    global_size  bytes of global memory, 0 to 1023
-    local_size   bytes of local memory, 0 to 63
-
-    Raises BuildError when no frame can carry it.
-    """
-    message = DirectCommand(
-        type=MessageType.DIRECT_COMMAND_REPLY if reply else MessageType.DIRECT_COMMAND_NO_REPLY,
-        counter=counter,
-        global_size=global_size,
-        local_size=local_size,
-        operations=operations,
-    )
-    frame = message.build()
-    at = HEADER_SIZE + MEMORY_SIZE
-    placed = []
-    for operation in operations:
-        placed.append(operation.placed(frame, at))
-        at += operation.length
-    return replace(message, operations=tuple(placed))
-
-
-def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) -> DirectReply:
-    """The reply to a direct command: its global memory. Raises BuildError when it is too long."""
-    member = MessageType.DIRECT_REPLY_ERROR if error else MessageType.DIRECT_REPLY
-    message = DirectReply(type=member, counter=counter, memory=memory)
-    message.build()
-    return message
-
-
-def _system_entry(command: int | str) -> system.SystemCommand:
-    if isinstance(command, int):
-        if command in SYSTEM_BY_NUMBER:
-            return SYSTEM_BY_NUMBER[command]
-        raise BuildError(f"0x{command:02X} is no system command")
-    for entry in system.SYSTEM:
-        if entry.name == command.upper():
-            return entry
-    hint = near_misses(command, [entry.name for entry in system.SYSTEM])
-    raise BuildError(f"there is no system command {command}{hint}")
-
-
-def _checked(schema: Fields, data: bytes, *, complete: bool) -> dict[str, FieldValue]:
-    """The fields as a receiver reads them. BuildError where they contradict each other, as a wrong length does."""
-    values, _, fault = schema.read_leniently(data, 0, complete=complete)
-    if fault is not None:
-        raise BuildError(fault.reason)
-    return values
-
-
-def system_command(command: int | str, *, counter: int = 0, reply: bool = True, **fields: FieldValue) -> SystemCommand:
-    """A system command from the values of its fields; length fields are worked out when they are left away.
-
-    command  name or number (0xF1 is BEGIN_DOWNLOAD too, that of the bootloader: use the number)
-
-    Raises BuildError, which names the field at fault.
-    """
-    entry = _system_entry(command)
-    schema = REQUESTS[entry.number]
-    values = _checked(schema, schema.write(fields), complete=True)
-    message = SystemCommand(
-        type=MessageType.SYSTEM_COMMAND_REPLY if reply else MessageType.SYSTEM_COMMAND_NO_REPLY,
-        counter=counter,
-        number=entry.number,
-        command=entry.name,
-        fields=values,
-    )
-    message.build()
-    return message
-
-
-def system_reply(
-    command: int | str, *, counter: int = 0, status: int = 0, error: bool = False, **fields: FieldValue
-) -> SystemReply:
-    """The reply to a system command; a failed one may leave its fields away. Raises BuildError."""
-    entry = _system_entry(command)
-    schema = REPLIES[entry.number]
-    failed = bool(status) or error
-    data = schema.write_present(schema.completed(fields)) if failed else schema.write(fields)
-    values = _checked(schema, data, complete=not failed)
-    message = SystemReply(
-        type=MessageType.SYSTEM_REPLY_ERROR if error else MessageType.SYSTEM_REPLY,
-        counter=counter,
-        number=entry.number,
-        command=entry.name,
-        status_code=status,
-        fields=values,
-    )
-    message.build()
-    return message

@@ -6,6 +6,7 @@ the careful way goes over the same bytes to say what is wrong and where.
 
 from __future__ import annotations
 
+import copyreg
 from functools import cache
 from typing import Any
 
@@ -37,7 +38,7 @@ class InstructionSet(Bytewise):
                 self._short_commands[opcode.number] = tuple(family.commands.get(number) for number in range(32))
                 self.by_name.update((schema.declaration.name, schema) for schema in family.commands.values())
             else:
-                schema = self.opcodes[opcode.number] = OperationSchema(Declaration(opcode))
+                schema = self.opcodes[opcode.number] = OperationSchema(Declaration(opcode), dialect)
                 self.by_name[opcode.name] = schema
 
     def __getitem__(self, name: str) -> OperationSchema:
@@ -142,6 +143,18 @@ def _first(commands: dict[int, OperationSchema]) -> list[tuple[int, Any]]:
 def instruction_set(dialect: str = "official") -> InstructionSet:
     """The instruction set of a dialect, made once. ValueError for an unknown dialect."""
     return InstructionSet(check_dialect(dialect))
+
+
+def _schema_of(dialect: str, name: str) -> OperationSchema:
+    return instruction_set(dialect)[name]
+
+
+def _by_name(schema: OperationSchema) -> tuple[Any, tuple[str, str]]:
+    """A schema is copied and pickled as its name, so that messages are small when they are."""
+    return _schema_of, (schema.dialect, schema.declaration.name)
+
+
+copyreg.pickle(OperationSchema, _by_name)
 
 
 def operation(name: str, *values: Any, dialect: str = "official", **named: Any) -> Operation:

@@ -23,9 +23,10 @@ _LISTS = (Type.COUNT, Type.VALUES)
 class OperationSchema(Bytewise):
     """The schema of one opcode/CMD pair."""
 
-    def __init__(self, declaration: Declaration) -> None:
+    def __init__(self, declaration: Declaration, dialect: str) -> None:
         super().__init__()
         self.declaration = declaration
+        self.dialect = dialect
         opcode, command = declaration.opcode, declaration.command
         self.start = 1 if command is None else 2
         self.head = bytes((opcode.number,)) + (encode_integer(command.number) if command else b"")
@@ -252,7 +253,7 @@ class FamilySchema:
     def __init__(self, opcode: Opcode, dialect: str) -> None:
         self.opcode = opcode
         self.commands = {
-            command.number: OperationSchema(Declaration(opcode, command))
+            command.number: OperationSchema(Declaration(opcode, command), dialect)
             for command in opcode.commands
             if dialect in command.dialects
         }

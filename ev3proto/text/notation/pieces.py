@@ -1,0 +1,74 @@
+"""A piece of text that stands for bytes: as a form finds it in a line, and as it is reported.
+
+All forms share this, so that each has to say only where the bytes are, what they are and what is wrong with them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ev3proto.text.notation.head import Direction, Head
+
+# The shortest frame there is. Less than that in the midst of other text is not worth the risk of reading prose as hex.
+LEAST = 5
+MAX_TEXT = 200
+MAX_COLLECTED = 1 << 16
+
+
+@dataclass(frozen=True, slots=True)
+class Pasted:
+    """One piece of pasted text and the bytes it stands for.
+
+    data       the bytes; where `problem` is set, those in front of it
+    line       where the piece starts in its source, the first line is 1
+    text       the piece, stripped, at most 200 characters of it
+    direction  "sent" or "received" (as the host sees it) where the text says so, else None
+    time       as printed, such as "09:12:31.011558" or "2024-01-31T09:12:31Z"; None where the text has none
+    cut        True where the text says that more bytes existed, by an ellipsis at its end
+    problem    None, or a sentence that tells (with the column) why the piece could not be read whole
+    """
+
+    data: bytes
+    line: int
+    text: str
+    direction: Direction | None = None
+    time: str | None = None
+    cut: bool = False
+    problem: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """Bytes in line[start:end]."""
+
+    start: int
+    end: int
+    head: Head
+    data: bytes
+    cut: bool
+    problem: str | None
+
+    def pasted(self, number: int, line: str) -> Pasted:
+        """The same for those who do not have the line at hand."""
+        text = short(line[self.start : self.end], MAX_TEXT)
+        return Pasted(self.data, number, text, self.head.direction, self.head.time, self.cut, self.problem)
+
+
+class Wants(NamedTuple):
+    """What is worth reporting: the fewest bytes, and whether the text is known to be meant as bytes."""
+
+    least: int
+    is_sure: bool
+
+    def takes(self, size: int, problem: str | None, head: Head) -> bool:
+        """Whether so many bytes are worth reporting."""
+        if problem is None:
+            return size >= self.least
+        return self.is_sure or head.is_log or size >= LEAST
+
+
+def short(text: str, limit: int = 24) -> str:
+    """The text stripped, and no longer than that, for showing it."""
+    # Sliced first: the text may be a megabyte, of which nobody wants a copy.
+    return text[: limit * 4].strip()[:limit].rstrip()

@@ -32,7 +32,7 @@ from ev3proto.messages import (
     SystemReply,
     Variable,
 )
-from ev3proto.schema import frame as schema
+from ev3proto.schema import make
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.instructions import operation
 from ev3proto.tables import daisy
@@ -334,7 +334,7 @@ def direct_commands(dialect: str = "official") -> SearchStrategy[DirectCommand]:
     """Direct commands of a few operations, built from values."""
     room = MAX_FRAME - schema.HEADER_SIZE - schema.MEMORY_SIZE
     return st.builds(
-        lambda found, counter, reply, sizes: schema.direct_command(
+        lambda found, counter, reply, sizes: make.direct_command(
             *_that_fit(found, room), counter=counter, reply=reply, **sizes
         ),
         st.lists(operations(dialect), max_size=MOST_OPERATIONS),
@@ -394,7 +394,7 @@ def system_commands(draw: DrawFn) -> SystemCommand:
     """System commands, those of the bootloader included."""
     entry = draw(st.sampled_from(SYSTEM))
     fields = draw(_fields(entry.request))
-    return schema.system_command(entry.number, counter=draw(_counters), reply=draw(st.booleans()), **fields)
+    return make.system_command(entry.number, counter=draw(_counters), reply=draw(st.booleans()), **fields)
 
 
 @st.composite
@@ -407,7 +407,7 @@ def system_replies(draw: DrawFn) -> SystemReply:
     if status or error:
         present = draw(st.integers(0, len(fields)))
         fields = dict(list(fields.items())[:present])
-    return schema.system_reply(entry.number, counter=draw(_counters), status=status, error=error, **fields)
+    return make.system_reply(entry.number, counter=draw(_counters), status=status, error=error, **fields)
 
 
 def _frame(member: MessageType, counter: int, body: bytes) -> bytes:

@@ -33,6 +33,7 @@ from ev3proto.messages import (
     Variable,
 )
 from ev3proto.schema import make
+from ev3proto.schema.frame import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE, parse
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.instructions import operation
 from ev3proto.tables import daisy
@@ -332,7 +333,7 @@ def _that_fit(pieces: Iterable[Any], room: int) -> list[Any]:
 @cache
 def direct_commands(dialect: str = "official") -> SearchStrategy[DirectCommand]:
     """Direct commands of a few operations, built from values."""
-    room = MAX_FRAME - schema.HEADER_SIZE - schema.MEMORY_SIZE
+    room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
     return st.builds(
         lambda found, counter, reply, sizes: make.direct_command(
             *_that_fit(found, room), counter=counter, reply=reply, **sizes
@@ -347,8 +348,8 @@ def direct_commands(dialect: str = "official") -> SearchStrategy[DirectCommand]:
 def direct_replies() -> SearchStrategy[DirectReply]:
     """Replies to direct commands, with memory of any size that a frame has room for."""
     return st.builds(
-        schema.direct_reply,
-        st.binary(max_size=MAX_FRAME - schema.HEADER_SIZE),
+        make.direct_reply,
+        st.binary(max_size=MAX_FRAME - HEADER_SIZE),
         counter=_counters,
         error=st.booleans(),
     )
@@ -411,8 +412,8 @@ def system_replies(draw: DrawFn) -> SystemReply:
 
 
 def _frame(member: MessageType, counter: int, body: bytes) -> bytes:
-    header = {"length": schema.HEADER_SIZE - LENGTH_FIELD + len(body), "counter": counter, "type": member}
-    return bytes(schema.HEADER.build(header)) + body
+    header = {"length": HEADER_SIZE - LENGTH_FIELD + len(body), "counter": counter, "type": member}
+    return bytes(HEADER.build(header)) + body
 
 
 @st.composite
@@ -438,7 +439,7 @@ def daisy_messages(dialect: str = "official") -> SearchStrategy[DaisyCommand | D
     """Messages from brick to brick, both ways: operations, sensor reports, and payloads that are neither."""
 
     def parsed(frame: bytes) -> DaisyCommand | DaisyReply:
-        message = schema.parse(frame, dialect=dialect)
+        message = parse(frame, dialect=dialect)
         assert isinstance(message, DaisyCommand | DaisyReply)
         return message
 
@@ -456,10 +457,10 @@ def messages(dialect: str = "official") -> SearchStrategy[Message]:
 
 
 def _raw_direct_commands(dialect: str) -> SearchStrategy[bytes]:
-    room = MAX_FRAME - schema.HEADER_SIZE - schema.MEMORY_SIZE
+    room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
 
     def frame(member: MessageType, counter: int, sizes: Mapping[str, int], found: list[bytes]) -> bytes:
-        memory = schema.MEMORY.build({"globals": sizes["global_size"], "locals": sizes["local_size"]})
+        memory = MEMORY.build({"globals": sizes["global_size"], "locals": sizes["local_size"]})
         return _frame(member, counter, bytes(memory) + b"".join(_that_fit(found, room)))
 
     return st.builds(

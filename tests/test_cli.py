@@ -147,6 +147,25 @@ def test_complaints(words: tuple[str, ...], status: int, complaint: str) -> None
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
+def test_files_in_the_encodings_that_people_have(tmp_path: Path, encoding: str) -> None:
+    log = tmp_path / "log.txt"
+    log.write_bytes(f"Käthes Log\r\nSent 0x|{TONE}\r\n".encode(encoding))
+    done = run("decode", "--json", str(log))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads(done.stdout)["hex"] == TONE_BYTES
+
+
+def test_a_line_without_an_end(tmp_path: Path) -> None:
+    log = tmp_path / "log.txt"
+    log.write_text("00" * 3_000_000 + f"\n{TONE}\n")
+    done = run("decode", "--json", str(log))
+    assert done.returncode == 1
+    assert len(done.stderr.splitlines()) == 1
+    assert "line 1" in done.stderr
+    assert json.loads(done.stdout)["hex"] == TONE_BYTES
+
+
 def test_input_without_a_frame() -> None:
     done = run("decode", stdin="hello world\n\xff\xfe\n")
     assert (done.returncode, done.stdout) == (1, "")

@@ -6,7 +6,7 @@ import pytest
 
 import ev3proto
 from ev3proto import Beacon, Unlock
-from ev3proto.schema.discovery import ACCEPT
+from ev3proto.tables.discovery import ACCEPT
 
 BEACON = b"Serial-Number: 0016533f0c1e\r\nPort: 5555\r\nName: EV3\r\nProtocol: EV3\r\n"
 

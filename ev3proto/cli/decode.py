@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import io
 import json
 import re
@@ -10,6 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
 import click
 
@@ -18,7 +20,7 @@ from ev3proto.dialogue import Dialogue, Exchange
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.assembly import assembly
 from ev3proto.text.heading import Seen, heading
-from ev3proto.text.notation import Pasted, read_argument, read_text
+from ev3proto.text.notation import MAX_LINE, Pasted, read_argument, read_text
 from ev3proto.text.records import record
 from ev3proto.text.spans import plain_text
 from ev3proto.text.split import Piece, split
@@ -43,16 +45,30 @@ class Source:
         if self.is_frame:
             yield read_argument(self.name)
         elif self.name == "-":
-            yield from read_text(io.TextIOWrapper(sys.stdin.buffer, "utf-8", "replace"))
+            yield from read_text(_lines(sys.stdin.buffer))
         else:
-            with Path(self.name).open(encoding="utf-8", errors="replace") as lines:
-                yield from read_text(lines)
+            with Path(self.name).open("rb") as stream:
+                yield from read_text(_lines(stream))
 
     def where(self, pasted: Pasted) -> str:
         """How a complaint about it starts."""
         if self.is_frame:
             return f"{self.name[:60]!r}" + ("" if pasted.data else " is no file and no frame")
         return f"{'standard input' if self.name == '-' else self.name}, line {pasted.line}"
+
+
+def _lines(stream: BinaryIO) -> Iterator[str]:
+    """The lines of a file, those that are too long only as far as it takes to see that.
+
+    Text is UTF-8, or UTF-16 where the file starts with that mark, as PowerShell writes it.
+    """
+    start = stream.peek(2)[:2] if isinstance(stream, io.BufferedReader) else b""
+    encoding = "utf-16" if start in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig"
+    text = io.TextIOWrapper(stream, encoding, "replace")
+    while line := text.readline(MAX_LINE + 1):
+        yield line
+        while len(line) > MAX_LINE and not line.endswith("\n"):
+            line = text.readline(MAX_LINE + 1)
 
 
 def _sources(names: tuple[str, ...]) -> list[Source]:

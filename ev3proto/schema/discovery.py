@@ -13,24 +13,18 @@ from construct import Struct
 
 from ev3proto.errors import BuildError, DecodeError
 from ev3proto.schema.bytewise import Bytewise
+from ev3proto.tables.discovery import BEACON_LINES, PROTOCOL, TCP_PORT, UNLOCK_VERSION
 from ev3proto.tables.encoding import STRING_CODING
 
-BEACON_PORT = 3015
-"""UDP port to which a brick broadcasts its beacon."""
-
-TCP_PORT = 5555
-"""TCP port on which a brick listens, as its beacon says."""
-
 NEWLINE = b"\r\n"
-_LABELS = {"serial": b"Serial-Number", "port": b"Port", "name": b"Name", "protocol": b"Protocol"}
 
 
 class Line(Bytewise):
     """One line, `label: text`, of which the text is the value."""
 
-    def __init__(self, label: bytes) -> None:
+    def __init__(self, label: str) -> None:
         super().__init__()
-        self.head = label + b": "
+        self.head = f"{label}: ".encode(STRING_CODING)
 
     def read(self, data: bytes, at: int) -> tuple[str, int]:
         """The text of the line at an offset, and the offset behind the line. Raises DecodeError."""
@@ -46,7 +40,7 @@ class Line(Bytewise):
         return self.head + value.encode(STRING_CODING) + NEWLINE
 
 
-LINES = {name: Line(label) for name, label in _LABELS.items()}
+LINES = {name: Line(label) for name, label in BEACON_LINES.items()}
 BEACON = Struct(*(name / line for name, line in LINES.items()))
 """The datagram that a brick broadcasts every few seconds."""
 
@@ -57,8 +51,8 @@ class Beacon:
 
     serial: str
     port: str = str(TCP_PORT)
-    name: str = "EV3"
-    protocol: str = "EV3"
+    name: str = PROTOCOL
+    protocol: str = PROTOCOL
 
     @classmethod
     def parse(cls, datagram: bytes) -> Beacon:
@@ -108,7 +102,9 @@ class Unlock:
 class UnlockSchema(Bytewise):
     """The schema of the unlock text."""
 
-    FORM = re.compile(rb"GET /target\?sn=(\w*?)( ?)VMTP1\.0(\r?\n)Protocol: EV3\3(\3?)")
+    FORM = re.compile(
+        rf"GET /target\?sn=(\w*?)( ?){re.escape(UNLOCK_VERSION)}(\r?\n)Protocol: {PROTOCOL}\3(\3?)".encode()
+    )
 
     def read(self, data: bytes, at: int) -> tuple[Unlock, int]:
         """The unlock text at an offset, and the offset behind it. Raises DecodeError."""
@@ -120,8 +116,8 @@ class UnlockSchema(Bytewise):
 
     def write(self, value: Any) -> bytes:
         """The text. Raises BuildError."""
-        ending = value.newline * (1 + value.blank_line)
-        text = f"GET /target?sn={value.serial}{' ' * value.space}VMTP1.0{value.newline}Protocol: EV3{ending}"
+        request = f"GET /target?sn={value.serial}{' ' * value.space}{UNLOCK_VERSION}{value.newline}"
+        text = f"{request}Protocol: {PROTOCOL}{value.newline * (1 + value.blank_line)}"
         try:
             found = self.FORM.fullmatch(text.encode(STRING_CODING))
         except UnicodeEncodeError:
@@ -135,5 +131,4 @@ class UnlockSchema(Bytewise):
 
 
 UNLOCK = UnlockSchema()
-ACCEPT = b"Accept:EV340\r\n\r\n"
-"""What the brick answers to the unlock text; the firmware sends the zero behind it too."""
+"""The text that a host sends first."""

@@ -7,10 +7,7 @@ from dataclasses import dataclass
 
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH
-
-REPORT_SIZES = (64, MAX_FRAME)
-"""Bytes of the USB reports in which bricks talk: what follows the frame in one of them has no meaning."""
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,7 +26,7 @@ from ev3proto.text.notation.hexadecimal import bare
 from ev3proto.text.notation.pieces import LEAST, MAX_TEXT, Pasted, Wants, short
 from ev3proto.text.notation.reader import MAX_LINE, Reader
 
-__all__ = ["Pasted", "read_argument", "read_text"]
+__all__ = ["MAX_LINE", "Pasted", "read_argument", "read_text"]
 
 
 def read_text(lines: Iterable[str]) -> Iterator[Pasted]:

@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 
 from ev3proto.messages import (
     Argument,
-    DaisyCommand,
     DirectCommand,
     DirectReply,
     FieldValue,
@@ -26,7 +25,7 @@ from ev3proto.messages import (
 from ev3proto.schema.frame import HEADER_SIZE
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, RANGES, STRING_CODING
-from ev3proto.tables.system import SYSTEM, Kind
+from ev3proto.tables.system import SYSTEM, Kind, SystemStatus
 
 MOST_PENDING = 65536
 """Commands without a reply that a dialogue remembers: as many as there are counters."""
@@ -39,6 +38,7 @@ ValueType = int | float | str | bytes | list[int] | list[float]
 
 _LAYOUTS = {Type.DATA8: "<b", Type.DATA16: "<h", Type.DATA32: "<i", Type.DATAF: "<f", Type.HANDLE: "<h"}
 _BY_SIZE = {1: Type.DATA8, 2: Type.DATA16, 4: Type.DATA32}
+_NAN = {str(kind): RANGES[kind].nan for kind in _BY_SIZE.values()}
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,8 +71,7 @@ class Value:
         """True for the value by which the firmware says that there is none."""
         if isinstance(self.value, float):
             return math.isnan(self.value)
-        limits = {str(kind): limits.nan for kind, limits in RANGES.items() if kind in _BY_SIZE.values()}
-        return isinstance(self.value, int) and self.value == limits.get(self.type)
+        return isinstance(self.value, int) and self.value == _NAN.get(self.type)
 
 
 @dataclass(slots=True)
@@ -179,13 +178,18 @@ class Dialogue:
             del self._pending[key]
 
     def _answered(self, reply: Message) -> Message | None:
-        """The command a reply answers: of those with its counter the newest that it fits."""
-        for number in reversed(self._pending.get(_key(reply), [])):
-            command = self._waiting[number]
-            if _fits(command, reply):
-                self._forget(command, number)
-                return command
-        return None
+        """The command a reply answers: of those with its counter the newest of the right size, else the newest.
+
+        The newest, because a sender comes back to a counter only after it gave up on the one before.
+        """
+        newest_first = reversed(self._pending.get(_key(reply), []))
+        possible = [number for number in newest_first if _can_answer(reply, self._waiting[number])]
+        if not possible:
+            return None
+        number = next((number for number in possible if _fits(reply, self._waiting[number])), possible[0])
+        command = self._waiting[number]
+        self._forget(command, number)
+        return command
 
     # Files
 
@@ -222,7 +226,8 @@ class Dialogue:
             if handle is None and isinstance(request, SystemCommand):
                 handle = request.fields.get("handle")
             transfer = self._transfers.get(_number(handle))
-            if entry.transfer == "close" and not reply.is_error:
+            # The brick takes a handle back when a file is closed, complete or in trouble.
+            if entry.transfer == "close" or reply.is_error or reply.status is SystemStatus.END_OF_FILE:
                 self._transfers.pop(_number(handle), None)
         if transfer is not None:
             for name in ("size", "list_size"):
@@ -245,13 +250,18 @@ def _number(value: FieldValue | None) -> int:
 _ENTRIES = {entry.number: entry for entry in SYSTEM}
 
 
-def _fits(command: Message, reply: Message) -> bool:
+def _can_answer(reply: Message, command: Message) -> bool:
     """Whether a reply can be the answer to a command with the same counter."""
-    if isinstance(reply, SystemReply):
-        return isinstance(command, SystemCommand) and command.number == reply.number
+    if isinstance(reply, SystemReply) and isinstance(command, SystemCommand):
+        return command.number == reply.number
+    return True
+
+
+def _fits(reply: Message, command: Message) -> bool:
+    """Whether a reply has just the size that was asked for."""
     if isinstance(reply, DirectReply) and isinstance(command, DirectCommand):
         return reply.is_error or len(reply.memory) == command.global_size
-    return isinstance(command, DaisyCommand)
+    return True
 
 
 def system_values(reply: SystemReply) -> Iterator[Value]:
@@ -322,7 +332,7 @@ def _read(operation: Operation, argument: Argument, memory: bytes) -> Value | No
         operation.command,
         argument.name,
         value,
-        parameter.unit,
+        None if argument.form.handle else parameter.unit,
         str(kind),
         symbol,
         HEADER_SIZE + start,

@@ -263,11 +263,13 @@ class Flaw(NamedTuple):
     fault          what is wrong and where
     rest           the bytes that could not be read
     stated_length  the length field, where it does not say what the frame has
+    headless       the frame ends before the fixed part of its body does, which is in `rest` then
     """
 
     fault: Fault | None = None
     rest: bytes = b""
     stated_length: int | None = None
+    headless: bool = False
 
 
 NO_FLAW = Flaw()
@@ -356,7 +358,7 @@ FieldValue = int | str | bytes
 class SystemCommand(Message):
     """A system command: its number, its firmware name (None when the number is unknown), its fields by name."""
 
-    number: int
+    number: int = 0
     command: str | None = None
     fields: Mapping[str, FieldValue] = field(default_factory=dict, hash=False)
 
@@ -365,7 +367,7 @@ class SystemCommand(Message):
 class SystemReply(Message):
     """The answer to a system command: which one, how it went, and what it gives back."""
 
-    number: int
+    number: int = 0
     command: str | None = None
     status_code: int = 0
     fields: Mapping[str, FieldValue] = field(default_factory=dict, hash=False)
@@ -396,7 +398,7 @@ class DaisyCommand(Message):
     operations  the payload read as byte code, where the sub-command carries byte code and all of it can be read
     """
 
-    number: int
+    number: int = 0
     command: str | None = None
     layer_from: int = 0
     layer_to: int = 0

@@ -29,6 +29,7 @@ class Decoder:
         self._strict = strict
         self._buffer = bytearray()
         self._position = 0
+        self._lost: StreamError | None = None
 
     @property
     def position(self) -> int:
@@ -46,19 +47,23 @@ class Decoder:
         The iterator raises StreamError for a length that no frame can have (and again whenever it is fed after that),
         and in strict mode DecodeError for a faulty frame; the frames behind that one can still be read.
         """
-        self._buffer += chunk
+        if self._lost is None:
+            self._buffer += chunk
         return self._messages()
 
     def _messages(self) -> Iterator[Message]:
+        if self._lost is not None:
+            raise self._lost
         buffer = self._buffer
         while len(buffer) >= LENGTH_FIELD:
             length = buffer[0] | buffer[1] << 8
             if not MIN_LENGTH <= length <= MAX_LENGTH:
-                raise StreamError(
+                self._lost = StreamError(
                     self._position,
                     f"no frame can start here: its length field would say {length}, a frame has {MIN_LENGTH} to"
                     f" {MAX_LENGTH} bytes behind it",
                 )
+                raise self._lost
             size = length + LENGTH_FIELD
             if len(buffer) < size:
                 return

@@ -180,6 +180,19 @@ def test_a_reader_that_goes_away() -> None:
     assert done.stderr == ""
 
 
+def test_output_that_cannot_be_written() -> None:
+    command = f"{sys.executable} -m ev3proto decode 0600010080000001 > /dev/full"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False, timeout=60, cwd=ROOT)
+    assert done.returncode == 1
+    assert done.stderr.startswith("the output cannot be written: ")
+
+
+def test_standard_input_that_is_closed() -> None:
+    command = f"{sys.executable} -m ev3proto decode <&-"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False, timeout=60, cwd=ROOT)
+    assert (done.returncode, done.stderr) == (1, "-: cannot be read: standard input is closed\n")
+
+
 def test_dialects() -> None:
     frame = "08:00|01:00|80|00:00|E6:60:61"
     assert run("decode", frame).returncode == 1

@@ -160,6 +160,30 @@ def test_a_sender_that_never_changes_its_counter() -> None:
     assert dialogue.feed(answer(b"\x01", counter=0, size=1))[0].value == 1
 
 
+def test_a_reply_with_less_memory_than_asked_for() -> None:
+    """As in a log whose lines are cut: what is there is read."""
+    first = ev3proto.operation("UI_READ.GET_VBATT", GV(0))
+    second = ev3proto.operation("UI_READ.GET_IBATT", GV(4))
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ask(first, second, size=8))
+    assert [value.command for value in dialogue.feed(answer(struct.pack("<f", 8), size=6))] == ["GET_VBATT"]
+
+
+def test_a_handle_is_not_in_volts() -> None:
+    (value,) = values(ev3proto.operation("UI_READ.GET_VBATT", GV(40, handle=True)), memory=bytes(40) + b"\x02\x00")
+    assert (value.type, value.value, value.unit) == ("handle", 2, None)
+
+
+def test_a_handle_that_was_closed_means_nothing_any_more() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(ev3proto.system_command("BEGIN_DOWNLOAD", counter=1, size=2, path="a.rbf"))
+    dialogue.feed(ev3proto.system_reply("BEGIN_DOWNLOAD", counter=1, handle=0))
+    dialogue.feed(ev3proto.system_command("CONTINUE_DOWNLOAD", counter=2, handle=0, data=b"ab"))
+    dialogue.feed(ev3proto.system_reply("CONTINUE_DOWNLOAD", counter=2, status=8, handle=0))
+    late = dialogue.follow(ev3proto.system_command("CONTINUE_DOWNLOAD", counter=3, handle=0, data=b"c"))
+    assert late.transfer is None
+
+
 def test_commands_that_want_no_reply_take_no_part() -> None:
     dialogue = ev3proto.Dialogue()
     dialogue.feed(ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)), counter=5, size=4))

@@ -20,7 +20,7 @@ def test_a_beacon_both_ways() -> None:
 def test_a_beacon_with_a_name() -> None:
     assert Beacon("0016533f0c1e", name="Käthe").build().splitlines()[2] == b"Name: K\xe4the"
     with pytest.raises(ev3proto.BuildError, match="one line of ISO-8859-1"):
-        Beacon("0016533f0c1e", name="two\r\nlines").build()
+        Beacon("0016533f0c1e", name="two\nlines").build()
 
 
 @pytest.mark.parametrize(
@@ -43,13 +43,14 @@ def test_no_beacon(datagram: bytes, offset: int, reason: str) -> None:
     [
         (
             b"GET /target?sn=0016533f0c1e VMTP1.0\r\nProtocol: EV3\r\n\r\n",
-            Unlock("0016533f0c1e", space=True, newline="\r\n", blank_line=True),
+            Unlock("0016533f0c1e", space=True, newline="\r\n", endings=2),
         ),
         (
             b"GET /target?sn=0016533f0c1eVMTP1.0\nProtocol: EV3\n",
-            Unlock("0016533f0c1e", space=False, newline="\n", blank_line=False),
+            Unlock("0016533f0c1e", space=False, newline="\n", endings=1),
         ),
-        (b"GET /target?sn=VMTP1.0\nProtocol: EV3\n\n", Unlock("", space=False, newline="\n", blank_line=True)),
+        (b"GET /target?sn=1 VMTP1.0\nProtocol: EV3", Unlock("1", newline="\n", endings=0)),
+        (b"GET /target?sn=VMTP1.0\nProtocol: EV3\n\n", Unlock("", space=False, newline="\n", endings=2)),
     ],
 )
 def test_unlock_texts_both_ways(text: bytes, unlock: Unlock) -> None:

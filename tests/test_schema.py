@@ -735,3 +735,42 @@ def test_messages_can_be_copied_and_pickled() -> None:
     assert copy.deepcopy(message) == message
     assert pickle.loads(pickle.dumps(message)) == message
     assert len(pickle.dumps(message)) < 600
+
+
+@pytest.mark.parametrize(
+    "frame", ["0e002a0080000094010182b80182e803", "0c000100 0199 e803 2f70726a7300", "05000100059906"]
+)
+def test_every_beginning_of_a_frame_is_a_message_of_its_kind(frame: str) -> None:
+    whole = bytes.fromhex(frame)
+    for size in range(len(whole)):
+        message = ev3proto.parse(whole[:size], strict=False)
+        assert message.build() == whole[:size]
+        assert message.fault is not None
+        assert message.fault.truncated
+        if size >= 5:
+            assert type(message) is type(ev3proto.parse(whole))
+        with pytest.raises(DecodeError) as error:
+            ev3proto.parse(whole[:size])
+        assert error.value.fault == message.fault
+
+
+@pytest.mark.parametrize(
+    ("make", "complaint"),
+    [
+        (lambda: ev3proto.operation("MOVEF_F", 10**400, GV(0)), "a DATAF reaches from"),
+        (lambda: ev3proto.operation("SOUND.TONE", 10**400, 1, 1), "VOLUME cannot be 1000"),
+        (lambda: ev3proto.operation("MOVEF_F", 1.0, GV("x")), "DESTINATION cannot be"),  # type: ignore[arg-type]
+        (lambda: ev3proto.direct_reply("abc"), "memory takes bytes"),  # type: ignore[arg-type]
+        (lambda: ev3proto.direct_command(b"\x01"), "is no operation"),  # type: ignore[arg-type]
+        (lambda: ev3proto.system_command("WRITEMAILBOX", name="x", payload=5), "payload takes bytes"),
+    ],
+)
+def test_whatever_cannot_be_built_is_a_build_error(make: Callable[[], object], complaint: str) -> None:
+    with pytest.raises(BuildError, match=complaint):
+        make()
+
+
+def test_only_bytes_are_parsed() -> None:
+    with pytest.raises(TypeError):
+        ev3proto.parse(5)  # type: ignore[arg-type]
+    assert ev3proto.parse(bytearray.fromhex("0600010080000001")).counter == 1

@@ -40,8 +40,10 @@ def test_a_length_that_no_frame_has() -> None:
     with pytest.raises(ev3proto.StreamError, match=r"17735, a frame has 3 to 1022") as error:
         next(found)
     assert error.value.offset == 8
+    pending = len(decoder.pending)
     with pytest.raises(ev3proto.StreamError):
-        list(decoder.feed(b""))
+        list(decoder.feed(bytes(1000)))
+    assert len(decoder.pending) == pending
 
 
 @pytest.mark.parametrize("length", [0, 1, 2, 1023, 65535])

@@ -8,7 +8,6 @@ import json
 import re
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
@@ -30,7 +29,7 @@ from ev3proto.text.tree import tree
 FORMATS = ("tree", "table", "asm", "json")
 
 
-_BYTE = re.compile(r"(0x)?[0-9a-f]{2},?", re.IGNORECASE)
+_GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +44,8 @@ class Source:
         if self.is_frame:
             yield read_argument(self.name)
         elif self.name == "-":
+            if sys.stdin is None:
+                raise OSError("standard input is closed")
             yield from read_text(_lines(sys.stdin.buffer))
         else:
             with Path(self.name).open("rb") as stream:
@@ -73,7 +74,7 @@ def _lines(stream: BinaryIO) -> Iterator[str]:
 
 def _sources(names: tuple[str, ...]) -> list[Source]:
     """What was named; bytes that were typed without quotes around them are one frame."""
-    if len(names) > 1 and all(_BYTE.fullmatch(name) for name in names):
+    if len(names) > 1 and all(_GROUP.fullmatch(name) for name in names):
         return [Source(" ".join(names), is_frame=True)]
     return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
 
@@ -136,14 +137,12 @@ class Show:
             self._printer.text(f"        {padding} bytes of padding follow the frame")
 
 
-@contextmanager
-def _readable(name: str) -> Iterator[None]:
+def _readable(source: Source) -> Iterator[Pasted]:
+    """What stands in a source; a sentence and exit status 1 where it cannot be read."""
     try:
-        yield
-    except BrokenPipeError:
-        raise
+        yield from source.pasted()
     except OSError as error:
-        complain(f"{name}: cannot be read: {error.strerror or error}")
+        complain(f"{source.name}: cannot be read: {error.strerror or error}")
         sys.exit(1)
 
 
@@ -170,9 +169,8 @@ def decode(sources: tuple[str, ...], style: str, as_json: bool, dialect: str) ->
     """
     show = Show("json" if as_json else style, dialect)
     for source in _sources(sources):
-        with _readable(source.name):
-            for pasted in source.pasted():
-                show.pasted(pasted, source.where(pasted))
+        for pasted in _readable(source):
+            show.pasted(pasted, source.where(pasted))
     if not show.count:
         if not show.at_fault:
             complain("there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01")

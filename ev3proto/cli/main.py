@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import sys
+
 import click
 
 from ev3proto.cli.decode import decode
 from ev3proto.cli.ops import ops
+from ev3proto.cli.output import complain
 from ev3proto.version import VERSION
 
 
@@ -24,4 +27,8 @@ cli.add_command(ops)
 
 def main() -> None:
     """Runs the command line. click ends it quietly when a reader goes away (`| head`) and on Ctrl-C."""
-    cli(prog_name="ev3proto")
+    try:
+        cli(prog_name="ev3proto")
+    except OSError as error:
+        complain(f"the output cannot be written: {error.strerror or error}")
+        sys.exit(1)

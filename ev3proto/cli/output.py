@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 
 import click
@@ -27,7 +28,7 @@ class Printer:
 
     def __init__(self) -> None:
         self._console = Console(highlight=False, soft_wrap=True)
-        self._coloured = self._console.is_terminal and not self._console.no_color
+        self._coloured = sys.stdout.isatty() and self._console.is_terminal and not self._console.no_color
 
     def lines(self, lines: Iterable[Line]) -> None:
         """Prints lines that are made of pieces."""

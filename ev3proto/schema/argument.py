@@ -169,7 +169,7 @@ class ArgumentSchema(Bytewise):
 
     def _integer(self, value: float) -> bytes:
         limits = RANGES[self.parameter.type]
-        if math.isnan(value) or value == limits.nan:
+        if value != value or value == limits.nan:
             return encode_as(_NAN_ENCODING.get(self.parameter.type.size, "LC4"), limits.nan)
         if not limits.low <= value <= limits.high or value != int(value):
             raise BuildError(
@@ -213,9 +213,9 @@ def encode_integer(value: int) -> bytes:
 def encode_float(value: float, name: str = "the value") -> bytes:
     """A float constant: an LC4 whose four bytes are an IEEE single. BuildError for numbers beyond a single's range."""
     head = bytes((_BY_NAME["LC4", False, False],))
-    if math.isnan(value):
-        return head + NAN_FLOAT
     try:
+        if math.isnan(value):
+            return head + NAN_FLOAT
         return head + struct.pack("<f", value)
     except OverflowError:
         raise BuildError(f"{name} cannot be {value}: a DATAF reaches from -3.4028235e38 to 3.4028235e38") from None
@@ -239,7 +239,7 @@ def encode_variable(variable: Variable, name: str = "the variable") -> bytes:
     letter = "G" if variable.scope == GLOBAL else "L"
     for step, limit, layout in _INDEX_STEPS:
         key = (f"{letter}V{step}", variable.handle, variable.address)
-        if not 0 <= variable.index <= limit or key not in _BY_NAME:
+        if not isinstance(variable.index, int) or not 0 <= variable.index <= limit or key not in _BY_NAME:
             continue
         head = _BY_NAME[key]
         return (

@@ -26,8 +26,13 @@ class Bytewise(Construct):  # type: ignore[misc]
 
     def _parse(self, stream: io.BufferedIOBase, _context: Any, _path: str) -> Any:
         start = stream.tell()
-        value, used = self.read(stream.read(), 0)
-        stream.seek(start + used)
+        if type(stream) is io.BytesIO:
+            # Whatever Construct parses from bytes. getvalue() copies nothing, and offsets stay those of all the bytes.
+            value, end = self.read(stream.getvalue(), start)
+        else:
+            value, used = self.read(stream.read(), 0)
+            end = start + used
+        stream.seek(end)
         return value
 
     def _build(self, value: Any, stream: io.BufferedIOBase, _context: Any, _path: str) -> Any:

@@ -5,6 +5,7 @@ They are lines of text, not frames, and come before any frame does.
 
 from __future__ import annotations
 
+import io
 import re
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -35,7 +36,7 @@ class Line(Bytewise):
 
     def write(self, value: Any) -> bytes:
         """The line. BuildError for a text with a line break or characters outside ISO-8859-1."""
-        if not isinstance(value, str) or NEWLINE.decode() in value or any(ord(letter) > 0xFF for letter in value):
+        if not isinstance(value, str) or set(value) & set("\r\n\0") or any(ord(letter) > 0xFF for letter in value):
             raise BuildError(f"{self.head.decode()[:-2]} cannot be {value!r}: it is one line of ISO-8859-1 text")
         return self.head + value.encode(STRING_CODING) + NEWLINE
 
@@ -57,13 +58,12 @@ class Beacon:
     @classmethod
     def parse(cls, datagram: bytes) -> Beacon:
         """The beacon in a datagram. DecodeError names the line at fault."""
-        at = 0
-        values: dict[str, str] = {}
-        for name, line in LINES.items():
-            values[name], at = line.read(datagram, at)
+        stream = io.BytesIO(datagram)
+        found = BEACON.parse_stream(stream)
+        at = stream.tell()
         if at < len(datagram):
             raise DecodeError(at, f"{len(datagram) - at} bytes follow the beacon's last line")
-        return cls(**values)
+        return cls(**{name: found[name] for name in LINES})
 
     def build(self) -> bytes:
         """The datagram. BuildError for a text with a line break or characters outside ISO-8859-1."""
@@ -78,13 +78,13 @@ class Unlock:
     serial      serial number of the brick, as its beacon gave it
     space       whether a space stands before the protocol's version
     newline     how lines end, "\r\n" or "\n"
-    blank_line  whether an empty line ends the text
+    endings     how many line ends stand behind the last line, 0 to 2 (2: an empty line ends the text)
     """
 
     serial: str
     space: bool = True
     newline: str = "\r\n"
-    blank_line: bool = True
+    endings: int = 2
 
     @classmethod
     def parse(cls, text: bytes) -> Unlock:
@@ -103,7 +103,7 @@ class UnlockSchema(Bytewise):
     """The schema of the unlock text."""
 
     FORM = re.compile(
-        rf"GET /target\?sn=(\w*?)( ?){re.escape(UNLOCK_VERSION)}(\r?\n)Protocol: {PROTOCOL}\3(\3?)".encode()
+        rf"GET /target\?sn=(\w*?)( ?){re.escape(UNLOCK_VERSION)}(\r?\n)Protocol: {PROTOCOL}((?:\3){{0,2}})".encode()
     )
 
     def read(self, data: bytes, at: int) -> tuple[Unlock, int]:
@@ -111,13 +111,13 @@ class UnlockSchema(Bytewise):
         found = self.FORM.match(data, at)
         if found is None:
             raise DecodeError(at, "an unlock text reads 'GET /target?sn=... VMTP1.0' and, on a line, 'Protocol: EV3'")
-        serial, space, newline, blank = found.groups()
-        return Unlock(serial.decode(), bool(space), newline.decode(), bool(blank)), found.end()
+        serial, space, newline, ending = found.groups()
+        return Unlock(serial.decode(), bool(space), newline.decode(), len(ending) // len(newline)), found.end()
 
     def write(self, value: Any) -> bytes:
         """The text. Raises BuildError."""
         request = f"GET /target?sn={value.serial}{' ' * value.space}{UNLOCK_VERSION}{value.newline}"
-        text = f"{request}Protocol: {PROTOCOL}{value.newline * (1 + value.blank_line)}"
+        text = f"{request}Protocol: {PROTOCOL}{value.newline * value.endings}"
         try:
             found = self.FORM.fullmatch(text.encode(STRING_CODING))
         except UnicodeEncodeError:

@@ -165,6 +165,8 @@ class Fields(Bytewise):
         """Bytes of a counted field; a text's zero is counted in, as the firmware itself does."""
         if self.by_name[name].kind is Kind.COUNTED_TEXT:
             return len(_text(value[name], name)) + 1
+        if not isinstance(value[name], bytes):
+            raise BuildError(f"{name} takes bytes, not {value[name]!r}")
         return len(value[name])
 
     def _piece(self, field: Field, value: Any, values: Mapping[str, Any]) -> bytes:

@@ -57,7 +57,11 @@ class InstructionSet(Bytewise):
 
     def read_between(self, data: bytes, at: int, end: int) -> tuple[tuple[Operation, ...], DecodeError | None]:
         """The operations from one offset to another: all of them and None, or those before a fault and the fault."""
-        start = at
+        operations = self.read_quickly(data, at, end)
+        return self._carefully(data, at, end) if operations is None else (operations, None)
+
+    def read_quickly(self, data: bytes, at: int, end: int) -> tuple[Operation, ...] | None:
+        """All operations from one offset to another, or None where there may be something wrong with them."""
         operations: list[Operation] = []
         opcodes, commands, sizes, append = self.opcodes, self._short_commands, SIZES, operations.append
         try:
@@ -78,10 +82,8 @@ class InstructionSet(Bytewise):
                 append(Operation((schema, data, begin, at)))  # type: ignore[arg-type]
         except (AttributeError, IndexError, TypeError, ValueError):
             # Unknown opcode or CMD, undefined or missing byte, or only a CMD that is encoded longer than it need be.
-            return self._carefully(data, start, end)
-        if at > end:
-            return self._carefully(data, start, end)
-        return tuple(operations), None
+            return None
+        return tuple(operations) if at == end else None
 
     def _carefully(self, data: bytes, at: int, end: int) -> tuple[tuple[Operation, ...], DecodeError | None]:
         operations: list[Operation] = []

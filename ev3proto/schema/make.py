@@ -28,6 +28,9 @@ def direct_command(
 
     Raises BuildError when no frame can carry it.
     """
+    for operation in operations:
+        if not isinstance(operation, Operation):
+            raise BuildError(f"{operation!r} is no operation: ev3proto.operation makes one")
     message = DirectCommand(
         type=MessageType.DIRECT_COMMAND_REPLY if reply else MessageType.DIRECT_COMMAND_NO_REPLY,
         counter=counter,
@@ -46,6 +49,8 @@ def direct_command(
 
 def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) -> DirectReply:
     """The reply to a direct command: its global memory. Raises BuildError when it is too long."""
+    if not isinstance(memory, bytes):
+        raise BuildError(f"memory takes bytes, not {memory!r}")
     member = MessageType.DIRECT_REPLY_ERROR if error else MessageType.DIRECT_REPLY
     message = DirectReply(type=member, counter=counter, memory=memory)
     message.build()

@@ -127,8 +127,9 @@ class OperationSchema(Bytewise):
 
     def arguments(self, data: bytes, at: int) -> tuple[Argument, ...]:
         """The arguments of the operation whose opcode is at an offset."""
-        at += self.start
-        if self.start == 2:
+        start = self.start
+        at += start
+        if start == 2 and data[at - 1] > 0x3F:
             at += SIZES[data[at - 1]] - 1
         # This loop is ArgumentSchema.read_at for every argument, without its calls: half of all time goes here.
         found: list[Argument] = []

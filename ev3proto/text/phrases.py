@@ -77,7 +77,7 @@ def argument_meaning(argument: Argument) -> str:
 
 
 def value_text(value: Value) -> str:
-    """A value from a reply: `7.92 V`, `16 (TYPE_TOUCH)`, `none (NaN)`."""
+    """A value from a reply: `7.92 V`, `16 (TYPE_TOUCH)`, `-128 (not a number: there is no value)`."""
     if value.is_nan:
         return f"{plain(value.value)} (not a number: there is no value)"
     text = plain(value.value)

@@ -16,8 +16,10 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
+from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
+from ev3proto.tables.encoding import STRING_CODING, TEXT
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.heading import Seen, heading
 from ev3proto.text.phrases import argument_meaning, argument_value, plain, spaced_hex, value_text
@@ -142,5 +144,6 @@ def _fault(message: Message, cut: bool) -> Iterator[Line]:
 
 def _letters(rest: bytes) -> str:
     """The text in bytes that start like a string, for arguments that are cut in the middle."""
-    text = rest[1:].split(b"\0", 1)[0].decode("latin-1")
-    return f'  "{text}..."' if rest[0] & 0xEF == 0x84 and text.isprintable() and text else ""
+    encoding = ENCODINGS[rest[0]]
+    text = rest[1:].split(b"\0", 1)[0].decode(STRING_CODING)
+    return f'  "{text}..."' if encoding and encoding.kind == TEXT and text.isprintable() and text else ""

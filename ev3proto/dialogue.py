@@ -25,7 +25,7 @@ from ev3proto.messages import (
 from ev3proto.schema.frame import HEADER_SIZE
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, RANGES, STRING_CODING
-from ev3proto.tables.system import SYSTEM, Kind, SystemStatus
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemStatus
 
 MOST_PENDING = 65536
 """Commands without a reply that a dialogue remembers: as many as there are counters."""
@@ -194,7 +194,7 @@ class Dialogue:
     # Files
 
     def _requested(self, message: SystemCommand) -> Transfer | None:
-        entry = _ENTRIES.get(message.number)
+        entry = SYSTEM_BY_NUMBER.get(message.number)
         if entry is None or entry.transfer is None:
             return None
         if entry.transfer == "begin":
@@ -212,7 +212,7 @@ class Dialogue:
         return transfer_or_none
 
     def _progress(self, reply: SystemReply, request: Message | None) -> Transfer | None:
-        entry = _ENTRIES.get(reply.number)
+        entry = SYSTEM_BY_NUMBER.get(reply.number)
         if entry is None or entry.transfer is None:
             return None
         if entry.transfer == "begin":
@@ -247,9 +247,6 @@ def _number(value: FieldValue | None) -> int:
     return value if isinstance(value, int) else -1
 
 
-_ENTRIES = {entry.number: entry for entry in SYSTEM}
-
-
 def _can_answer(reply: Message, command: Message) -> bool:
     """Whether a reply can be the answer to a command with the same counter."""
     if isinstance(reply, SystemReply) and isinstance(command, SystemCommand):
@@ -266,7 +263,7 @@ def _fits(reply: Message, command: Message) -> bool:
 
 def system_values(reply: SystemReply) -> Iterator[Value]:
     """The fields of a system reply as values."""
-    entry = _ENTRIES.get(reply.number)
+    entry = SYSTEM_BY_NUMBER.get(reply.number)
     if entry is None:
         return
     at = HEADER_SIZE + 2

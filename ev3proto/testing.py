@@ -368,6 +368,10 @@ _FIELDS: dict[Kind, SearchStrategy[FieldValue]] = {
 def _field(field: Field) -> SearchStrategy[FieldValue]:
     if field.kind is Kind.DATA:
         return st.binary(max_size=64 if field.most is None else min(field.most, 64))
+    if field.kind is Kind.TEXT and field.most is not None:
+        # The firmware's limit counts the zero too.
+        room = field.most - 1
+        return _texts.map(lambda text: text[:room])
     return _FIELDS[field.kind]
 
 

@@ -74,7 +74,6 @@ MEMORY_SIZE = MEMORY.sizeof()
 COMMAND_HEADER_SIZE = HEADER_SIZE + MEMORY_SIZE
 _DIRECT_COMMANDS = {member.value: member for member in MessageType if member.kind == "direct-command"}
 
-SYSTEM_BY_NUMBER = {command.number: command for command in system.SYSTEM}
 REQUESTS = {command.number: Fields(command.request) for command in system.SYSTEM}
 REPLIES = {command.number: Fields(command.reply) for command in system.SYSTEM}
 
@@ -236,7 +235,7 @@ class FrameSchema(Bytewise):
             error = DecodeError(end, "the frame ends where the system command should stand", truncated=True)
             return None, b"", error
         number = frame[at]
-        known = SYSTEM_BY_NUMBER.get(number)
+        known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
             error = DecodeError(at, f"0x{number:02X} is no system command")
             return SystemCommand(type=member, counter=counter, number=number), frame[at + 1 :], error
@@ -250,7 +249,7 @@ class FrameSchema(Bytewise):
             error = DecodeError(end, "a system reply starts with the command answered and a status", truncated=True)
             return None, frame[at:], error
         number, status = frame[at], frame[at + 1]
-        known = SYSTEM_BY_NUMBER.get(number)
+        known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
             error = DecodeError(at, f"0x{number:02X} is no system command")
             reply = SystemReply(type=member, counter=counter, number=number, status_code=status)
@@ -342,7 +341,7 @@ class FrameSchema(Bytewise):
 
 def _bootloader_hint(frame: bytes, code: int) -> str:
     """Names the known fault of the brick's bootloader where the bytes look like it."""
-    known = SYSTEM_BY_NUMBER.get(frame[HEADER_SIZE]) if len(frame) > HEADER_SIZE else None
+    known = system.SYSTEM_BY_NUMBER.get(frame[HEADER_SIZE]) if len(frame) > HEADER_SIZE else None
     if code == MessageType.SYSTEM_COMMAND_REPLY and known is not None and known.bootloader:
         return (
             ". From a brick on a USB 3 port this is a known fault of its bootloader: the reply to"

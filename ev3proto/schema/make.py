@@ -7,7 +7,7 @@ from dataclasses import replace
 from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import DirectCommand, DirectReply, FieldValue, Operation, SystemCommand, SystemReply
 from ev3proto.schema.fields import Fields
-from ev3proto.schema.frame import HEADER_SIZE, MEMORY_SIZE, REPLIES, REQUESTS, SYSTEM_BY_NUMBER
+from ev3proto.schema.frame import COMMAND_HEADER_SIZE, REPLIES, REQUESTS
 from ev3proto.tables import system
 from ev3proto.tables.frame import MessageType
 
@@ -39,7 +39,7 @@ def direct_command(
         operations=operations,
     )
     frame = message.build()
-    at = HEADER_SIZE + MEMORY_SIZE
+    at = COMMAND_HEADER_SIZE
     placed = []
     for operation in operations:
         placed.append(operation.placed(frame, at))
@@ -59,8 +59,8 @@ def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) 
 
 def _system_entry(command: int | str) -> system.SystemCommand:
     if isinstance(command, int):
-        if command in SYSTEM_BY_NUMBER:
-            return SYSTEM_BY_NUMBER[command]
+        if command in system.SYSTEM_BY_NUMBER:
+            return system.SYSTEM_BY_NUMBER[command]
         raise BuildError(f"0x{command:02X} is no system command")
     for entry in system.SYSTEM:
         if entry.name == command.upper():

@@ -249,3 +249,6 @@ SYSTEM = (
         bootloader=True,
     ),
 )
+
+SYSTEM_BY_NUMBER = {entry.number: entry for entry in SYSTEM}
+"""The same by number; names are not unique, BEGIN_DOWNLOAD is the bootloader's too."""

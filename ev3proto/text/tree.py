@@ -20,12 +20,11 @@ from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
 from ev3proto.tables.encoding import STRING_CODING, TEXT
-from ev3proto.tables.system import SYSTEM
+from ev3proto.tables.system import SYSTEM_BY_NUMBER
 from ev3proto.text.heading import Seen, heading
 from ev3proto.text.phrases import argument_meaning, argument_value, plain, spaced_hex, value_text
 from ev3proto.text.spans import Line, Role
 
-_TEXTS = {entry.number: entry.text for entry in SYSTEM}
 _MOST_REST = 32
 
 
@@ -94,9 +93,9 @@ def _values(exchange: Exchange) -> Iterator[Line]:
 
 
 def _system(message: SystemCommand | SystemReply, transfer: Transfer | None) -> Iterator[Line]:
-    text = _TEXTS.get(message.number)
-    if text and isinstance(message, SystemCommand):
-        yield [(f"        {text}", Role.ASIDE)]
+    entry = SYSTEM_BY_NUMBER.get(message.number)
+    if entry is not None and isinstance(message, SystemCommand):
+        yield [(f"        {entry.text}", Role.ASIDE)]
     width = max((len(name) for name in message.fields), default=0)
     for name, value in message.fields.items():
         yield [

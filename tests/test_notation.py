@@ -481,3 +481,18 @@ def test_lines_are_read_as_they_come() -> None:
     found = read_text(lines())
     assert next(found).data == REPLY
     assert given_out == [0]
+
+
+@pytest.mark.parametrize(
+    ("line", "data", "problem"),
+    [
+        ("Sent 0E00", b"\x0e\x00", None),
+        ("Sent 0x|03:00|", b"\x03\x00", None),
+        ("0x|0E:00|2A", b"\x0e\x00\x2a", None),
+        ("0x|0E:00|2A...", b"\x0e\x00\x2a", None),
+        ("0x|ZZ:00|2A:00|80|00:00|94|", b"", "column 4: 'ZZ' is no hex"),
+    ],
+)
+def test_a_frame_that_lost_most_of_itself_is_not_lost_too(line: str, data: bytes, problem: str | None) -> None:
+    (pasted,) = read_text(["some words about it\n", f"{line}\n"])
+    assert (pasted.data, pasted.problem, pasted.line) == (data, problem, 2)

@@ -54,7 +54,7 @@ def lesson(line: str) -> Iterator[Found]:
         if head.is_clean or _LESSON_FRAME.match(line, start):
             end, cut = _cut_off(line, first, stop)
             data, problem = _hex(line, first, end, cut=cut)
-            yield Found(start, stop, head, data, cut, problem)
+            yield Found(start, stop, head, data, cut, problem, is_marked=head.is_clean)
         position = stop
 
 

@@ -40,7 +40,7 @@ class Pasted:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """Bytes in line[start:end]."""
+    """Bytes in line[start:end]; with `is_marked` they stand where only a frame can, however short they are."""
 
     start: int
     end: int
@@ -48,6 +48,7 @@ class Found:
     data: bytes
     cut: bool
     problem: str | None
+    is_marked: bool = False
 
     def pasted(self, number: int, line: str) -> Pasted:
         """The same for those who do not have the line at hand."""
@@ -61,11 +62,15 @@ class Wants(NamedTuple):
     least: int
     is_sure: bool
 
-    def takes(self, size: int, problem: str | None, head: Head) -> bool:
-        """Whether so many bytes are worth reporting."""
+    def takes(self, size: int, problem: str | None, head: Head, *, is_marked: bool = False) -> bool:
+        """Whether so many bytes are worth reporting.
+
+        Behind a word for the direction, and where marked, two are: the length field of a frame that lost the rest.
+        """
         if problem is None:
-            return size >= self.least
-        return self.is_sure or head.is_log or size >= LEAST
+            is_meant = is_marked or (head.is_log and head.direction is not None)
+            return size >= (min(self.least, 2) if is_meant else self.least)
+        return self.is_sure or is_marked or head.is_log or size >= LEAST
 
 
 def short(text: str, limit: int = 24) -> str:

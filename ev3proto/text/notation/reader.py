@@ -76,7 +76,7 @@ class Reader:
         yield from self._keep(arrays)
 
     def _takes(self, found: Found) -> bool:
-        return self._wants.takes(len(found.data), found.problem, found.head)
+        return self._wants.takes(len(found.data), found.problem, found.head, is_marked=found.is_marked)
 
     def _keep(self, arrays: list[Array]) -> Iterator[Pasted]:
         """Reports the arrays, and keeps the one that is still open."""

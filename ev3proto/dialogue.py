@@ -217,10 +217,15 @@ class Dialogue:
             return None
         if entry.transfer == "begin":
             transfer = self._begun.pop(reply.counter, None)
-            if transfer is None or reply.is_error or "handle" not in reply.fields:
+            if reply.is_error or "handle" not in reply.fields:
                 return transfer
-            transfer.handle = _number(reply.fields["handle"])
-            self._transfers[transfer.handle] = transfer
+            number = _number(reply.fields["handle"])
+            if transfer is None:
+                # The command was not seen: the handle stands for another file than before, nobody knows which.
+                self._transfers.pop(number, None)
+                return None
+            transfer.handle = number
+            self._transfers[number] = transfer
         else:
             handle = reply.fields.get("handle")
             if handle is None and isinstance(request, SystemCommand):

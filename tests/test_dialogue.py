@@ -238,3 +238,14 @@ def test_an_upload_is_followed_by_its_handle() -> None:
     told = dialogue.follow(ev3proto.system_reply("CONTINUE_UPLOAD", counter=2, status=8, handle=0, data=b"ef"))
     assert told.transfer is asked
     assert asked.is_complete
+
+
+def test_a_handle_whose_command_was_not_seen_stands_for_no_file_that_is_known() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.follow(ev3proto.system_command("BEGIN_UPLOAD", counter=1, max_bytes=2, path="a.rtf"))
+    begun = ev3proto.system_reply("BEGIN_UPLOAD", counter=1, size=6, handle=0, data=b"ab")
+    assert dialogue.follow(begun).transfer is not None
+    unseen = ev3proto.system_reply("BEGIN_DOWNLOAD", counter=2, handle=0)
+    assert dialogue.follow(unseen).transfer is None
+    piece = ev3proto.system_command("CONTINUE_DOWNLOAD", counter=3, handle=0, data=b"abc")
+    assert dialogue.follow(piece).transfer is None

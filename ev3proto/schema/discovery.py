@@ -14,7 +14,15 @@ from construct import Struct
 
 from ev3proto.errors import BuildError, DecodeError
 from ev3proto.schema.bytewise import Bytewise
-from ev3proto.tables.discovery import BEACON_LINES, PROTOCOL, TCP_PORT, UNLOCK_VERSION
+from ev3proto.tables.discovery import (
+    BEACON_LINES,
+    PROTOCOL,
+    TCP_PORT,
+    UNLOCK_ENDINGS,
+    UNLOCK_PROTOCOL,
+    UNLOCK_REQUEST,
+    UNLOCK_VERSION,
+)
 from ev3proto.tables.encoding import STRING_CODING
 
 NEWLINE = b"\r\n"
@@ -103,7 +111,8 @@ class UnlockSchema(Bytewise):
     """The schema of the unlock text."""
 
     FORM = re.compile(
-        rf"GET /target\?sn=(\w*?)( ?){re.escape(UNLOCK_VERSION)}(\r?\n)Protocol: {PROTOCOL}((?:\3){{0,2}})".encode()
+        rf"{re.escape(UNLOCK_REQUEST)}(\w*?)( ?){re.escape(UNLOCK_VERSION)}(\r?\n)"
+        rf"{re.escape(UNLOCK_PROTOCOL)}((?:\3){{0,{UNLOCK_ENDINGS}}})".encode()
     )
 
     def read(self, data: bytes, at: int) -> tuple[Unlock, int]:
@@ -116,8 +125,8 @@ class UnlockSchema(Bytewise):
 
     def write(self, value: Any) -> bytes:
         """The text. Raises BuildError."""
-        request = f"GET /target?sn={value.serial}{' ' * value.space}{UNLOCK_VERSION}{value.newline}"
-        text = f"{request}Protocol: {PROTOCOL}{value.newline * value.endings}"
+        request = f"{UNLOCK_REQUEST}{value.serial}{' ' * value.space}{UNLOCK_VERSION}{value.newline}"
+        text = f"{request}{UNLOCK_PROTOCOL}{value.newline * value.endings}"
         try:
             found = self.FORM.fullmatch(text.encode(STRING_CODING))
         except UnicodeEncodeError:

@@ -12,8 +12,17 @@ BEACON_LINES = {"serial": "Serial-Number", "port": "Port", "name": "Name", "prot
 PROTOCOL = "EV3"
 """The protocol that the beacon names and the host asks for."""
 
+UNLOCK_REQUEST = "GET /target?sn="
+"""What the host's first line begins with; the brick's serial number follows."""
+
 UNLOCK_VERSION = "VMTP1.0"
-"""What the host's first line ends with."""
+"""What the host's first line ends with, after a space that some senders leave out."""
+
+UNLOCK_PROTOCOL = f"Protocol: {PROTOCOL}"
+"""The host's second line."""
+
+UNLOCK_ENDINGS = 2
+"""Most line ends behind the second line: none, one, or one and an empty line."""
 
 ACCEPT = b"Accept:EV340\r\n\r\n"
 """What the brick answers to the unlock text; the firmware sends the zero behind it too."""

@@ -1,0 +1,1 @@
+"""Other tools' forms of the tables: what the command line writes for Wireshark. Reads tables, not frames."""

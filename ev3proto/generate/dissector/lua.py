@@ -1,0 +1,100 @@
+"""Lua values as a person would write them: one line where it fits, one entry a line where it does not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+WIDTH = 120
+INDENT = "    "
+
+
+class Name(str):
+    """Something that stands in Lua as it is: a name, or a number in a form of its own (`0x94`)."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table with values by position and values by key, in this order. Keys are names or numbers."""
+
+    items: Sequence[object] = ()
+    named: Mapping[Any, object] = field(default_factory=dict)
+
+    def entries(self) -> Iterator[tuple[str, object]]:
+        """What stands in front of each value (`unit = `, `[0] = `, nothing), and the value."""
+        for item in self.items:
+            yield "", item
+        for key, value in self.named.items():
+            yield (f"{key} = " if isinstance(key, str) else f"[{key}] = "), value
+
+
+def hexadecimal(number: int) -> Name:
+    """A byte the way that documents print it."""
+    return Name(f"0x{number:02X}")
+
+
+def literal(value: object, depth: int = 0, used: int = 0) -> str:
+    """A value as Lua.
+
+    depth  how deep it is indented
+    used   columns of its first line that are taken already
+    """
+    if isinstance(value, Table):
+        return _table(value, depth, used)
+    return _scalar(value)
+
+
+def _scalar(value: object) -> str:
+    if isinstance(value, Name):
+        return str(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, str):
+        return _quoted(value)
+    raise TypeError(f"{value!r} has no form in Lua")
+
+
+_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\0": "\\0"}
+
+
+def _quoted(text: str) -> str:
+    return '"' + "".join(_ESCAPES.get(letter, letter) for letter in text) + '"'
+
+
+def _on_one_line(table: Table) -> str:
+    pieces = [
+        head + (_on_one_line(value) if isinstance(value, Table) else _scalar(value)) for head, value in table.entries()
+    ]
+    return "{ " + ", ".join(pieces) + " }" if pieces else "{}"
+
+
+def _table(table: Table, depth: int, used: int) -> str:
+    line = _on_one_line(table)
+    if used + len(line) <= WIDTH:
+        return line
+    return "{\n" + "".join(f"{row}\n" for row in _rows(table, depth + 1)) + INDENT * depth + "}"
+
+
+def _rows(table: Table, depth: int) -> Iterator[str]:
+    """The lines inside a table that takes several: as many plain values in each as fit, every table by itself."""
+    margin = INDENT * depth
+    row = margin
+    for head, value in table.entries():
+        if isinstance(value, Table):
+            if row.strip():
+                yield row.rstrip()
+                row = margin
+            yield margin + head + literal(value, depth, len(margin + head) + 1) + ","
+            continue
+        piece = f"{head}{_scalar(value)},"
+        if row.strip() and len(row) + len(piece) > WIDTH:
+            yield row.rstrip()
+            row = margin
+        row += piece + " "
+    if row.strip():
+        yield row.rstrip()

@@ -1,0 +1,146 @@
+-- Fields ------------------------------------------------------------------------------------------------------------
+--
+-- Every value in a frame is a field that one can filter for. Those of operations are named after what the firmware
+-- calls them: ev3.<opcode>.<cmd>.<parameter>, in lower case.
+
+local ev3 = Proto("EV3", "LEGO MINDSTORMS EV3")
+
+local fields = {}
+
+local field = {
+    length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
+    counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil,
+        "chosen by the sender, echoed in the reply"),
+    type = ProtoField.uint8("ev3.cmd_type", "Type", base.HEX, MESSAGE_TYPE_NAMES),
+    memory_sizes = ProtoField.uint16("ev3.vars", "Memory asked for", base.HEX),
+    globals = ProtoField.uint16("ev3.globals", "Global memory", base.UNIT_STRING, { " byte", " bytes" }, GLOBAL_MASK,
+        "bytes of the reply's payload"),
+    locals = ProtoField.uint16("ev3.locals", "Local memory", base.UNIT_STRING, { " byte", " bytes" }, LOCAL_MASK),
+
+    opcode = ProtoField.uint8("ev3.op", "Opcode", base.HEX, OPCODE_NAMES),
+    cmd = ProtoField.string("ev3.cmd", "CMD", base.ASCII, "opcode and CMD by name, such as SOUND.TONE"),
+    encoding = ProtoField.string("ev3.argument.encoding", "Encoding", base.ASCII, "how the argument is encoded"),
+    variable = ProtoField.string("ev3.argument.variable", "Variable", base.ASCII,
+        "the variable that stands for a value, such as GV(0)"),
+    other = ProtoField.string("ev3.argument.value", "Value", base.ASCII,
+        "a constant that has not the type of its parameter"),
+
+    memory = ProtoField.bytes("ev3.memory", "Global memory"),
+    answers = ProtoField.string("ev3.answers", "Answers", base.ASCII,
+        "in a reply: the operation whose outputs these are, such as UI_READ.GET_VBATT"),
+    list = ProtoField.none("ev3.values", "Values"),
+
+    system_command = ProtoField.uint8("ev3.sys_cmd", "System command", base.HEX, SYSTEM_NAMES),
+    status = ProtoField.uint8("ev3.reply_status", "Status", base.HEX, STATUS_NAMES),
+
+    daisy_command = ProtoField.uint8("ev3.daisy.command", "Sub-command", base.HEX, DAISY_NAMES),
+    layer_from = ProtoField.uint8("ev3.daisy.layer_from", "From layer"),
+    layer_to = ProtoField.uint8("ev3.daisy.layer_to", "To layer"),
+    daisy_payload = ProtoField.bytes("ev3.daisy.payload", "Payload"),
+
+    rest = ProtoField.bytes("ev3.rest", "Not read", base.SPACE, "bytes that could not be read"),
+    padding = ProtoField.bytes("ev3.padding", "Padding", base.SPACE, "the rest of a USB report, which means nothing"),
+    fragment = ProtoField.bytes("ev3.fragment", "Part of a frame", base.SPACE),
+    fragment_of = ProtoField.framenum("ev3.fragment_of", "Frame complete in"),
+    fragments = ProtoField.framenum("ev3.fragments", "Began in"),
+
+    response_in = ProtoField.framenum("ev3.response_in", "Response in", base.NONE, frametype.RESPONSE),
+    request_in = ProtoField.framenum("ev3.request_in", "Request in", base.NONE, frametype.REQUEST),
+    response_time = ProtoField.relative_time("ev3.response_time", "Response time"),
+    transfer_path = ProtoField.string("ev3.transfer.path", "File"),
+    transfer_done = ProtoField.uint32("ev3.transfer.done", "Moved so far", base.UNIT_STRING, { " byte", " bytes" }),
+    transfer_size = ProtoField.uint32("ev3.transfer.size", "Size", base.UNIT_STRING, { " byte", " bytes" }),
+
+    beacon_answer = ProtoField.bytes("ev3.beacon.answer", "Answer to a beacon", base.SPACE),
+    unlock = ProtoField.string("ev3.unlock", "Unlock"),
+    unlock_serial = ProtoField.string("ev3.unlock.serial", "Serial number"),
+    accept = ProtoField.string("ev3.accept", "Accept"),
+}
+
+for _, declared in pairs(field) do
+    fields[#fields + 1] = declared
+end
+
+local beacon_field = {}
+for _, line in ipairs(BEACON_LINES) do
+    beacon_field[line.name] = ProtoField.string("ev3.beacon." .. line.name, line.label)
+    fields[#fields + 1] = beacon_field[line.name]
+end
+
+local report_field = {}
+for _, part in ipairs(SENSOR_REPORT) do
+    local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
+    report_field[part.name] = make("ev3.daisy." .. part.name, part.name)
+    fields[#fields + 1] = report_field[part.name]
+end
+
+-- What a field can hold, by the type that the tables give a parameter or a system message's field.
+local NUMBER, FLOAT, TEXT_VALUE = "number", "float", "text"
+
+local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
+
+local MAKE_SYSTEM_FIELD = {
+    [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
+    [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
+    [BYTES] = ProtoField.bytes,
+}
+
+-- A typed field of one parameter. Its kind tells which values it takes.
+local function parameter_field(abbreviation, parameter, kind)
+    local name, text = parameter.name, parameter.text
+    local made
+    if kind == TEXT_VALUE then
+        made = ProtoField.string(abbreviation, name, base.ASCII, text)
+    elseif kind == FLOAT then
+        made = ProtoField.float(abbreviation, name, base.DEC, nil, nil, text)
+    elseif parameter.enum and not parameter.enum.is_flags then
+        made = ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
+    elseif parameter.unit then
+        made = ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
+    else
+        made = ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
+    end
+    fields[#fields + 1] = made
+    return made
+end
+
+local system_fields = {}
+
+-- The field of a system message; several messages share one.
+local function system_field(declared)
+    local abbreviation = "ev3." .. declared.filter
+    local made = system_fields[abbreviation]
+    if not made then
+        local hex = declared.hexadecimal and base.HEX or nil
+        made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
+        system_fields[abbreviation] = made
+        fields[#fields + 1] = made
+    end
+    return made
+end
+
+-- Expert information, each kind with a name to filter for.
+local experts = {
+    fault = ProtoExpert.new("ev3.expert.fault", "EV3: faulty frame", expert.group.MALFORMED, expert.severity.ERROR),
+    unknown_opcode = ProtoExpert.new("ev3.expert.unknown_opcode", "EV3: unknown opcode",
+        expert.group.MALFORMED, expert.severity.ERROR),
+    unknown_cmd = ProtoExpert.new("ev3.expert.unknown_cmd", "EV3: unknown CMD",
+        expert.group.MALFORMED, expert.severity.ERROR),
+    cut_off = ProtoExpert.new("ev3.expert.cut_off", "EV3: cut off", expert.group.MALFORMED, expert.severity.ERROR),
+    misaligned = ProtoExpert.new("ev3.expert.misaligned", "EV3: misaligned variable",
+        expert.group.PROTOCOL, expert.severity.ERROR),
+    beyond_memory = ProtoExpert.new("ev3.expert.beyond_memory", "EV3: variable beyond the memory asked for",
+        expert.group.PROTOCOL, expert.severity.WARN),
+    no_boundary = ProtoExpert.new("ev3.expert.no_boundary", "EV3: no frame starts here",
+        expert.group.MALFORMED, expert.severity.ERROR),
+    error_reply = ProtoExpert.new("ev3.expert.error_reply", "EV3: the brick refused or failed the command",
+        expert.group.RESPONSE_CODE, expert.severity.WARN),
+    failed = ProtoExpert.new("ev3.expert.failed", "EV3: the command failed",
+        expert.group.RESPONSE_CODE, expert.severity.WARN),
+    orphan = ProtoExpert.new("ev3.expert.orphan", "EV3: the command that this reply answers was not seen",
+        expert.group.SEQUENCE, expert.severity.NOTE),
+    unanswered = ProtoExpert.new("ev3.expert.unanswered", "EV3: no reply to this command was seen",
+        expert.group.SEQUENCE, expert.severity.NOTE),
+    bootloader_fault = ProtoExpert.new("ev3.expert.bootloader_fault", "EV3: bootloader fault on USB 3",
+        expert.group.PROTOCOL, expert.severity.ERROR),
+}

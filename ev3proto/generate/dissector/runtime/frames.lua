@@ -1,0 +1,49 @@
+-- Frames in packets -------------------------------------------------------------------------------------------------
+--
+-- What all carriers have in common: one frame of a buffer, and what the columns say of a packet.
+
+-- In one-line output Wireshark makes no tree, and everything that is done for one would be done in vain.
+local function has_tree(tree)
+    return tree.text ~= nil
+end
+
+local last_number, last_offset = 0, 0
+
+-- Shows in the columns what a packet says. TCP hands a packet over in pieces when frames are split over several.
+local function show(pinfo, tvb, said)
+    local columns, offset = pinfo.cols, tvb:offset()
+    columns.protocol = "EV3"
+    if pinfo.number == last_number and offset > last_offset then
+        columns.info:append("; " .. said)
+    else
+        columns.info = said
+    end
+    last_number, last_offset = pinfo.number, offset
+end
+
+-- A message in a buffer: `key` is the function that tells the conversation it belongs to, `said` what is said of it instead of what it says
+-- itself. Returns the line for the info column and, if there is a tree, the message's item in it.
+local function dissect_message(tvb, at, message, key, pinfo, tree, said)
+    local place = place_of(pinfo.number, tvb:offset() + at)
+    if not pinfo.visited then take_note(place, key, message, pinfo) end
+    return show_message(message, note_at(place), tvb, at, pinfo, has_tree(tree) and tree, said)
+end
+
+local function is_length(low, high)
+    local length = low + high * 0x100
+    return length >= MIN_LENGTH and length <= MAX_LENGTH
+end
+
+-- Whether a frame may start with these bytes, as far as they go.
+local function may_be_frame(text)
+    local low, high, _, _, type = byte(text, 1, HEADER_SIZE)
+    if not high then return low ~= nil end
+    return is_length(low, high) and (not type or MESSAGE_TYPES[type] ~= nil)
+end
+
+-- Both directions of a connection have one key.
+local function conversation_key(pinfo)
+    local from = tostring(pinfo.src) .. " " .. pinfo.src_port
+    local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
+    return from < to and from .. " " .. to or to .. " " .. from
+end

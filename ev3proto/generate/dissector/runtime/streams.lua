@@ -1,0 +1,146 @@
+-- Streams -----------------------------------------------------------------------------------------------------------
+--
+-- WiFi: the beacon in UDP datagrams, then the byte stream of a TCP connection, in which frames may be split over
+-- segments and share them, after a text from each side. RFCOMM is such a stream, too.
+
+local dissect_stream, dissect_tcp, dissect_udp
+do
+    -- The text by which a host unlocks the brick's port: the offset behind it, and the serial number.
+    local function match_unlock(text, at)
+        local serial, newline, behind = text:match(UNLOCK_PATTERN, at + 1)
+        if not serial then return nil end
+        for _ = 1, UNLOCK_ENDINGS do
+            if sub(text, behind, behind + #newline - 1) == newline then behind = behind + #newline end
+        end
+        return behind - 1, serial
+    end
+
+    local function dissect_unlock(tvb, text, at, tree)
+        local behind, serial = match_unlock(text, at)
+        if not behind then return nil end
+        local said = "unlock " .. serial
+        if has_tree(tree) then
+            local range = tvb(at, behind - at)
+            local item = tree:add(ev3, range, "EV3: " .. said)
+            item:add(field.unlock, range)
+            item:add(field.unlock_serial, tvb(at + UNLOCK_SERIAL_AT, #serial))
+        end
+        return said, behind
+    end
+
+    -- What the brick answers to it. The firmware sends the text's zero, too: it is one where it cannot be the start of
+    -- a frame's length.
+    local function dissect_accept(tvb, text, at, tree)
+        local behind = at + #ACCEPT
+        if sub(text, at + 1, behind) ~= ACCEPT then return nil end
+        local zero, next = byte(text, behind + 1, behind + 2)
+        if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
+        if has_tree(tree) then
+            local range = tvb(at, behind - at)
+            tree:add(ev3, range, "EV3: accepted"):add(field.accept, range)
+        end
+        return "accepted", behind
+    end
+
+    local function dissect_text(tvb, text, at, tree)
+        local said, behind = dissect_unlock(tvb, text, at, tree)
+        if said then return said, behind end
+        return dissect_accept(tvb, text, at, tree)
+    end
+
+    local function add_faulty(tvb, at, stop, tree, said, kind, reason)
+        if has_tree(tree) then
+            local range = tvb(at, stop - at)
+            local item = tree:add(ev3, range, "EV3: " .. said)
+            item:add(field.rest, range)
+            complain(item, kind, reason)
+        end
+        return said, stop
+    end
+
+    -- Nobody knows where the next frame starts: the packet is lost, the next one is looked at anew.
+    local function dissect_no_frame(tvb, at, stop, length, tree)
+        local said = format("no frame (%s)", plural(stop - at, "byte"))
+        local reason = "no frame can start here: its length field would say %d, a frame has %d to %d bytes behind it"
+        return add_faulty(tvb, at, stop, tree, said, "no_boundary", format(reason, length, MIN_LENGTH, MAX_LENGTH))
+    end
+
+    -- The frames and texts in a piece of a stream: the offset behind the last one that is whole, how many bytes the
+    -- next one wants (nil where its length is not known yet), and what was said. `reported` is the size of the piece
+    -- on the wire, of which a capture may have less; with `is_last` there is nothing more to wait for.
+    function dissect_stream(tvb, text, reported, key, pinfo, tree, is_last)
+        local at, captured, all = 0, #text, nil
+        while at < captured do
+            local low, high = byte(text, at + 1, at + 2)
+            local said, behind
+            if TEXT_STARTS[low] then said, behind = dissect_text(tvb, text, at, tree) end
+            if not said then
+                local size = high and LENGTH_FIELD + low + high * 0x100
+                if size and not is_length(low, high) then
+                    said, behind = dissect_no_frame(tvb, at, captured, size - LENGTH_FIELD, tree)
+                elseif not is_last and (not size or at + size > reported) then
+                    return at, size and at + size - reported, all
+                elseif captured - at < HEADER_SIZE then
+                    local reason = "the frame is cut off in its header"
+                    said, behind = add_faulty(tvb, at, captured, tree, "part of a frame", "cut_off", reason)
+                else
+                    behind = math.min(at + size, captured)
+                    local frame = at == 0 and behind == captured and text or sub(text, at + 1, behind)
+                    said = dissect_message(tvb, at, read_message(frame), key, pinfo, tree)
+                end
+            end
+            all = all and all .. "; " .. said or said
+            at = behind
+        end
+        return at, 0, all
+    end
+
+    function dissect_tcp(tvb, pinfo, tree)
+        local captured, reported = tvb:len(), tvb:reported_len()
+        local is_last = pinfo.can_desegment == 0 or captured < reported
+        local behind, wanted, said = dissect_stream(tvb, tvb:raw(), reported, conversation_key, pinfo, tree, is_last)
+        if behind < captured then
+            pinfo.desegment_offset = behind
+            pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
+        end
+        if said then show(pinfo, tvb, said) end
+        return captured
+    end
+
+    local function dissect_beacon(tvb, text, tree)
+        local item = has_tree(tree) and tree:add(ev3, tvb())
+        local at, values = 0, {}
+        for _, line in ipairs(BEACON_LINES) do
+            local head = line.label .. ": "
+            local stop = find(text, "\r\n", at + 1, true)
+            if not stop or sub(text, at + 1, at + #head) ~= head then
+                if item then
+                    complain(item, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
+                end
+                break
+            end
+            local value = utf8_text(sub(text, at + #head + 1, stop - 1))
+            values[#values + 1] = value
+            if item then item:add(beacon_field[line.name], tvb(at + #head, stop - 1 - at - #head), value) end
+            at = stop + 1
+        end
+        local said = "beacon: " .. concat(values, " ")
+        if item then item:set_text("EV3: " .. said) end
+        return said
+    end
+
+    -- A beacon that a brick broadcasts, or whatever a host answers to it.
+    function dissect_udp(tvb, pinfo, tree)
+        local text = tvb:raw()
+        local head = BEACON_LINES[1].label .. ": "
+        if sub(text, 1, #head) == head then
+            show(pinfo, tvb, dissect_beacon(tvb, text, tree))
+            return tvb:len()
+        end
+        if has_tree(tree) then
+            tree:add(ev3, tvb(), "EV3: answer to a beacon"):add(field.beacon_answer, tvb())
+        end
+        show(pinfo, tvb, "answer to a beacon")
+        return tvb:len()
+    end
+end

@@ -1,0 +1,88 @@
+-- Reply values ------------------------------------------------------------------------------------------------------
+--
+-- A reply to a direct command is nothing but memory. Every output parameter of the command that names a global variable
+-- says what stands in it and where.
+
+-- How many bytes or elements a parameter has: what its length parameter says, or `most` where that does not say it.
+-- `lengths` are the constants of those parameters that tell one.
+local function stated_length(parameter, lengths, most)
+    local length = parameter.length
+    if type(length) == "string" then length = lengths[length] end
+    if not length then return most end
+    -- Some lengths are negative: -1 for no limit, others for bytes in reverse order.
+    if length == -1 and parameter.type == STRING then return most end
+    return floor(math.abs(length))
+end
+
+local reply_values
+do
+    -- The type of an output that has that of the array it comes from: what fits before the next output.
+    local function untyped(outputs, start, stop)
+        for _, output in ipairs(outputs) do
+            if start < output.index and output.index < stop then stop = output.index end
+        end
+        local room = stop - start
+        return room >= 4 and DATA32 or room >= 2 and DATA16 or room >= 1 and DATA8 or DATA32
+    end
+
+    -- Reads an output in a reply: its value (or a list of them), offset and size. False where the memory ends before.
+    local function read_output(output, outputs, reply)
+        local parameter, start = output.parameter, output.index
+        local type = output.is_handle and HANDLE or parameter.type
+        local most, at = reply.stop - HEADER_SIZE, HEADER_SIZE + start
+        output.at = at
+        if type == STRING then
+            local stop = math.min(start + stated_length(parameter, outputs.lengths, most), most)
+            output.value = sub(reply.text, at + 1, HEADER_SIZE + stop):match("^[^\0]*")
+            output.size = #output.value
+            return start < most
+        end
+        local is_list = parameter.length and type ~= ARRAY_TYPED
+        if type == ARRAY_TYPED then type = untyped(outputs, start, most) end
+        local read = READ_TYPE[type]
+        if not read then return false end
+        local size = SIZE_OF[type]
+        local count = is_list and stated_length(parameter, outputs.lengths, floor(most / size)) or 1
+        local room = floor((most - start) / size)
+        if is_list and count > room then count = room end
+        if count < 1 or count > room then return false end
+        output.size = count * size
+        if is_list then
+            output.list = {}
+            for index = 1, count do
+                output.list[index] = read(reply.text, at + (index - 1) * size)
+            end
+        else
+            output.value = read(reply.text, at)
+        end
+        return true
+    end
+
+    local function collect(outputs, parameter, encoding, value)
+        if encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
+            outputs[#outputs + 1] = { parameter = parameter, index = value, is_handle = encoding.handle }
+        elseif parameter.tells_length and encoding.kind == CONSTANT then
+            outputs.lengths[parameter.name] = value
+        end
+    end
+
+    -- What a reply says, operation by operation: { operation, its outputs }.
+    function reply_values(request, reply)
+        local text, at, found = request.text, COMMAND_HEADER_SIZE, {}
+        local outputs = { lengths = {} }
+        while at < #text do
+            local operation, behind, fault = read_operation(text, at, #text, collect, outputs, true)
+            if outputs[1] then
+                local values = {}
+                for _, output in ipairs(outputs) do
+                    if read_output(output, outputs, reply) then values[#values + 1] = output end
+                end
+                if values[1] then found[#found + 1] = { operation = operation, values = values } end
+                outputs = { lengths = {} }
+            end
+            if fault then break end
+            at = behind
+        end
+        return found
+    end
+end

@@ -1,0 +1,295 @@
+"""The tables as Lua: messages, encodings, enumerations, operations, system commands, and what goes before frames."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from itertools import groupby
+from typing import Any
+
+from construct.core import SizeofError
+
+from ev3proto.generate.dissector.lua import Name, Table, hexadecimal, literal
+from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
+from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, SENSOR_REPORT
+from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
+from ev3proto.tables import OPCODES, carriers, daisy, discovery, enumerations, frame
+from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Type
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, RANGES, TEXT, Encoding
+from ev3proto.tables.frame import MessageType
+from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
+
+TYPES = {member: Name(member.name) for member in Type}
+DIRECTIONS = {member: Name(member.name) for member in Direction}
+ENCODING_KINDS = {
+    CONSTANT: Name("CONSTANT"),
+    TEXT: Name("CONSTANT_TEXT"),
+    LOCAL: Name("LOCAL"),
+    GLOBAL: Name("GLOBAL"),
+    JUMP: Name("JUMP"),
+}
+FIELD_KINDS = {member: Name("BYTES" if member is Kind.DATA else member.name) for member in Kind}
+"""What types, directions, kinds of argument and of field are called in Lua."""
+
+
+def data() -> str:
+    """All the data, section by section."""
+    sections = (f"{_heading(title, text)}{''.join(lines).rstrip()}\n" for title, text, lines in _sections())
+    return "\n".join(sections)
+
+
+def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
+    yield "Words", "What the tables below are written with.", _words()
+    yield "Frames", "The header, the types of message, and how big things may be.", _frames()
+    yield (
+        "Arguments",
+        "What an identification byte says: first and last byte, encoding, kind, bytes that follow.",
+        (_encodings()),
+    )
+    yield "Enumerations", "Names of numbers.", _enumerations()
+    yield (
+        "Operations",
+        "Opcode, name, what it does; then either parameters or, for a family, its commands, which have those. A\n"
+        "-- parameter is its name, direction, type and meaning.",
+        _operations(),
+    )
+    yield (
+        "System commands",
+        "Number, name, what it does; request and reply are fields: name, kind, name in filters, label.",
+        _system(),
+    )
+    yield "Daisy chain", "What bricks say to each other when they are joined by USB.", _daisy()
+    yield "USB and Bluetooth", "How a brick shows itself.", _carriers()
+    yield "WiFi", "What goes back and forth before any frame does.", _wifi()
+
+
+def _heading(title: str, text: str) -> str:
+    return f"-- {title} {'-' * (115 - len(title))}\n--\n-- {text}\n\n"
+
+
+def _assign(name: str, value: object) -> str:
+    head = f"local {name} = "
+    return f"{head}{literal(value, used=len(head))}\n"
+
+
+def _words() -> Iterator[str]:
+    for members in (DIRECTIONS, TYPES, ENCODING_KINDS, FIELD_KINDS):
+        yield _names([str(name) for name in members.values()])
+    yield _assign("TYPE_NAMES", Table(named={member.name: member.label for member in Type}))
+    yield _assign("DIALECTS", Table(DIALECTS))
+    yield "\n"
+
+
+def _names(names: list[str]) -> str:
+    """Words that stand for themselves."""
+    quoted = ", ".join(f'"{name}"' for name in names)
+    return f"local {', '.join(names)} =\n    {quoted}\n"
+
+
+def _frames() -> Iterator[str]:
+    numbers = {
+        "LENGTH_FIELD": frame.LENGTH_FIELD,
+        "HEADER_SIZE": HEADER_SIZE,
+        "COMMAND_HEADER_SIZE": COMMAND_HEADER_SIZE,
+        "MIN_LENGTH": frame.MIN_LENGTH,
+        "MAX_LENGTH": frame.MAX_LENGTH,
+        "MOST_COUNTED": RANGES[Type.COUNT].high,
+    }
+    for name, number in numbers.items():
+        yield _assign(name, number)
+    yield _assign("GLOBAL_MASK", Name(f"0x{frame.MAX_GLOBALS:04X}"))
+    yield _assign("LOCAL_MASK", Name(f"0x{frame.MAX_LOCALS << frame.GLOBAL_BITS:04X}"))
+    yield _assign("REPORT_SIZES", Table(named=dict(zip(frame.REPORT_SIZES, ("daisy", "computer"), strict=True))))
+    yield "\n"
+    yield "local MESSAGE_TYPES = {\n"
+    for member in MessageType:
+        facts: dict[Any, object] = {"name": member.name, "carries": member.carries}
+        facts |= {name: True for name in ("is_command", "wants_reply", "is_error") if getattr(member, name)}
+        yield f"    [{hexadecimal(member)}] = {literal(Table(named=facts), 1, 13)},\n"
+    yield "}\n"
+    yield "local MESSAGE_TYPE_NAMES = {}\n"
+    yield "for number, declared in pairs(MESSAGE_TYPES) do\n    MESSAGE_TYPE_NAMES[number] = declared.name\nend\n\n"
+
+
+def _encodings() -> Iterator[str]:
+    yield "local ENCODING_ROWS = {\n"
+    for (encoding, _), run in groupby(range(256), key=_run_of):
+        if encoding is None:
+            continue
+        numbers = list(run)
+        named: dict[Any, object] = {name: True for name in ("handle", "address") if getattr(encoding, name)}
+        value = SHORT_VALUES[numbers[0]]
+        if value is not None:
+            named["value"] = value
+        row = [hexadecimal(numbers[0]), hexadecimal(numbers[-1]), encoding.name, ENCODING_KINDS[encoding.kind]]
+        if encoding.width is not None:
+            row.append(Name(encoding.width))
+        yield f"    {literal(Table(row, named))},\n"
+    yield "}\n\n"
+
+
+def _run_of(byte: int) -> tuple[Encoding | None, int | None]:
+    """Bytes next to each other that say the same, or whose values follow each other, are one row."""
+    value = SHORT_VALUES[byte]
+    return ENCODINGS[byte], None if value is None else value - byte
+
+
+def _enumerations() -> Iterator[str]:
+    yield "local ENUMERATIONS = {\n"
+    for enum in _used_enumerations():
+        names: dict[Any, object] = {}
+        for name, number in enum.members.items():
+            names.setdefault(number, name)
+        facts: dict[Any, object] = {"is_flags": True} if enum.flags else {}
+        facts["names"] = Table(named=names)
+        head = f"{enum.name} = "
+        yield f"    {head}{literal(Table(named=facts), 1, 5 + len(head))},\n"
+    yield "}\n\n"
+    yield "-- The type of the values that a number of DATA_FORMAT announces.\n"
+    yield _assign("FORMAT_TYPES", Table(named={code: TYPES[kind] for code, kind in enumerations.FORMAT_TYPES.items()}))
+    yield "\n"
+
+
+def _used_enumerations() -> list[Enumeration]:
+    found: dict[str, Enumeration] = {}
+    for opcode in OPCODES:
+        for parameters in (opcode.parameters, *(command.parameters for command in opcode.commands)):
+            for parameter in parameters:
+                if parameter.enum is not None:
+                    found.setdefault(parameter.enum.name, parameter.enum)
+    return sorted(found.values(), key=lambda enum: enum.name)
+
+
+def _operations() -> Iterator[str]:
+    yield "local OPERATIONS = {\n"
+    for opcode in OPCODES:
+        yield f"    {literal(_opcode(opcode), 1, 5)},\n"
+    yield "}\n"
+    yield "local OPCODE_NAMES = {}\n"
+    yield "for _, row in ipairs(OPERATIONS) do\n    OPCODE_NAMES[row[1]] = OPCODE_NAMES[row[1]] or row[2]\nend\n\n"
+
+
+def _opcode(opcode: Opcode) -> Table:
+    named = _dialects(opcode)
+    if opcode.is_family:
+        named["commands"] = Table([_command(command) for command in opcode.commands])
+    row = [hexadecimal(opcode.number), opcode.name, opcode.text]
+    return Table([*row, *map(_parameter, opcode.parameters)], named)
+
+
+def _command(command: Command) -> Table:
+    return Table([command.number, command.name, command.text, *map(_parameter, command.parameters)], _dialects(command))
+
+
+def _dialects(entry: Opcode | Command) -> dict[Any, object]:
+    return {} if entry.dialects == DIALECTS else {"dialects": Table(entry.dialects)}
+
+
+def _parameter(parameter: Parameter) -> Table:
+    named: dict[Any, object] = {}
+    if parameter.unit:
+        named["unit"] = parameter.unit
+    if parameter.enum is not None:
+        named["enum"] = Name(f"ENUMERATIONS.{parameter.enum.name}")
+    if parameter.special:
+        named["special"] = Table(named=dict(parameter.special))
+    if parameter.length is not None:
+        named["length"] = parameter.length
+    if parameter.element is not None:
+        named["element"] = TYPES[parameter.element] if isinstance(parameter.element, Type) else parameter.element
+    if parameter.type is Type.COUNT:
+        named["elements"] = DIRECTIONS[parameter.elements]
+    if parameter.validated is not None:
+        named["validated"] = TYPES[parameter.validated]
+    return Table([parameter.name, DIRECTIONS[parameter.direction], TYPES[parameter.type], parameter.text], named)
+
+
+def _system() -> Iterator[str]:
+    yield "local SYSTEM = {\n"
+    for command in SYSTEM:
+        yield f"    {literal(_system_command(command), 1, 5)},\n"
+    yield "}\n"
+    yield "local SYSTEM_NAMES = {}\n"
+    yield "for _, row in ipairs(SYSTEM) do\n    SYSTEM_NAMES[row[1]] = row[2]\nend\n\n"
+    yield _assign("STATUS_NAMES", Table(named={status.value: status.name for status in SystemStatus}))
+    yield _assign("STATUS_FAILS", Table(named={status.value: status.is_failure for status in SystemStatus}))
+    yield _assign("SUCCESS", SystemStatus.SUCCESS.value)
+    yield _assign("END_OF_FILE", SystemStatus.END_OF_FILE.value)
+    yield "\n"
+
+
+def _system_command(command: SystemCommand) -> Table:
+    named: dict[Any, object] = {}
+    for side in ("request", "reply"):
+        fields: tuple[Field, ...] = getattr(command, side)
+        if fields:
+            named[side] = Table([_system_field(command, field) for field in fields])
+    if command.transfer:
+        named["transfer"] = command.transfer
+    if command.bootloader:
+        named["bootloader"] = True
+    return Table([hexadecimal(command.number), command.name, command.text], named)
+
+
+def _system_field(command: SystemCommand, field: Field) -> Table:
+    named: dict[Any, object] = {}
+    if field.counts:
+        named["counts"] = field.counts
+    if field.optional:
+        named["optional"] = True
+    if field.name in HEXADECIMAL:
+        named["hexadecimal"] = True
+    return Table([field.name, FIELD_KINDS[field.kind], filter_name(command, field), label(field)], named)
+
+
+def _daisy() -> Iterator[str]:
+    yield _assign("DAISY_NAMES", Table(named={member.value: member.name for member in daisy.DaisyCommand}))
+    operations = {member.value: True for member in daisy.DaisyCommand if member.carries_operations}
+    yield _assign("DAISY_CARRIES_OPERATIONS", Table(named=operations))
+    yield "\n-- The data of a sensor in a daisy reply, part by part; the last one has what is left.\n"
+    rows = []
+    for part in SENSOR_REPORT.subcons:
+        size = _size_of(part)
+        rows.append(Table(named={"name": part.name} | ({} if size is None else {"size": size})))
+    yield _assign("SENSOR_REPORT", Table(rows))
+    yield _assign("SENSOR_REPORT_SIZE", sum(_size_of(part) or 0 for part in SENSOR_REPORT.subcons))
+    yield "\n"
+
+
+def _size_of(part: object) -> int | None:
+    """Bytes of a part of a Struct, None where it takes what is left."""
+    try:
+        return int(part.sizeof())  # type: ignore[attr-defined]
+    except SizeofError:
+        return None
+
+
+def _carriers() -> Iterator[str]:
+    yield "-- Vendor and product in one number: the brick, and its bootloader.\n"
+    products = (carriers.USB_PRODUCT, carriers.USB_BOOTLOADER)
+    yield _assign("USB_PRODUCTS", Table([Name(f"0x{carriers.USB_VENDOR:04X}{product:04X}") for product in products]))
+    yield _assign("RFCOMM_CHANNEL", carriers.RFCOMM_CHANNEL)
+
+
+def _wifi() -> Iterator[str]:
+    yield _assign("TCP_PORT", discovery.TCP_PORT)
+    yield _assign("BEACON_PORT", discovery.BEACON_PORT)
+    lines = [Table(named={"name": name, "label": label}) for name, label in discovery.BEACON_LINES.items()]
+    yield _assign("BEACON_LINES", Table(lines))
+    pieces = (
+        f"^{_plain(discovery.UNLOCK_REQUEST)}([%w_]*) ?{_plain(discovery.UNLOCK_VERSION)}"
+        f"(\r?\n){_plain(discovery.UNLOCK_PROTOCOL)}()"
+    )
+    yield _assign("UNLOCK_PATTERN", pieces)
+    yield _assign("UNLOCK_SERIAL_AT", len(discovery.UNLOCK_REQUEST))
+    yield _assign("UNLOCK_ENDINGS", discovery.UNLOCK_ENDINGS)
+    yield _assign("ACCEPT", discovery.ACCEPT.decode("ascii"))
+    first = {ord(discovery.UNLOCK_REQUEST[0]): True, discovery.ACCEPT[0]: True}
+    yield "-- The bytes that the two texts start with. No frame has such a length.\n"
+    yield _assign("TEXT_STARTS", Table(named=first))
+    yield "\n"
+
+
+def _plain(text: str) -> str:
+    """A text as a Lua pattern that matches just that."""
+    return re.sub(r"([^\w\s/:=])", r"%\1", text)

@@ -1,0 +1,161 @@
+"""The harness runs a script in tshark, sees what goes wrong in it, and leaves nothing behind."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Literal
+
+import pytest
+from pyshark.capture.capture import TSharkCrashException
+from wireshark import SETTING, Tshark
+
+# A dissector of one field, which is the first byte.
+SCRIPT = """
+local toy = Proto("ev3toy", "Toy")
+local first = ProtoField.uint8("ev3toy.first", "First", base.DEC)
+toy.fields = { first }
+function toy.dissector(tvb, pinfo, tree)
+    pinfo.cols.protocol = "TOY"
+    local item = tree:add(toy, tvb())
+    item:add(first, tvb(0, 1))
+end
+DissectorTable.get("udp.port"):add(5555, toy)
+DissectorTable.get("tcp.port"):add(5555, toy)
+"""
+BROKEN = {
+    "arithmetic": "local missing; missing = missing + 1",
+    "a method that is not there": "tvb(0, 1):nothing()",
+    "beyond the packet": "item:add(first, tvb(100, 1))",
+    "no words": "error({})",
+    "in the length of a PDU": "dissect_tcp_pdus(tvb, tree, 2, function() return nil + 1 end, function() return 4 end)",
+    "in a PDU": "dissect_tcp_pdus(tvb, tree, 2, function() return 4 end, function() return nil + 1 end)",
+}
+
+
+@pytest.fixture(scope="module")
+def tshark() -> Iterator[Tshark]:
+    with Tshark.from_setting(None) as tshark:
+        yield tshark
+
+
+@pytest.fixture
+def toy(tshark: Tshark) -> Tshark:
+    tshark.load(SCRIPT.encode())
+    return tshark
+
+
+def packets(path: Path, *words: str) -> Path:
+    """A capture of two packets."""
+    dump = "O 0000 2a 01 02 03\nI 0000 2b 04 05 06\n"
+    subprocess.run(["text2pcap", "-q", "-D", *words, "-", str(path)], input=dump.encode(), check=True, timeout=60)
+    return path
+
+
+@pytest.fixture
+def udp(tmp_path: Path) -> Path:
+    return packets(tmp_path / "udp.pcap", "-u", "40000,5555")
+
+
+@pytest.fixture
+def tcp(tmp_path: Path) -> Path:
+    return packets(tmp_path / "tcp.pcap", "-T", "40000,5555")
+
+
+def test_the_script_is_loaded(toy: Tshark, udp: Path) -> None:
+    assert toy.run(udp, "-T", "fields", "-e", "ev3toy.first").split() == ["42", "43"]
+    assert toy.run(udp).count(" TOY ") == 2
+    assert toy.run(udp, dissector=False).count(" UDP ") == 2
+    assert toy.lua_errors(udp) == []
+    assert toy.version >= (4, 0)
+    assert toy.lua == ("Lua 5.4" if toy.version >= (4, 4) else "Lua 5.2")
+
+
+@pytest.mark.parametrize("words", [(), ("-2",), ("-V",)], ids=" ".join)
+@pytest.mark.parametrize("fault", BROKEN)
+def test_an_error_in_a_packet_is_noticed(toy: Tshark, tcp: Path, fault: str, words: tuple[str, ...]) -> None:
+    toy.load(SCRIPT.replace("item:add(first, tvb(0, 1))", BROKEN[fault]).encode())
+    errors = toy.lua_errors(tcp, *words)
+    for number in ("frame 1", "frame 2"):
+        assert [error for error in errors if error.startswith(f"{number}: Lua Error: ")]
+    with pytest.raises(AssertionError, match=r"Lua Error|Dissector bug"):
+        toy.run(tcp, "-V")
+
+
+@pytest.mark.parametrize(
+    "fault", ["local x = = 1", "error('on loading')", "function toy.init() error('at the start') end"]
+)
+def test_an_error_outside_of_packets_is_noticed(toy: Tshark, udp: Path, fault: str) -> None:
+    toy.load((SCRIPT + fault).encode())
+    assert len(toy.lua_errors(udp)) == 1
+    with pytest.raises(AssertionError, match="Lua: "):
+        toy.run(udp)
+
+
+def test_a_capture_that_cannot_be_read_is_noticed(toy: Tshark) -> None:
+    with pytest.raises(AssertionError, match="exit status"):
+        toy.run(toy.place(b"no capture", "nothing.pcap"))
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("output", ["xml", "json", "ek"])
+def test_pyshark_reads_fields(toy: Tshark, udp: Path, output: Literal["xml", "json", "ek"]) -> None:
+    found = [packet.ev3toy.first for packet in toy.packets(udp, output=output)]
+    assert found == ([42, 43] if output == "ek" else ["42", "43"])
+    assert len(toy.packets(udp, "-Y", "ev3toy.first == 43", output=output)) == 1
+
+
+def test_pyshark_tells_of_a_tshark_that_fails(toy: Tshark, udp: Path) -> None:
+    with pytest.raises(TSharkCrashException):
+        toy.packets(udp, "-Y", "no such field")
+
+
+def test_a_pipe_is_read(toy: Tshark, udp: Path) -> None:
+    words = [str(toy.path), *toy.words, "-r", "-", "-T", "fields", "-e", "ev3toy.first"]
+    assert subprocess.run(words, input=udp.read_bytes(), capture_output=True, timeout=60).stdout.split() == [
+        b"42",
+        b"43",
+    ]
+
+
+def test_paths_mean_the_same_on_both_sides(toy: Tshark, udp: Path) -> None:
+    placed = toy.place(udp, "renamed.pcap")
+    assert placed.parent == toy.folder
+    toy.run(placed, "-w", str(toy.folder / "written.pcapng"))
+    written = toy.folder / "written.pcapng"
+    assert toy.run(written, "-T", "fields", "-e", "ev3toy.first").split() == ["42", "43"]
+    written.unlink()
+
+
+def stand_in(folder: Path, said: str) -> Path:
+    """A program that says it is a tshark, with a root beside it."""
+    (folder / "root" / "tmp").mkdir(parents=True)
+    program = folder / "tshark"
+    program.write_text(f'#!/bin/sh\n[ "$1" = -v ] && echo "TShark (Wireshark) 4.4.18." || echo "{said}"\n')
+    program.chmod(0o755)
+    return program
+
+
+def test_the_work_folder_of_another_root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(SETTING, str(stand_in(tmp_path, "loaded by Lua 5.4")))
+    with Tshark.from_setting(None) as tshark:
+        assert (tshark.version, tshark.lua, tshark.chrooted) == ((4, 4), "Lua 5.4", True)
+        inside = tmp_path / "root" / tshark.folder.relative_to("/")
+        tshark.place(b"bytes", "name")
+        assert (inside / "name").read_bytes() == b"bytes"
+    assert not inside.exists()
+    assert not tshark.folder.is_symlink()
+
+
+def test_a_tshark_that_loads_no_lua_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(SETTING, str(stand_in(tmp_path, "")))
+    with pytest.raises(AssertionError, match=r"loads no Lua script.* run the tests as an ordinary user"):
+        Tshark.from_setting(None).__enter__()
+    assert list((tmp_path / "root" / "tmp").iterdir()) == []
+
+
+def test_no_tshark_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(SETTING, "/nowhere/tshark")
+    with pytest.raises(AssertionError, match="there is no /nowhere/tshark"):
+        Tshark.from_setting()

@@ -1,117 +1,143 @@
 -- Dialogues ---------------------------------------------------------------------------------------------------------
 --
 -- Which reply answers which command, and which file is on its way. Wireshark dissects all packets once in their order
--- and afterwards whichever one is looked at: what is found out the first time is kept as a note on each message, and
--- later passes only read these notes.
+-- and afterwards whichever one is looked at: what is found out the first time is kept, by the place of each message,
+-- and later passes only look it up.
 
-local forget_dialogues, place_of, note_at, take_note
+local forget_dialogues, place_of, take_note, request_of, reply_to, transfer_at
 do
     -- Commands with one counter that are remembered, for senders who never change it.
     local MOST_PER_COUNTER = 4
 
-    local talks, notes
+    -- A message's place is the number of its packet and its offset there, in one number.
+    local OFFSETS = 0x100000
+
+    local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
+
+    -- Of commands that want a reply: the frame, the time, the place of the reply. Of replies: the place of the command,
+    -- the time that it took. Of messages on files: the file and how far it is. A long capture has a great many of
+    -- these: as plain numbers and strings they cost far less to keep than as a table each.
+    local frames, times, replies, requests, delays, transfers
+    local talks
 
     function forget_dialogues()
-        talks, notes = {}, {}
+        frames, times, replies, requests, delays, transfers = {}, {}, {}, {}, {}, {}
+        talks = {}
     end
     forget_dialogues()
+
+    function place_of(number, offset)
+        return number * OFFSETS + offset
+    end
+
+    local function number_of(place)
+        return place and floor(place / OFFSETS)
+    end
+
+    -- The command that a reply answers: its frame, the number of its packet, the time that the reply took in seconds.
+    function request_of(place)
+        local request = requests[place]
+        return frames[request], number_of(request), delays[place]
+    end
+
+    -- Whether a command wants a reply, and the number of the packet with it.
+    function reply_to(place)
+        return frames[place] ~= nil, number_of(replies[place])
+    end
+
+    -- The file that a message is about: path, size, bytes done.
+    function transfer_at(place)
+        return transfers[place]
+    end
 
     -- All that is known of the messages between one computer and one brick.
     local function talk_of(key)
         local talk = talks[key]
         if not talk then
-            talk = { pending = {}, begun = {}, transfers = {} }
+            talk = { pending = {}, begun = {}, open = {} }
             talks[key] = talk
         end
         return talk
     end
 
-    -- Where a message stands in the capture, as a key: no two messages share it, and every pass finds the same.
-    function place_of(number, offset)
-        return number * 0x100000 + offset
-    end
-
-    function note_at(place)
-        return notes[place]
-    end
-
     -- What a reply has in common with the command it answers.
     local function pending_key(message)
-        return message.type.carries .. message.counter
+        return CARRIES[message.type.carries] + message.counter
     end
 
-    local function remember(talk, message, pinfo)
-        local note = { number = pinfo.number, time = pinfo.rel_ts, text = message.text }
-        local key = pending_key(message)
-        local waiting = talk.pending[key]
+    -- Mostly one command waits under its counter: its place alone is kept then, else a list of them.
+    local function remember(talk, place, message, pinfo)
+        frames[place], times[place] = message.text, pinfo.rel_ts
+        local pending, key = talk.pending, pending_key(message)
+        local waiting = pending[key]
         if not waiting then
-            talk.pending[key] = { note }
+            pending[key] = place
+        elseif type(waiting) == "number" then
+            pending[key] = { waiting, place }
         else
-            waiting[#waiting + 1] = note
+            waiting[#waiting + 1] = place
             if #waiting > MOST_PER_COUNTER then table.remove(waiting, 1) end
         end
-        return note
     end
 
-    local function can_answer(message, note)
-        return message.type.carries ~= "system" or byte(note.text, HEADER_SIZE + 1) == byte(message.text, HEADER_SIZE + 1)
-    end
-
-    local function asked_globals(text)
-        local low, high = byte(text, HEADER_SIZE + 1, HEADER_SIZE + 2)
-        return high and (low + high * 0x100) % (GLOBAL_MASK + 1)
+    local function can_answer(message, frame)
+        return message.type.carries ~= "system" or byte(frame, HEADER_SIZE + 1) == byte(message.text, HEADER_SIZE + 1)
     end
 
     -- Whether a reply has just the size that was asked for.
-    local function fits(message, note)
-        return message.type.carries ~= "direct" or message.type.is_error
-            or message.size - HEADER_SIZE == asked_globals(note.text)
+    local function fits(message, frame)
+        if message.type.carries ~= "direct" or message.type.is_error or #frame < COMMAND_HEADER_SIZE then return true end
+        return message.size - HEADER_SIZE == unsigned16(frame, HEADER_SIZE) % (GLOBAL_MASK + 1)
     end
 
-    -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
-    -- newest, because a sender comes back to a counter only after it gave up on the one before.
+    -- The place of the command that a reply answers: of those with its counter the newest of the right size, else the
+    -- newest. The newest, because a sender comes back to a counter only after it gave up on the one before.
     local function answered(talk, message)
-        local key = pending_key(message)
-        local waiting = talk.pending[key]
-        if not waiting then return nil end
+        local pending, key = talk.pending, pending_key(message)
+        local waiting = pending[key]
+        if type(waiting) ~= "table" then
+            if not waiting or not can_answer(message, frames[waiting]) then return nil end
+            pending[key] = nil
+            return waiting
+        end
         local best
         for index = #waiting, 1, -1 do
-            if can_answer(message, waiting[index]) then
-                if fits(message, waiting[index]) then
+            local frame = frames[waiting[index]]
+            if can_answer(message, frame) then
+                best = best or index
+                if fits(message, frame) then
                     best = index
                     break
                 end
-                best = best or index
             end
         end
         if not best then return nil end
-        local note = table.remove(waiting, best)
-        if #waiting == 0 then talk.pending[key] = nil end
-        return note
-    end
-
-    local function snapshot(transfer)
-        return transfer and { path = transfer.path, size = transfer.size, done = transfer.done }
+        local place = table.remove(waiting, best)
+        if #waiting == 0 then pending[key] = nil end
+        return place
     end
 
     -- The file that a system command is about, as far as it is now.
     local function follow_request(talk, message)
         local command, values = message.command, message.fields
-        if not command or not command.transfer then return nil end
         if command.transfer == "begin" then
             local transfer = { path = values.path or "", size = values.size, done = 0 }
             talk.begun[message.counter] = transfer
             return transfer
         end
-        local transfer = talk.transfers[values.handle]
+        local transfer = talk.open[values.handle]
         if transfer and values.data then transfer.done = transfer.done + #values.data end
         return transfer
     end
 
-    -- The same for a reply.
+    -- The handle that a command for an open file has as its first field.
+    local function asked_handle(frame)
+        return frame and byte(frame, HEADER_SIZE + 2)
+    end
+
+    -- The same for a reply. `request` is the frame of the command that it answers.
     local function follow_reply(talk, message, request)
         local command, values = message.command, message.fields
-        if not command or not command.transfer then return nil end
         local failed = message.type.is_error or STATUS_FAILS[message.status] ~= false
         local transfer
         if command.transfer == "begin" then
@@ -119,13 +145,13 @@ do
             talk.begun[message.counter] = nil
             if failed or not values.handle then return transfer end
             -- Where the command was not seen, the handle stands for another file than before all the same.
-            talk.transfers[values.handle] = transfer
+            talk.open[values.handle] = transfer
         else
-            local handle = values.handle or (request and request.handle)
-            transfer = handle and talk.transfers[handle]
+            local handle = values.handle or asked_handle(request)
+            transfer = handle and talk.open[handle]
             -- The brick takes a handle back when a file is closed, complete or in trouble.
             if handle and (command.transfer == "close" or failed or message.status == END_OF_FILE) then
-                talk.transfers[handle] = nil
+                talk.open[handle] = nil
             end
         end
         if transfer then
@@ -138,30 +164,25 @@ do
     -- What becomes known of a message when it is seen for the first time. `key` tells which conversation it belongs to.
     function take_note(place, key, message, pinfo)
         local type = message.type
+        local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
-        if type.is_command and not type.wants_reply and type.carries ~= "system" then return end
-        local talk, note = talk_of(key(pinfo)), nil
+        if type.is_command and not type.wants_reply and not is_on_file then return end
+        local talk = talk_of(key(pinfo))
+        local transfer, request
         if type.is_command then
-            if type.wants_reply then note = remember(talk, message, pinfo) end
-            if type.carries == "system" then
-                local transfer = follow_request(talk, message)
-                if transfer then
-                    note = note or {}
-                    note.transfer, note.handle = snapshot(transfer), message.fields.handle
-                end
-            end
+            if type.wants_reply then remember(talk, place, message, pinfo) end
+            transfer = is_on_file and follow_request(talk, message)
         else
-            note = {}
-            local request = answered(talk, message)
+            request = answered(talk, message)
             if request then
-                request.reply = pinfo.number
-                note.request = request
-                note.time = pinfo.rel_ts - request.time
+                replies[request], requests[place] = place, request
+                delays[place] = pinfo.rel_ts - times[request]
+                times[request] = nil
             end
-            if type.carries == "system" then
-                note.transfer = snapshot(follow_reply(talk, message, request))
-            end
+            transfer = is_on_file and follow_reply(talk, message, frames[request])
         end
-        notes[place] = note
+        if transfer then
+            transfers[place] = { path = transfer.path, size = transfer.size, done = transfer.done }
+        end
     end
 end

@@ -2,9 +2,13 @@
 --
 -- What all carriers have in common: one frame of a buffer, and what the columns say of a packet.
 
--- In one-line output Wireshark makes no tree, and everything that is done for one would be done in vain.
+-- Whether anybody looks at the tree. In one-line output, and where filters, columns and colours are about other
+-- protocols, everything that is done for it would be done in vain.
+local this_dissector
+
 local function has_tree(tree)
-    return tree.text ~= nil
+    this_dissector = this_dissector or Dissector.get("ev3")
+    return tree:referenced(this_dissector)
 end
 
 local last_number, last_offset = 0, 0
@@ -26,7 +30,10 @@ end
 local function dissect_message(tvb, at, message, key, pinfo, tree, said)
     local place = place_of(pinfo.number, tvb:offset() + at)
     if not pinfo.visited then take_note(place, key, message, pinfo) end
-    return show_message(message, note_at(place), tvb, at, pinfo, has_tree(tree) and tree, said)
+    local is_shown = has_tree(tree)
+    -- Before 4.6 the protocol alone does not count as looked at, yet the protocol hierarchy counts its items.
+    if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
+    return show_message(message, place, tvb, at, pinfo, tree, is_shown, said)
 end
 
 local function is_length(low, high)

@@ -6,8 +6,10 @@
 
 local read_message, show_message, complain
 do
+    -- Wireshark collects expert information also where it makes no tree: `item` is the root of it then, and nil where a
+    -- frame is only tried.
     function complain(item, kind, text)
-        item:add_proto_expert_info(experts[kind], text)
+        if item then item:add_proto_expert_info(experts[kind], text) end
     end
 
     local function add_rest(item, part, at, stop)
@@ -48,7 +50,9 @@ do
             size = size * stated_length(parameter, view.lengths, 1)
         end
         local asked = encoding.kind == GLOBAL and view.globals or view.locals
-        if asked and index + size > asked then
+        -- Without a tree one such variable stands for all: there is nothing to point at.
+        if asked and index + size > asked and not view.is_told then
+            view.is_told = view.tells_once
             local reason = "%s reaches up to byte %d of the %s memory, of which the command asks for %s"
             local scope = encoding.kind == GLOBAL and "global" or "local"
             complain(added, "beyond_memory", format(reason, parameter.name, index + size, scope, plural(asked, "byte")))
@@ -75,6 +79,7 @@ do
     -- behind what could be read, and the fault where there is one.
     local function add_operations(item, part, text, at, stop, globals, locals)
         local line, count = nil, 0
+        local view = { part = part, globals = globals, locals = locals, lengths = {} }
         while at < stop do
             local code = byte(text, at + 1)
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
@@ -87,14 +92,14 @@ do
                     cmd:add(field.encoding, part(at + 1, at + 2), ENCODINGS[byte(text, at + 2)].label)
                 end
             end
-            local view = { operation.heading, item = heading, part = part, lengths = {} }
-            view.globals, view.locals = globals, locals
+            view.item, view.count, view[1] = heading, 1, operation.heading
+            if next(view.lengths) then view.lengths = {} end
             local _, behind
             _, behind, offset, reason, kind = read_operation(text, at, stop, add_argument, view)
-            heading:set_text(concat(view)):set_len(behind - at)
+            heading:set_text(concat(view, "", 1, view.count)):set_len(behind - at)
             if not line then
                 view[1] = operation.title
-                line = concat(view)
+                line = concat(view, "", 1, view.count)
             end
             count = count + 1
             if reason then return line, count, behind, { at = offset, reason = reason, kind = kind } end
@@ -103,18 +108,29 @@ do
         return line, count, at
     end
 
+    local function say_argument(view, parameter, encoding, value)
+        if encoding.scope then
+            check_variable(view.target, view, parameter, encoding, value)
+        elseif parameter.tells_length and encoding.kind == CONSTANT then
+            view.lengths[parameter.name] = value
+        end
+        if view.is_first then add_phrase(view, parameter, encoding, value) end
+    end
+
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    local function say_operations(text, at, stop)
+    local function say_operations(text, at, stop, target, globals, locals)
         local line, count = nil, 0
+        local view = { "", count = 1, target = target, globals = globals, locals = locals, lengths = {} }
+        view.is_first, view.tells_once = true, true
         while at < stop do
-            local pieces = not line and { "" } or nil
-            local operation, behind, offset, reason, kind =
-                read_operation(text, at, stop, pieces and add_phrase, pieces)
+            local operation, behind, offset, reason, kind = read_operation(text, at, stop, say_argument, view)
             if operation then
-                if pieces then
-                    pieces[1] = operation.title
-                    line = concat(pieces)
+                if not line then
+                    view[1] = operation.title
+                    line = concat(view, "", 1, view.count)
+                    view.is_first = false
                 end
+                if next(view.lengths) then view.lengths = {} end
                 count = count + 1
             end
             if reason then return line, count, behind, { at = offset, reason = reason, kind = kind } end
@@ -135,19 +151,20 @@ do
             add_rest(item, part, at, stop)
             return message.type.name
         end
+        local sizes = unsigned16(text, at)
+        local globals, locals = sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
         local line, count, behind
         if item then
-            local sizes, range = unsigned16(text, at), part(at, at + 2)
-            local globals = sizes % (GLOBAL_MASK + 1)
+            local range = part(at, at + 2)
             local memory = item:add(field.memory_sizes, range, sizes)
             memory:add_le(field.globals, range)
             memory:add_le(field.locals, range)
-            local locals = floor(sizes / (GLOBAL_MASK + 1))
             line, count, behind, message.fault =
                 add_operations(item, part, text, COMMAND_HEADER_SIZE, stop, globals, locals)
             if message.fault then add_rest(item, part, behind, stop) end
         else
-            line, count, behind, message.fault = say_operations(text, COMMAND_HEADER_SIZE, stop)
+            line, count, behind, message.fault =
+                say_operations(text, COMMAND_HEADER_SIZE, stop, message.target, globals, locals)
         end
         return line and operations_line(line, count) or message.fault and message.type.name or "no operations"
     end
@@ -169,21 +186,24 @@ do
         end
     end
 
-    local function direct_reply(message, note, item, part)
-        local request, stop = note and note.request, message.stop
+    local function direct_reply(message, place, item, part)
+        local request, stop = request_of(place), message.stop
         if item and stop > HEADER_SIZE then item:add(field.memory, part(HEADER_SIZE, stop)) end
         if message.type.is_error then
-            if item then complain(item, "error_reply", "the brick refused or failed the command; it tells no more") end
-            local operation = request and #request.text > COMMAND_HEADER_SIZE
-                and read_operation(request.text, COMMAND_HEADER_SIZE, #request.text)
+            complain(message.target, "error_reply", "the brick refused or failed the command; it tells no more")
+            local operation = request and #request > COMMAND_HEADER_SIZE
+                and read_operation(request, COMMAND_HEADER_SIZE, #request)
             return operation and "error reply to " .. operation.title or "error reply"
         end
         local size = plural(stop - HEADER_SIZE, "byte")
         if not request then return "reply: " .. size .. ", command not seen" end
         local found = reply_values(request, message)
         for _, group in ipairs(item and found or {}) do
-            local first, last = group.values[1], group.values[#group.values]
-            local range = part(first.at, math.max(last.at + last.size, first.at))
+            local start, behind = stop, HEADER_SIZE
+            for _, output in ipairs(group.values) do
+                start, behind = math.min(start, output.at), math.max(behind, output.at + output.size)
+            end
+            local range = part(start, behind)
             local added = item:add(field.answers, range, group.operation.name):set_text(group.operation.title)
             for _, output in ipairs(group.values) do
                 add_output(added, part, output)
@@ -211,8 +231,8 @@ do
     end
 
     -- What a system message is about: the pieces of a file are about the file and how far it is.
-    local function subject_text(message, note)
-        local transfer = note and note.transfer
+    local function subject_text(message, place)
+        local transfer = transfer_at(place)
         if transfer and transfer.path ~= "" and not (message.command.transfer == "begin" and message.type.is_command) then
             return " " .. transfer_text(transfer)
         end
@@ -232,7 +252,7 @@ do
     end
 
     -- Commands and replies. Their fields were read with the frame, as the notes on files need them.
-    local function system_message(message, note, item, part)
+    local function system_message(message, place, item, part)
         local at, stop, command, status = HEADER_SIZE, message.stop, message.command, message.status
         local number = at < stop and byte(message.text, at + 1)
         local status_name = status and (STATUS_NAMES[status] or format("status %d", status))
@@ -243,14 +263,14 @@ do
             end
             if status then
                 item:add(field.status, part(at + 1, at + 2), status)
-                if STATUS_FAILS[status] ~= false or message.type.is_error then
-                    complain(item, "failed", "the command failed: " .. status_name)
-                end
             end
             add_fields(item, part, message)
         end
+        if status and (STATUS_FAILS[status] ~= false or message.type.is_error) then
+            complain(message.target, "failed", "the command failed: " .. status_name)
+        end
         if not command then return number and format("system command 0x%02X", number) or message.type.name end
-        local line = command.name .. subject_text(message, note)
+        local line = command.name .. subject_text(message, place)
         if message.type.is_command then return line end
         return "reply: " .. (status ~= SUCCESS and line .. " " .. status_name or line)
     end
@@ -335,27 +355,28 @@ do
         end
     end
 
-    local function add_links(item, message, note, pinfo)
+    local function add_links(item, message, place, pinfo)
         local type = message.type
         if not type or message.is_overwritten then return end
-        if type.wants_reply and note and note.number then
-            if note.reply then
-                item:add(field.response_in, note.reply):set_generated()
-            elseif pinfo.visited then
-                complain(item, "unanswered", "no reply to this command was seen")
+        if type.is_command then
+            local is_waiting, reply = reply_to(place)
+            if is_waiting and not reply and pinfo.visited then
+                complain(message.target, "unanswered", "no reply to this command was seen")
+            elseif reply and item then
+                item:add(field.response_in, reply):set_generated()
             end
-        elseif not type.is_command then
-            local request = note and note.request
-            if request then
-                item:add(field.request_in, request.number):set_generated()
-                local seconds = floor(note.time)
-                local time = NSTime.new(seconds, floor((note.time - seconds) * 1e9 + 0.5))
+        else
+            local request, number, delay = request_of(place)
+            if not request then
+                complain(message.target, "orphan", "the command that this reply answers was not seen")
+            elseif item then
+                item:add(field.request_in, number):set_generated()
+                local seconds = floor(delay)
+                local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
                 item:add(field.response_time, time):set_generated()
-            else
-                complain(item, "orphan", "the command that this reply answers was not seen")
             end
         end
-        local transfer = note and note.transfer
+        local transfer = item and transfer_at(place)
         if transfer then
             item:add(field.transfer_path, utf8_text(transfer.path)):set_generated()
             item:add(field.transfer_done, transfer.done):set_generated()
@@ -400,11 +421,12 @@ do
         return message
     end
 
-    -- The line on a message. With a tree, its item there too; `said` is what is said of it instead of what it says.
-    function show_message(message, note, tvb, at, pinfo, tree, said)
+    -- The line on a message at a place. With a tree that anybody looks at, its item there too; `said` is said of the
+    -- message instead of what it says. Without `tree` a frame is only tried.
+    function show_message(message, place, tvb, at, pinfo, tree, is_shown, said)
         local show = shower_of(message.type)
         local item, part, line
-        if tree then
+        if is_shown then
             function part(start, stop)
                 return tvb(at + start, stop - start)
             end
@@ -413,15 +435,14 @@ do
             item:add(field.counter, part(2, 4), message.counter)
             item:add(field.type, part(4, 5), byte(message.text, HEADER_SIZE))
         end
-        line = show(message, note, item, part)
+        message.target = item or tree
+        line = show(message, place, item, part)
         check_size(message)
         local fault = message.fault
         line = said or fault and format("%s [fault at offset %d: %s]", line, fault.at, fault.reason) or line
-        if item then
-            item:set_text("EV3: " .. line)
-            add_links(item, message, note, pinfo)
-            if fault then complain(item, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
-        end
+        if item then item:set_text("EV3: " .. line) end
+        if tree then add_links(item, message, place, pinfo) end
+        if fault then complain(message.target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end
 end

@@ -48,15 +48,17 @@ local function argument_text(parameter, encoding, value)
     return parameter.is_float and number_text(value) or value
 end
 
--- A line on an operation is collected piece by piece: SOUND TONE volume=1 frequency=440 duration=1000
+-- A line on an operation is collected piece by piece, `count` of them: SOUND TONE volume=1 frequency=440 duration=1000
 local function add_phrase(pieces, parameter, encoding, value)
-    local count = #pieces
     if parameter.direction == OUT then return end
+    local count = pieces.count
     if count <= 2 * MOST_VALUES then
         pieces[count + 1] = parameter.key
         pieces[count + 2] = argument_text(parameter, encoding, value)
+        pieces.count = count + 2
     elseif count == 2 * MOST_VALUES + 1 then
         pieces[count + 1] = " ..."
+        pieces.count = count + 1
     end
 end
 

@@ -71,14 +71,15 @@ local READ_UNSIGNED = { [1] = function(text, at) return byte(text, at + 1) end, 
 local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
 local READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
 
-local utf8_of = {}
+-- A zero would end the text there; it is shown as its symbol.
+local utf8_of = { ["\0"] = "\226\144\128" }
 for code = 0x80, 0xFF do
     utf8_of[string.char(code)] = string.char(0xC0 + floor(code / 0x40), 0x80 + code % 0x40)
 end
 
 -- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
 local function utf8_text(text)
-    return (gsub(text, "[\128-\255]", utf8_of))
+    return (gsub(text, "[\0\128-\255]", utf8_of))
 end
 
 -- The offset behind the argument at an offset; else nil, the offset of the fault and the reason.

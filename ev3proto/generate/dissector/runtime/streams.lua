@@ -49,12 +49,13 @@ do
     end
 
     local function add_faulty(tvb, at, stop, tree, said, kind, reason)
+        local item
         if has_tree(tree) then
             local range = tvb(at, stop - at)
-            local item = tree:add(ev3, range, "EV3: " .. said)
+            item = tree:add(ev3, range, "EV3: " .. said)
             item:add(field.rest, range)
-            complain(item, kind, reason)
         end
+        complain(item or tree, kind, reason)
         return said, stop
     end
 
@@ -114,9 +115,7 @@ do
             local head = line.label .. ": "
             local stop = find(text, "\r\n", at + 1, true)
             if not stop or sub(text, at + 1, at + #head) ~= head then
-                if item then
-                    complain(item, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
-                end
+                complain(item or tree, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
                 break
             end
             local value = utf8_text(sub(text, at + #head + 1, stop - 1))

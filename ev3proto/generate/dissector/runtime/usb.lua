@@ -38,8 +38,8 @@ do
             line = "bootloader fault: reply to " .. message.command.name .. " overwritten by its request"
         end
         local said, item = dissect_message(tvb, 0, message, device_key, pinfo, tree, line)
-        if item and message.is_overwritten then
-            complain(item, "bootloader_fault", "a known fault of the EV3's bootloader on USB 3 ports: the reply to "
+        if message.is_overwritten then
+            complain(item or tree, "bootloader_fault", "a known fault of the EV3's bootloader on USB 3 ports: the reply to "
                 .. message.command.name .. " with the request written over its first bytes")
         end
         if item and stop < #text then
@@ -70,7 +70,7 @@ do
             if message.size <= COMMAND_HEADER_SIZE then return false end
             return select(2, count_operations(message.text, COMMAND_HEADER_SIZE, message.stop)) == nil
         end
-        show_message(message)
+        show_message(message, 0)
         return not message.fault
     end
 

@@ -27,6 +27,8 @@ do
 
     -- Reads an output in a reply: its value (or a list of them), offset and size. False where the memory ends before.
     local function read_output(output, outputs, reply)
+        -- At an address there is no value but where the value is.
+        if output.is_address then return false end
         local parameter, start = output.parameter, output.index
         local type = output.is_handle and HANDLE or parameter.type
         local most, at = reply.stop - HEADER_SIZE, HEADER_SIZE + start
@@ -59,16 +61,18 @@ do
     end
 
     local function collect(outputs, parameter, encoding, value)
-        if encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
-            outputs[#outputs + 1] = { parameter = parameter, index = value, is_handle = encoding.handle }
+        if encoding.kind == GLOBAL and parameter.is_output then
+            outputs[#outputs + 1] = {
+                parameter = parameter, index = value, is_handle = encoding.handle, is_address = encoding.address,
+            }
         elseif parameter.tells_length and encoding.kind == CONSTANT then
             outputs.lengths[parameter.name] = value
         end
     end
 
-    -- What a reply says, operation by operation: { operation, its outputs }.
-    function reply_values(request, reply)
-        local text, at, found = request.text, COMMAND_HEADER_SIZE, {}
+    -- What a reply says, operation by operation: { operation, its outputs }. `text` is the frame of the command.
+    function reply_values(text, reply)
+        local at, found = COMMAND_HEADER_SIZE, {}
         local outputs = { lengths = {} }
         while at < #text do
             local operation, behind, fault = read_operation(text, at, #text, collect, outputs, true)
@@ -78,8 +82,8 @@ do
                     if read_output(output, outputs, reply) then values[#values + 1] = output end
                 end
                 if values[1] then found[#found + 1] = { operation = operation, values = values } end
-                outputs = { lengths = {} }
             end
+            if outputs[1] or next(outputs.lengths) then outputs = { lengths = {} } end
             if fault then break end
             at = behind
         end

@@ -3884,7 +3884,8 @@ local BEACON_LINES = {
     { name = "protocol", label = "Protocol" },
 }
 local UNLOCK_PATTERN = "^GET /target%?sn=([%w_]*) ?VMTP1%.0(\r?\n)Protocol: EV3()"
-local UNLOCK_SERIAL_AT = 15
+local UNLOCK_REQUEST = "GET /target?sn="
+local MOST_UNLOCK = 128
 local UNLOCK_ENDINGS = 2
 local ACCEPT = "Accept:EV340\r\n\r\n"
 -- The bytes that the two texts start with. No frame has such a length.
@@ -3910,15 +3911,15 @@ local field = {
     locals = ProtoField.uint16("ev3.locals", "Local memory", base.UNIT_STRING, { " byte", " bytes" }, LOCAL_MASK),
 
     opcode = ProtoField.uint8("ev3.op", "Opcode", base.HEX, OPCODE_NAMES),
-    cmd = ProtoField.string("ev3.cmd", "CMD", base.ASCII, "opcode and CMD by name, such as SOUND.TONE"),
-    encoding = ProtoField.string("ev3.argument.encoding", "Encoding", base.ASCII, "how the argument is encoded"),
-    variable = ProtoField.string("ev3.argument.variable", "Variable", base.ASCII,
+    cmd = ProtoField.string("ev3.cmd", "CMD", "opcode and CMD by name, such as SOUND.TONE"),
+    encoding = ProtoField.string("ev3.argument.encoding", "Encoding", "how the argument is encoded"),
+    variable = ProtoField.string("ev3.argument.variable", "Variable",
         "the variable that stands for a value, such as GV(0)"),
-    other = ProtoField.string("ev3.argument.value", "Value", base.ASCII,
+    other = ProtoField.string("ev3.argument.value", "Value",
         "a constant that has not the type of its parameter"),
 
     memory = ProtoField.bytes("ev3.memory", "Global memory"),
-    answers = ProtoField.string("ev3.answers", "Answers", base.ASCII,
+    answers = ProtoField.string("ev3.answers", "Answers",
         "in a reply: the operation whose outputs these are, such as UI_READ.GET_VBATT"),
     list = ProtoField.none("ev3.values", "Values"),
 
@@ -3982,9 +3983,9 @@ local function parameter_field(abbreviation, parameter, kind)
     local name, text = parameter.name, parameter.text
     local made
     if kind == TEXT_VALUE then
-        made = ProtoField.string(abbreviation, name, base.ASCII, text)
+        made = ProtoField.string(abbreviation, name, text)
     elseif kind == FLOAT then
-        made = ProtoField.float(abbreviation, name, base.DEC, nil, nil, text)
+        made = ProtoField.float(abbreviation, name, text)
     elseif parameter.enum and not parameter.enum.is_flags then
         made = ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
     elseif parameter.unit then
@@ -4089,7 +4090,7 @@ local function ready_element(list, abbreviation, type, direction, is_any)
         element.field, element.kind = list.field, list.kind
     elseif is_any then
         -- Another argument tells the type: a double holds whatever number it is.
-        list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", list.name, base.DEC, nil, nil, list.text)
+        list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", list.name, list.text)
         element.field, element.kind = list.any_field, FLOAT
     else
         element.kind = PARAMETER_KINDS[type] or NUMBER
@@ -4195,7 +4196,8 @@ for _, row in ipairs(SYSTEM) do
     }
     for _, side in ipairs({ command.request, command.reply }) do
         for _, declared in ipairs(side) do
-            declared.name, declared.kind, declared.filter, declared.label = declared[1], declared[2], declared[3], declared[4]
+            declared.name, declared.kind = declared[1], declared[2]
+            declared.filter, declared.label = declared[3], declared[4]
             declared.field = system_field(declared)
         end
     end
@@ -4366,10 +4368,10 @@ local function count_elements(text, list, counter, at, behind, stop)
     return value
 end
 
--- One operation: what it is and the offset behind it. Each of its arguments is handed to `visit`, if that is given, with
--- its parameter, encoding, value, and the offsets of its first byte and behind its last; with `for_reply` only those of
--- operations that have outputs. At a fault the offset is the one behind what could be read, and the fault's offset, reason
--- and kind follow.
+-- One operation: what it is and the offset behind it. Each of its arguments is handed to `visit`, if that is given,
+-- with its parameter, encoding, value, and the offsets of its first byte and behind its last; with `for_reply` only
+-- those of operations that have outputs. At a fault the offset is the one behind what could be read, and the fault's
+-- offset, reason and kind follow.
 local function read_operation(text, at, stop, visit, context, for_reply)
     local operation, behind, reason, kind = select_operation(text, at, stop)
     if not operation then return nil, at, behind, reason, kind end
@@ -4572,7 +4574,8 @@ do
 
     -- Whether a reply has just the size that was asked for.
     local function fits(message, frame)
-        if message.type.carries ~= "direct" or message.type.is_error or #frame < COMMAND_HEADER_SIZE then return true end
+        local type = message.type
+        if type.carries ~= "direct" or type.is_error or #frame < COMMAND_HEADER_SIZE then return true end
         return message.size - HEADER_SIZE == unsigned16(frame, HEADER_SIZE) % (GLOBAL_MASK + 1)
     end
 
@@ -4909,7 +4912,10 @@ do
         end
         added = item:add(parameter.field, range, is_text and utf8_text(value) or value)
         if name ~= parameter.field_name then
-            added:set_text(name .. ": " .. (is_text and shortened(value) or number_text(value)))
+            -- An element of a list has its number in its name.
+            local symbol = parameter.enum and not parameter.is_flags and parameter.enum.names[value]
+            local text = is_text and shortened(value) or number_text(value)
+            added:set_text(name .. ": " .. (symbol and format("%s (%s)", symbol, text) or text))
         elseif kind == FLOAT and parameter.unit then
             added:append_text(" " .. parameter.unit)
         end
@@ -4926,7 +4932,8 @@ do
         if alignment and index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-            complain(added, "misaligned", format(reason, parameter.name, sort, alignment, variable_text(encoding, index)))
+            local variable = variable_text(encoding, index)
+            complain(added, "misaligned", format(reason, parameter.name, sort, alignment, variable))
         end
         local size = encoding.handle and 2 or encoding.address and 4 or parameter.size or 1
         if parameter.length and parameter.is_output and not encoding.handle then
@@ -5116,7 +5123,8 @@ do
     -- What a system message is about: the pieces of a file are about the file and how far it is.
     local function subject_text(message, place)
         local transfer = transfer_at(place)
-        if transfer and transfer.path ~= "" and not (message.command.transfer == "begin" and message.type.is_command) then
+        local is_first = message.command.transfer == "begin" and message.type.is_command
+        if transfer and transfer.path ~= "" and not is_first then
             return " " .. transfer_text(transfer)
         end
         return fields_text(message)
@@ -5181,7 +5189,8 @@ do
         end
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
-        if payload < stop and DAISY_CARRIES_OPERATIONS[number] and not select(2, count_operations(text, payload, stop)) then
+        local is_code = payload < stop and DAISY_CARRIES_OPERATIONS[number]
+        if is_code and not select(2, count_operations(text, payload, stop)) then
             local said, count = say_operations(text, payload, stop)
             if added then add_operations(added, part, text, payload, stop) end
             line = line .. ": " .. operations_line(said, count)
@@ -5357,8 +5366,9 @@ local function show(pinfo, tvb, said)
     last_number, last_offset = pinfo.number, offset
 end
 
--- A message in a buffer: `key` is the function that tells the conversation it belongs to, `said` what is said of it instead of what it says
--- itself. Returns the line for the info column and, if there is a tree, the message's item in it.
+-- A message in a buffer: `key` is the function that tells the conversation it belongs to, `said` what is said of it
+-- instead of what it says itself. Returns the line for the info column and, if there is a tree, the message's item in
+-- it.
 local function dissect_message(tvb, at, message, key, pinfo, tree, said)
     local place = place_of(pinfo.number, tvb:offset() + at)
     if not pinfo.visited then take_note(place, key, message, pinfo) end
@@ -5412,7 +5422,7 @@ do
             local range = tvb(at, behind - at)
             local item = tree:add(ev3, range, "EV3: " .. said)
             item:add(field.unlock, range)
-            item:add(field.unlock_serial, tvb(at + UNLOCK_SERIAL_AT, #serial))
+            item:add(field.unlock_serial, tvb(at + #UNLOCK_REQUEST, #serial))
         end
         return said, behind
     end
@@ -5435,6 +5445,33 @@ do
         local said, behind = dissect_unlock(tvb, text, at, tree)
         if said then return said, behind end
         return dissect_accept(tvb, text, at, tree)
+    end
+
+    local function starts_with(text, start)
+        return sub(text, 1, #start) == start
+    end
+
+    -- Whether one of the texts may have begun here, and goes on in the next segment.
+    local function is_part_of_text(text, at)
+        local part = sub(text, at + 1)
+        if starts_with(ACCEPT, part) or starts_with(UNLOCK_REQUEST, part) then return true end
+        return #part < MOST_UNLOCK and starts_with(part, UNLOCK_REQUEST)
+    end
+
+    -- What is left of a text that came in an earlier segment: its line ends, or the zero behind the answer.
+    local function end_of_text(text, at)
+        local ends = text:match("^[\r\n]+()", at + 1)
+        if ends then return ends - 1 end
+        local zero, low, high = byte(text, at + 1, at + 3)
+        return zero == 0 and high and is_length(low, high) and at + 1 or nil
+    end
+
+    local function dissect_end_of_text(tvb, at, behind, tree)
+        if has_tree(tree) then
+            local range = tvb(at, behind - at)
+            tree:add(ev3, range, "EV3: end of the text before"):add(field.rest, range)
+        end
+        return "end of the text before", behind
     end
 
     local function add_faulty(tvb, at, stop, tree, said, kind, reason)
@@ -5463,11 +5500,19 @@ do
         while at < captured do
             local low, high = byte(text, at + 1, at + 2)
             local said, behind
-            if TEXT_STARTS[low] then said, behind = dissect_text(tvb, text, at, tree) end
+            if TEXT_STARTS[low] then
+                said, behind = dissect_text(tvb, text, at, tree)
+                if not said and not is_last and is_part_of_text(text, at) then return at, nil, all end
+            end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
                 if size and not is_length(low, high) then
-                    said, behind = dissect_no_frame(tvb, at, captured, size - LENGTH_FIELD, tree)
+                    behind = end_of_text(text, at)
+                    if behind then
+                        said, behind = dissect_end_of_text(tvb, at, behind, tree)
+                    else
+                        said, behind = dissect_no_frame(tvb, at, captured, size - LENGTH_FIELD, tree)
+                    end
                 elseif not is_last and (not size or at + size > reported) then
                     return at, size and at + size - reported, all
                 elseif captured - at < HEADER_SIZE then
@@ -5574,8 +5619,9 @@ do
         end
         local said, item = dissect_message(tvb, 0, message, device_key, pinfo, tree, line)
         if message.is_overwritten then
-            complain(item or tree, "bootloader_fault", "a known fault of the EV3's bootloader on USB 3 ports: the reply to "
-                .. message.command.name .. " with the request written over its first bytes")
+            local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
+                .. " written over its first bytes"
+            complain(item or tree, "bootloader_fault", format(reason, message.command.name))
         end
         if item and stop < #text then
             local rest = tvb(stop, #text - stop)

@@ -156,7 +156,7 @@ def _readable(source: Source) -> Iterator[Pasted]:
     "--dialect", type=click.Choice(DIALECTS), default="official", show_default=True, help="Whose instruction set it is."
 )
 def decode(sources: tuple[str, ...], style: str, as_json: bool, dialect: str) -> None:
-    r"""Tells what frames say.
+    """Tells what frames say.
 
     Give frames themselves, files that have them in their lines, or - (or nothing) for standard input. Any form will do:
     log lines with their times, hex with or without spaces and colons, C arrays, Python byte strings.
@@ -166,7 +166,7 @@ def decode(sources: tuple[str, ...], style: str, as_json: bool, dialect: str) ->
       ev3proto decode 0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03
       ev3proto decode --format table robot.log
       python3 my_program.py | ev3proto decode --json
-    """
+    """  # noqa: D301 - the mark by which click leaves lines as they are
     show = Show("json" if as_json else style, dialect)
     for source in _sources(sources):
         for pasted in _readable(source):

@@ -7,6 +7,7 @@ import sys
 import click
 
 from ev3proto.cli.decode import decode
+from ev3proto.cli.dissector import dissector
 from ev3proto.cli.ops import ops
 from ev3proto.cli.output import complain
 from ev3proto.version import VERSION
@@ -22,6 +23,7 @@ def cli() -> None:
 
 
 cli.add_command(decode)
+cli.add_command(dissector)
 cli.add_command(ops)
 
 

@@ -21,6 +21,9 @@ UNLOCK_VERSION = "VMTP1.0"
 UNLOCK_PROTOCOL = f"Protocol: {PROTOCOL}"
 """The host's second line."""
 
+MOST_UNLOCK = 128
+"""Bytes that an unlock text surely stays below: a serial number has 12."""
+
 UNLOCK_ENDINGS = 2
 """Most line ends behind the second line: none, one, or one and an empty line."""
 

@@ -281,7 +281,8 @@ def _wifi() -> Iterator[str]:
         f"(\r?\n){_plain(discovery.UNLOCK_PROTOCOL)}()"
     )
     yield _assign("UNLOCK_PATTERN", pieces)
-    yield _assign("UNLOCK_SERIAL_AT", len(discovery.UNLOCK_REQUEST))
+    yield _assign("UNLOCK_REQUEST", discovery.UNLOCK_REQUEST)
+    yield _assign("MOST_UNLOCK", discovery.MOST_UNLOCK)
     yield _assign("UNLOCK_ENDINGS", discovery.UNLOCK_ENDINGS)
     yield _assign("ACCEPT", discovery.ACCEPT.decode("ascii"))
     first = {ord(discovery.UNLOCK_REQUEST[0]): True, discovery.ACCEPT[0]: True}

@@ -86,7 +86,8 @@ do
 
     -- Whether a reply has just the size that was asked for.
     local function fits(message, frame)
-        if message.type.carries ~= "direct" or message.type.is_error or #frame < COMMAND_HEADER_SIZE then return true end
+        local type = message.type
+        if type.carries ~= "direct" or type.is_error or #frame < COMMAND_HEADER_SIZE then return true end
         return message.size - HEADER_SIZE == unsigned16(frame, HEADER_SIZE) % (GLOBAL_MASK + 1)
     end
 

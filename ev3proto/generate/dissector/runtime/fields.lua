@@ -18,15 +18,15 @@ local field = {
     locals = ProtoField.uint16("ev3.locals", "Local memory", base.UNIT_STRING, { " byte", " bytes" }, LOCAL_MASK),
 
     opcode = ProtoField.uint8("ev3.op", "Opcode", base.HEX, OPCODE_NAMES),
-    cmd = ProtoField.string("ev3.cmd", "CMD", base.ASCII, "opcode and CMD by name, such as SOUND.TONE"),
-    encoding = ProtoField.string("ev3.argument.encoding", "Encoding", base.ASCII, "how the argument is encoded"),
-    variable = ProtoField.string("ev3.argument.variable", "Variable", base.ASCII,
+    cmd = ProtoField.string("ev3.cmd", "CMD", "opcode and CMD by name, such as SOUND.TONE"),
+    encoding = ProtoField.string("ev3.argument.encoding", "Encoding", "how the argument is encoded"),
+    variable = ProtoField.string("ev3.argument.variable", "Variable",
         "the variable that stands for a value, such as GV(0)"),
-    other = ProtoField.string("ev3.argument.value", "Value", base.ASCII,
+    other = ProtoField.string("ev3.argument.value", "Value",
         "a constant that has not the type of its parameter"),
 
     memory = ProtoField.bytes("ev3.memory", "Global memory"),
-    answers = ProtoField.string("ev3.answers", "Answers", base.ASCII,
+    answers = ProtoField.string("ev3.answers", "Answers",
         "in a reply: the operation whose outputs these are, such as UI_READ.GET_VBATT"),
     list = ProtoField.none("ev3.values", "Values"),
 
@@ -90,9 +90,9 @@ local function parameter_field(abbreviation, parameter, kind)
     local name, text = parameter.name, parameter.text
     local made
     if kind == TEXT_VALUE then
-        made = ProtoField.string(abbreviation, name, base.ASCII, text)
+        made = ProtoField.string(abbreviation, name, text)
     elseif kind == FLOAT then
-        made = ProtoField.float(abbreviation, name, base.DEC, nil, nil, text)
+        made = ProtoField.float(abbreviation, name, text)
     elseif parameter.enum and not parameter.enum.is_flags then
         made = ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
     elseif parameter.unit then

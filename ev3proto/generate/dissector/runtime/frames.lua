@@ -25,8 +25,9 @@ local function show(pinfo, tvb, said)
     last_number, last_offset = pinfo.number, offset
 end
 
--- A message in a buffer: `key` is the function that tells the conversation it belongs to, `said` what is said of it instead of what it says
--- itself. Returns the line for the info column and, if there is a tree, the message's item in it.
+-- A message in a buffer: `key` is the function that tells the conversation it belongs to, `said` what is said of it
+-- instead of what it says itself. Returns the line for the info column and, if there is a tree, the message's item in
+-- it.
 local function dissect_message(tvb, at, message, key, pinfo, tree, said)
     local place = place_of(pinfo.number, tvb:offset() + at)
     if not pinfo.visited then take_note(place, key, message, pinfo) end

@@ -50,7 +50,7 @@ local function ready_element(list, abbreviation, type, direction, is_any)
         element.field, element.kind = list.field, list.kind
     elseif is_any then
         -- Another argument tells the type: a double holds whatever number it is.
-        list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", list.name, base.DEC, nil, nil, list.text)
+        list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", list.name, list.text)
         element.field, element.kind = list.any_field, FLOAT
     else
         element.kind = PARAMETER_KINDS[type] or NUMBER
@@ -156,7 +156,8 @@ for _, row in ipairs(SYSTEM) do
     }
     for _, side in ipairs({ command.request, command.reply }) do
         for _, declared in ipairs(side) do
-            declared.name, declared.kind, declared.filter, declared.label = declared[1], declared[2], declared[3], declared[4]
+            declared.name, declared.kind = declared[1], declared[2]
+            declared.filter, declared.label = declared[3], declared[4]
             declared.field = system_field(declared)
         end
     end

@@ -26,7 +26,10 @@ do
         end
         added = item:add(parameter.field, range, is_text and utf8_text(value) or value)
         if name ~= parameter.field_name then
-            added:set_text(name .. ": " .. (is_text and shortened(value) or number_text(value)))
+            -- An element of a list has its number in its name.
+            local symbol = parameter.enum and not parameter.is_flags and parameter.enum.names[value]
+            local text = is_text and shortened(value) or number_text(value)
+            added:set_text(name .. ": " .. (symbol and format("%s (%s)", symbol, text) or text))
         elseif kind == FLOAT and parameter.unit then
             added:append_text(" " .. parameter.unit)
         end
@@ -43,7 +46,8 @@ do
         if alignment and index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-            complain(added, "misaligned", format(reason, parameter.name, sort, alignment, variable_text(encoding, index)))
+            local variable = variable_text(encoding, index)
+            complain(added, "misaligned", format(reason, parameter.name, sort, alignment, variable))
         end
         local size = encoding.handle and 2 or encoding.address and 4 or parameter.size or 1
         if parameter.length and parameter.is_output and not encoding.handle then
@@ -233,7 +237,8 @@ do
     -- What a system message is about: the pieces of a file are about the file and how far it is.
     local function subject_text(message, place)
         local transfer = transfer_at(place)
-        if transfer and transfer.path ~= "" and not (message.command.transfer == "begin" and message.type.is_command) then
+        local is_first = message.command.transfer == "begin" and message.type.is_command
+        if transfer and transfer.path ~= "" and not is_first then
             return " " .. transfer_text(transfer)
         end
         return fields_text(message)
@@ -298,7 +303,8 @@ do
         end
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
-        if payload < stop and DAISY_CARRIES_OPERATIONS[number] and not select(2, count_operations(text, payload, stop)) then
+        local is_code = payload < stop and DAISY_CARRIES_OPERATIONS[number]
+        if is_code and not select(2, count_operations(text, payload, stop)) then
             local said, count = say_operations(text, payload, stop)
             if added then add_operations(added, part, text, payload, stop) end
             line = line .. ": " .. operations_line(said, count)

@@ -159,10 +159,10 @@ local function count_elements(text, list, counter, at, behind, stop)
     return value
 end
 
--- One operation: what it is and the offset behind it. Each of its arguments is handed to `visit`, if that is given, with
--- its parameter, encoding, value, and the offsets of its first byte and behind its last; with `for_reply` only those of
--- operations that have outputs. At a fault the offset is the one behind what could be read, and the fault's offset, reason
--- and kind follow.
+-- One operation: what it is and the offset behind it. Each of its arguments is handed to `visit`, if that is given,
+-- with its parameter, encoding, value, and the offsets of its first byte and behind its last; with `for_reply` only
+-- those of operations that have outputs. At a fault the offset is the one behind what could be read, and the fault's
+-- offset, reason and kind follow.
 local function read_operation(text, at, stop, visit, context, for_reply)
     local operation, behind, reason, kind = select_operation(text, at, stop)
     if not operation then return nil, at, behind, reason, kind end

@@ -23,7 +23,7 @@ do
             local range = tvb(at, behind - at)
             local item = tree:add(ev3, range, "EV3: " .. said)
             item:add(field.unlock, range)
-            item:add(field.unlock_serial, tvb(at + UNLOCK_SERIAL_AT, #serial))
+            item:add(field.unlock_serial, tvb(at + #UNLOCK_REQUEST, #serial))
         end
         return said, behind
     end
@@ -46,6 +46,33 @@ do
         local said, behind = dissect_unlock(tvb, text, at, tree)
         if said then return said, behind end
         return dissect_accept(tvb, text, at, tree)
+    end
+
+    local function starts_with(text, start)
+        return sub(text, 1, #start) == start
+    end
+
+    -- Whether one of the texts may have begun here, and goes on in the next segment.
+    local function is_part_of_text(text, at)
+        local part = sub(text, at + 1)
+        if starts_with(ACCEPT, part) or starts_with(UNLOCK_REQUEST, part) then return true end
+        return #part < MOST_UNLOCK and starts_with(part, UNLOCK_REQUEST)
+    end
+
+    -- What is left of a text that came in an earlier segment: its line ends, or the zero behind the answer.
+    local function end_of_text(text, at)
+        local ends = text:match("^[\r\n]+()", at + 1)
+        if ends then return ends - 1 end
+        local zero, low, high = byte(text, at + 1, at + 3)
+        return zero == 0 and high and is_length(low, high) and at + 1 or nil
+    end
+
+    local function dissect_end_of_text(tvb, at, behind, tree)
+        if has_tree(tree) then
+            local range = tvb(at, behind - at)
+            tree:add(ev3, range, "EV3: end of the text before"):add(field.rest, range)
+        end
+        return "end of the text before", behind
     end
 
     local function add_faulty(tvb, at, stop, tree, said, kind, reason)
@@ -74,11 +101,19 @@ do
         while at < captured do
             local low, high = byte(text, at + 1, at + 2)
             local said, behind
-            if TEXT_STARTS[low] then said, behind = dissect_text(tvb, text, at, tree) end
+            if TEXT_STARTS[low] then
+                said, behind = dissect_text(tvb, text, at, tree)
+                if not said and not is_last and is_part_of_text(text, at) then return at, nil, all end
+            end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
                 if size and not is_length(low, high) then
-                    said, behind = dissect_no_frame(tvb, at, captured, size - LENGTH_FIELD, tree)
+                    behind = end_of_text(text, at)
+                    if behind then
+                        said, behind = dissect_end_of_text(tvb, at, behind, tree)
+                    else
+                        said, behind = dissect_no_frame(tvb, at, captured, size - LENGTH_FIELD, tree)
+                    end
                 elseif not is_last and (not size or at + size > reported) then
                     return at, size and at + size - reported, all
                 elseif captured - at < HEADER_SIZE then

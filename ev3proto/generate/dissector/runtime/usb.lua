@@ -39,8 +39,9 @@ do
         end
         local said, item = dissect_message(tvb, 0, message, device_key, pinfo, tree, line)
         if message.is_overwritten then
-            complain(item or tree, "bootloader_fault", "a known fault of the EV3's bootloader on USB 3 ports: the reply to "
-                .. message.command.name .. " with the request written over its first bytes")
+            local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
+                .. " written over its first bytes"
+            complain(item or tree, "bootloader_fault", format(reason, message.command.name))
         end
         if item and stop < #text then
             local rest = tvb(stop, #text - stop)

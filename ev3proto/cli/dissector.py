@@ -1,0 +1,118 @@
+"""`ev3proto dissector`: writes the dissector for Wireshark, or puts it where Wireshark looks for it."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from ev3proto.cli.output import complain
+
+
+@click.group()
+def dissector() -> None:
+    """The dissector for Wireshark: one Lua file that lets Wireshark read frames."""
+
+
+@dissector.command("build")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write to this file, not standard output."
+)
+@click.option("--check", is_flag=True, help="Write nothing; exit status 1 if the file is not what would be written.")
+def build_command(output: Path | None, check: bool) -> None:
+    """Writes ev3.lua, the same bytes every time.
+
+    \b
+      ev3proto dissector build > ev3.lua
+      ev3proto dissector build -o dissector/ev3.lua --check
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    from ev3proto.generate.dissector.build import build
+
+    if check and output is None:
+        raise click.UsageError("--check needs -o: the file to check")
+    data = build().encode()
+    if output is None:
+        sys.stdout.buffer.write(data)
+        sys.stdout.buffer.flush()
+        return
+    try:
+        if not check:
+            output.write_bytes(data)
+        elif output.read_bytes() != data:
+            complain(f"{output} is out of date: run ev3proto dissector build -o {output}")
+            sys.exit(1)
+    except OSError as error:
+        complain(f"{output}: cannot be {'read' if check else 'written'}: {error.strerror or error}")
+        sys.exit(1)
+
+
+@dissector.command()
+@click.option(
+    "--dir",
+    "folder",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder for Lua plugins; without it, tshark is asked.",
+)
+@click.option("--profile", "with_profile", is_flag=True, help="Also add the profile EV3: columns and colours.")
+@click.option("--tshark", metavar="PATH", help="The tshark to ask, where it is not on the path.")
+@click.option("--force", is_flag=True, help="Overwrite files that are not ours, or that you changed.")
+def install(folder: Path | None, with_profile: bool, tshark: str | None, force: bool) -> None:
+    """Installs the dissector for the user who runs this.
+
+    ev3.lua goes into the personal folder for Lua plugins that tshark names, and tshark is asked whether it loads it.
+    The profile goes into tshark's personal configuration.
+
+    With --dir, all goes below that folder, the profile into profiles/EV3; no tshark is needed, and none is asked,
+    unless --tshark names it.
+
+    \b
+      ev3proto dissector install --profile
+      ev3proto dissector install --dir ~/.local/lib/wireshark/plugins
+    """  # noqa: D301
+    from ev3proto.generate.dissector.install import InstallError
+
+    try:
+        _install(folder, with_profile, tshark, force)
+    except InstallError as error:
+        complain(str(error))
+        sys.exit(1)
+
+
+def _install(folder: Path | None, with_profile: bool, tshark: str | None, force: bool) -> None:
+    from ev3proto.generate.dissector.build import FILE_NAME
+    from ev3proto.generate.dissector.install import (
+        Folders,
+        InstallError,
+        Outcome,
+        Tshark,
+        install_dissector,
+        install_profile,
+    )
+
+    asked = Tshark(tshark) if tshark or folder is None else None
+    folders = Folders.below(folder) if folder is not None else asked.folders() if asked else None
+    assert folders is not None
+    plugin = folders.plugins / FILE_NAME
+    outcome = install_dissector(folders.plugins, force=force)
+    if outcome is Outcome.KEPT:
+        raise InstallError(f"{plugin} is another program's: move it away, or overwrite it with --force")
+    click.echo(f"{plugin}: {outcome.value}")
+    kept = []
+    if with_profile:
+        for path, became in install_profile(folders.profiles, force=force):
+            click.echo(f"{path}: {became.value}")
+            if became is Outcome.KEPT:
+                kept.append(path)
+    if kept:
+        click.echo("To overwrite what was changed, add --force.")
+    trouble = asked.trouble(plugin) if asked else None
+    if asked and trouble:
+        raise InstallError(f"{asked.path} does not load it: {trouble}")
+    if asked:
+        click.echo(f"{asked.path} loads it.")
+    click.echo("Restart Wireshark, or choose Analyze, Reload Lua Plugins.")
+    if with_profile and folder is None:
+        click.echo("For the profile, choose EV3 under Edit, Configuration Profiles.")
+    elif with_profile:
+        click.echo("The profile belongs in the folder profiles of the personal configuration: Help, About, Folders.")

@@ -1,0 +1,188 @@
+"""Puts the dissector and its profile where a Wireshark looks for them, and asks that Wireshark whether it loads it."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from ev3proto.generate.dissector import profile
+from ev3proto.generate.dissector.build import FILE_NAME, build
+
+TIMEOUT = 60
+USUAL_PLACES = (
+    "/Applications/Wireshark.app/Contents/MacOS/tshark",
+    r"C:\Program Files\Wireshark\tshark.exe",
+)
+"""Where tshark is on systems that do not put it on the path."""
+
+_OURS = "-- This file is made by ev3proto "
+_AS_ROOT = 'Running as user "root"'
+_NO_LUA_AS_ROOT = (4, 4)
+
+
+class InstallError(Exception):
+    """Why it cannot be installed, and what to do, in a sentence."""
+
+
+class Outcome(Enum):
+    """What became of a file."""
+
+    NEW = "written"
+    REPLACED = "written in place of an older one"
+    FORCED = "written in place of another one"
+    SAME = "there already, the same"
+    KEPT = "kept, because it was changed"
+
+
+@dataclass(frozen=True, slots=True)
+class Folders:
+    """Where a Wireshark looks: for Lua plugins, and for configuration profiles."""
+
+    plugins: Path
+    profiles: Path
+
+    @classmethod
+    def below(cls, folder: Path) -> Folders:
+        """All in one folder that somebody named."""
+        return cls(folder, folder / "profiles")
+
+
+def install_dissector(folder: Path, *, force: bool) -> Outcome:
+    """Writes ev3.lua into a folder."""
+    return _write(folder / FILE_NAME, build(), is_ours=lambda text: _OURS in text, force=force)
+
+
+def install_profile(profiles: Path, *, force: bool) -> Iterator[tuple[Path, Outcome]]:
+    """Writes the profile's files, and tells what became of each."""
+    for name, text in profile.files().items():
+        path = profiles / profile.NAME / name
+        yield path, _write(path, text, is_ours=profile.is_unchanged, force=force)
+
+
+def _write(path: Path, text: str, is_ours: Callable[[str], bool], *, force: bool) -> Outcome:
+    """Writes a file whole or not at all. One that is another's stays, unless `force` says otherwise."""
+    data = text.encode()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        outcome = _outcome(path, data, is_ours, force=force)
+        if outcome not in (Outcome.SAME, Outcome.KEPT):
+            _replace(path, data)
+    except OSError as error:
+        raise InstallError(f"{error.filename or path} cannot be written: {error.strerror or error}") from error
+    return outcome
+
+
+def _outcome(path: Path, data: bytes, is_ours: Callable[[str], bool], *, force: bool) -> Outcome:
+    try:
+        found = path.read_bytes()
+    except FileNotFoundError:
+        return Outcome.NEW
+    if found == data:
+        return Outcome.SAME
+    if is_ours(found.decode("utf-8", "replace").replace("\r\n", "\n")):
+        return Outcome.REPLACED
+    return Outcome.FORCED if force else Outcome.KEPT
+
+
+def _replace(path: Path, data: bytes) -> None:
+    """Puts a new file in the place of the old one: where that is a link, what it points to stays as it is."""
+    new = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        with new.open("xb") as stream:
+            stream.write(data)
+        new.replace(path)
+    finally:
+        new.unlink(missing_ok=True)
+
+
+class Tshark:
+    """A tshark, to ask what its Wireshark knows. Raises InstallError where it cannot be run."""
+
+    def __init__(self, name: str | None = None) -> None:
+        self.path = _find(name)
+
+    def folders(self) -> Folders:
+        """Where it looks for what a person adds."""
+        said = self._ask("folders").stdout
+        return Folders(
+            self._folder(said, "Personal Lua Plugins"), self._folder(said, "Personal configuration") / "profiles"
+        )
+
+    def _folder(self, said: str, name: str) -> Path:
+        found = re.search(rf"^{name}:[ \t]+(\S.*?)\s*$", said, re.MULTILINE)
+        if not found:
+            raise InstallError(
+                f"{self.path} -G folders does not name the folder '{name}': is this a Wireshark with Lua? "
+                "Name the folder for Lua plugins with --dir"
+            )
+        return Path(found[1])
+
+    def trouble(self, plugin: Path) -> str | None:
+        """Why it has not loaded a plugin, in a sentence; None when it has."""
+        protocols = self._ask("protocols")
+        plugins = self._ask("plugins").stdout.splitlines()
+        loaded = [Path(line.rpartition("\t")[2].strip()) for line in plugins if "\tlua script\t" in line.lower()]
+        has_protocol = re.search(r"\tev3(\t|$)", protocols.stdout, re.MULTILINE) is not None
+        if has_protocol and any(_is_same(path, plugin) for path in loaded):
+            return None
+        complaint = re.search(r"^.*\.lua:\d+: .*$", protocols.stderr, re.MULTILINE)
+        if complaint:
+            return f"Lua says: {complaint[0].strip()}"
+        if _AS_ROOT in protocols.stderr and self._version() >= _NO_LUA_AS_ROOT:
+            return "as root, Wireshark 4.4 and later load no Lua plugins; run this, and Wireshark, as an ordinary user"
+        return "it looks for Lua plugins elsewhere, or was built without Lua: see Help, About, Folders in Wireshark"
+
+    def _version(self) -> tuple[int, int]:
+        found = re.search(r"(\d+)\.(\d+)", self._run("-v").stdout)
+        return (int(found[1]), int(found[2])) if found else (0, 0)
+
+    def _ask(self, what: str) -> subprocess.CompletedProcess[str]:
+        return self._run("-G", what)
+
+    def _run(self, *words: str) -> subprocess.CompletedProcess[str]:
+        try:
+            done = subprocess.run(
+                [self.path, *words],
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                encoding="utf-8",
+                errors="surrogateescape",
+                timeout=TIMEOUT,
+                check=False,
+            )
+        except OSError as error:
+            raise InstallError(f"{self.path} cannot be run: {error.strerror or error}") from error
+        except subprocess.TimeoutExpired as error:
+            raise InstallError(f"{self.path} {' '.join(words)} took longer than {TIMEOUT} seconds") from error
+        if done.returncode != 0:
+            said = done.stderr.strip().splitlines()
+            reason = said[-1] if said else f"exit status {done.returncode}"
+            raise InstallError(f"{self.path} {' '.join(words)} failed: {reason}")
+        return done
+
+
+def _find(name: str | None) -> str:
+    """The path of tshark: the one named, the one on the path, or one in a usual place."""
+    candidates = [name] if name else ["tshark", *USUAL_PLACES]
+    for candidate in candidates:
+        found = shutil.which(candidate)
+        if found:
+            return found
+    missing = f"there is no program {name}" if name else "there is no tshark on the path"
+    raise InstallError(
+        f"{missing}: install tshark, which is part of Wireshark, or name it with --tshark, or name the folder for Lua "
+        "plugins with --dir (Wireshark shows it under Help, About, Folders)"
+    )
+
+
+def _is_same(path: Path, other: Path) -> bool:
+    try:
+        return path.samefile(other)
+    except OSError:
+        return False

@@ -1,0 +1,119 @@
+"""A configuration profile for Wireshark: columns and colours for a dialogue with a brick.
+
+A profile is a folder with files of Wireshark's own forms. Wireshark writes a file anew, without our first line, when
+somebody changes what stands in it; so the checksum in that line tells whether a file is still as we wrote it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from typing import NamedTuple
+
+from ev3proto.tables.frame import MessageType
+
+NAME = "EV3"
+
+_MARK = "# Made by ev3proto dissector install --profile; checksum of what follows: "
+
+
+class Column(NamedTuple):
+    """A column of the packet list: its title, and Wireshark's format for what stands in it."""
+
+    title: str
+    format: str
+
+
+COLUMNS = (
+    Column("No.", "%m"),
+    Column("Time", "%t"),
+    Column("Source", "%s"),
+    Column("Destination", "%d"),
+    Column("Protocol", "%p"),
+    Column("Length", "%L"),
+    Column("Counter", "%Cus:ev3.msg_num:0:R"),
+    Column("Response time", "%Cus:ev3.response_time:0:R"),
+    Column("Info", "%i"),
+)
+
+
+_DIRECT_COMMANDS = ", ".join(f"{member:d}" for member in MessageType if member.kind == "direct-command")
+
+
+class Rule(NamedTuple):
+    """A colouring rule: packets that match the filter have these colours, written as in HTML."""
+
+    name: str
+    filter: str
+    background: str
+    foreground: str = "12272e"
+
+
+RULES = (
+    Rule(
+        "EV3: refused or failed",
+        "ev3.expert.error_reply || ev3.expert.failed",
+        "f4a9a3",
+        "5c0000",
+    ),
+    Rule(
+        "EV3: fault",
+        "ev3.expert.fault || ev3.expert.cut_off || ev3.expert.no_boundary || ev3.expert.unknown_opcode"
+        " || ev3.expert.unknown_cmd || ev3.expert.bootloader_fault",
+        "a40000",
+        "ffffff",
+    ),
+    Rule(
+        "EV3: doubtful",
+        "ev3.expert.misaligned || ev3.expert.beyond_memory || ev3.expert.orphan || ev3.expert.unanswered",
+        "fce2a9",
+    ),
+    Rule("Bad TCP", "tcp.analysis.flags && !tcp.analysis.window_update", "12272e", "f78787"),
+    Rule("EV3: file transfer", "ev3.transfer.path", "e3dbf3"),
+    Rule("EV3: system command", "ev3.sys_cmd", "d3ddf2"),
+    Rule("EV3: daisy chain", "ev3.daisy.layer_to", "ece7d4"),
+    Rule("EV3: reply", f"ev3.cmd_type == {MessageType.DIRECT_REPLY:d}", "dcf0d9"),
+    Rule("EV3: direct command", f"ev3.cmd_type in {{{_DIRECT_COMMANDS}}}", "d8eef6"),
+    Rule("EV3: beacon and unlocking", "ev3.beacon.serial || ev3.beacon.answer || ev3.unlock || ev3.accept", "f3eef8"),
+    Rule("Not EV3", "frame", "ffffff", "6b7072"),
+)
+"""The first rule that matches gives the colours."""
+
+
+def files() -> dict[str, str]:
+    """The files of the profile: name and text."""
+    return {"preferences": _signed(_preferences()), "colorfilters": _signed(_colours())}
+
+
+def is_unchanged(text: str) -> bool:
+    """Whether a file of the profile is as some version of ev3proto wrote it."""
+    head, _, body = text.partition("\n")
+    return head.startswith(_MARK) and head.removeprefix(_MARK).strip() == _checksum(body)
+
+
+def _signed(body: str) -> str:
+    return f"{_MARK}{_checksum(body)}\n{body}"
+
+
+def _checksum(body: str) -> str:
+    return hashlib.sha256(body.encode()).hexdigest()[:16]
+
+
+def _preferences() -> str:
+    columns = ",\n".join(f'\t"{column.title}", "{column.format}"' for column in COLUMNS)
+    return f"""\
+gui.column.format:
+{columns}
+# Frames that the network brought out of order are read all the same.
+tcp.reassemble_out_of_order: TRUE
+"""
+
+
+def _colours() -> str:
+    return "".join(
+        f"@{rule.name}@{rule.filter}@[{_numbers(rule.background)}][{_numbers(rule.foreground)}]\n" for rule in RULES
+    )
+
+
+def _numbers(colour: str) -> str:
+    """Red, green and blue in 16 bits each."""
+    return ",".join(str(byte * 0x101) for byte in bytes.fromhex(colour))

@@ -600,12 +600,13 @@ def _typed(operation: Operation, argument: Argument, value: int | float | str) -
     return name, value, str(value) if is_element else _line(declared, value)
 
 
-def _line(parameter: Parameter, value: int) -> str:
-    """What Wireshark says of a whole number: its name, or its unit, and what it means."""
+def _line(parameter: Parameter, value: int, in_list: bool = False) -> str:
+    """What Wireshark says of a whole number: its name, or its unit (which a list says only once), and its meaning."""
     enum, line = parameter.enum, str(value)
     if enum is not None and not enum.flags:
-        line = f"{enum.name_of(value) or 'Unknown'} ({value})"
-    elif parameter.unit:
+        name = enum.name_of(value) or ("" if in_list else "Unknown")
+        line = f"{name} ({value})" if name else line
+    elif parameter.unit and not in_list:
         line = f"{value} {parameter.unit}"
     meaning = parameter.special.get(value) if parameter.special else None
     if enum is not None and enum.flags and 0 < value <= 0xFF:
@@ -650,7 +651,7 @@ def _answer(operation: Operation, value: Value) -> Iterator[Item]:
     for index, number in enumerate(value.value):
         name, shown_value, said = _typed(operation, argument, number)
         if said is not None:
-            said = str(number)
+            said = _line(_declared(operation, argument.name), int(number), in_list=True)
         yield Item(name, shown_value, value.offset + index * step, step, f"{value.name}[{index}]", said)
 
 

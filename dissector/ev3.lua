@@ -3849,6 +3849,7 @@ local DAISY_NAMES = {
     [165] = "DOWNSTREAM_WITH_BUSY",
 }
 local DAISY_CARRIES_OPERATIONS = { [160] = true, [165] = true }
+local MOST_LAYERS = 4
 
 -- The data of a sensor in a daisy reply, part by part; the last one has what is left.
 local SENSOR_REPORT = {
@@ -4780,9 +4781,19 @@ local function plural(count, word)
     return count .. " " .. word .. (count == 1 and "" or "s")
 end
 
+-- The symbol of a control character: a line end would cut the line.
+local function symbol_of(control)
+    local code = byte(control)
+    return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
+end
+
+local function on_one_line(text)
+    return (gsub(utf8_text(text), "[\1-\31\127]", symbol_of))
+end
+
 local function shortened(text)
     if #text > MOST_TEXT then text = sub(text, 1, MOST_TEXT) .. "..." end
-    return '"' .. utf8_text(text) .. '"'
+    return '"' .. on_one_line(text) .. '"'
 end
 
 local function number_text(value)
@@ -4950,8 +4961,8 @@ do
     end
 
     local function add_argument(view, parameter, encoding, value, at, stop)
-        local item, part, name = view.item, view.part, parameter.name
-        local range = part(at, stop)
+        local item, tvb, name, base = view.item, view.tvb, parameter.name, view.base + at
+        local range = tvb(base, stop - at)
         local added
         if encoding.scope then
             local text = variable_text(encoding, value)
@@ -4961,15 +4972,16 @@ do
             added = add_value(item, range, parameter, name, value)
             if parameter.tells_length and encoding.kind == CONSTANT then view.lengths[name] = value end
         end
-        added:add(field.encoding, stop == at + 1 and range or part(at, at + 1), encoding.label)
+        added:add(field.encoding, stop == at + 1 and range or tvb(base, 1), encoding.label)
         add_phrase(view, parameter, encoding, value)
     end
 
     -- The operations between two offsets in the tree. Returns the line on the first one, how many there are, the offset
     -- behind what could be read, and the fault where there is one.
-    local function add_operations(item, part, text, at, stop, globals, locals)
+    local function add_operations(item, part, message, at, stop, globals, locals)
+        local text = message.text
         local line, count = nil, 0
-        local view = { part = part, globals = globals, locals = locals, lengths = {} }
+        local view = { tvb = message.tvb, base = message.base, globals = globals, locals = locals, lengths = {} }
         while at < stop do
             local code = byte(text, at + 1)
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
@@ -5050,7 +5062,7 @@ do
             memory:add_le(field.globals, range)
             memory:add_le(field.locals, range)
             line, count, behind, message.fault =
-                add_operations(item, part, text, COMMAND_HEADER_SIZE, stop, globals, locals)
+                add_operations(item, part, message, COMMAND_HEADER_SIZE, stop, globals, locals)
             if message.fault then add_rest(item, part, behind, stop) end
         else
             line, count, behind, message.fault =
@@ -5192,7 +5204,7 @@ do
         local is_code = payload < stop and DAISY_CARRIES_OPERATIONS[number]
         if is_code and not select(2, count_operations(text, payload, stop)) then
             local said, count = say_operations(text, payload, stop)
-            if added then add_operations(added, part, text, payload, stop) end
+            if added then add_operations(added, part, message, payload, stop) end
             line = line .. ": " .. operations_line(said, count)
         end
         return line
@@ -5322,6 +5334,7 @@ do
             function part(start, stop)
                 return tvb(at + start, stop - start)
             end
+            message.tvb, message.base = tvb, at
             item = tree:add(ev3, part(0, message.stop))
             item:add(field.length, part(0, 2), message.size - LENGTH_FIELD)
             item:add(field.counter, part(2, 4), message.counter)
@@ -5402,8 +5415,16 @@ end
 -- WiFi: the beacon in UDP datagrams, then the byte stream of a TCP connection, in which frames may be split over
 -- segments and share them, after a text from each side. RFCOMM is such a stream, too.
 
-local dissect_stream, dissect_tcp, dissect_udp
+local dissect_stream, dissect_no_frame, dissect_tcp, dissect_udp, guess_udp, forget_bricks
 do
+    -- Where beacons came from, and the packets that were sent back there.
+    local bricks, answers
+
+    function forget_bricks()
+        bricks, answers = {}, {}
+    end
+    forget_bricks()
+
     -- The text by which a host unlocks the brick's port: the offset behind it, and the serial number.
     local function match_unlock(text, at)
         local serial, newline, behind = text:match(UNLOCK_PATTERN, at + 1)
@@ -5458,12 +5479,18 @@ do
         return #part < MOST_UNLOCK and starts_with(part, UNLOCK_REQUEST)
     end
 
-    -- What is left of a text that came in an earlier segment: its line ends, or the zero behind the answer.
+    -- What is left of a text that came in an earlier segment: its line ends, or the zero behind the answer. A faulty
+    -- frame may start like that, too: so only whole frames may follow.
     local function end_of_text(text, at)
-        local ends = text:match("^[\r\n]+()", at + 1)
-        if ends then return ends - 1 end
-        local zero, low, high = byte(text, at + 1, at + 3)
-        return zero == 0 and high and is_length(low, high) and at + 1 or nil
+        local behind = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
+        at = behind and behind - 1
+        local next = at
+        while next and next < #text do
+            local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
+            if not type or not is_length(low, high) or not MESSAGE_TYPES[type] then return nil end
+            next = next + LENGTH_FIELD + low + high * 0x100
+        end
+        return next == #text and at or nil
     end
 
     local function dissect_end_of_text(tvb, at, behind, tree)
@@ -5486,7 +5513,7 @@ do
     end
 
     -- Nobody knows where the next frame starts: the packet is lost, the next one is looked at anew.
-    local function dissect_no_frame(tvb, at, stop, length, tree)
+    function dissect_no_frame(tvb, at, stop, length, tree)
         local said = format("no frame (%s)", plural(stop - at, "byte"))
         local reason = "no frame can start here: its length field would say %d, a frame has %d to %d bytes behind it"
         return add_faulty(tvb, at, stop, tree, said, "no_boundary", format(reason, length, MIN_LENGTH, MAX_LENGTH))
@@ -5552,9 +5579,10 @@ do
                 complain(item or tree, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
                 break
             end
-            local value = utf8_text(sub(text, at + #head + 1, stop - 1))
-            values[#values + 1] = value
-            if item then item:add(beacon_field[line.name], tvb(at + #head, stop - 1 - at - #head), value) end
+            local value = sub(text, at + #head + 1, stop - 1)
+            values[#values + 1] = on_one_line(value)
+            local range = tvb(at + #head, #value)
+            if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
             at = stop + 1
         end
         local said = "beacon: " .. concat(values, " ")
@@ -5567,6 +5595,7 @@ do
         local text = tvb:raw()
         local head = BEACON_LINES[1].label .. ": "
         if sub(text, 1, #head) == head then
+            if not pinfo.visited then bricks[tostring(pinfo.src) .. " " .. pinfo.src_port] = true end
             show(pinfo, tvb, dissect_beacon(tvb, text, tree))
             return tvb:len()
         end
@@ -5575,6 +5604,16 @@ do
         end
         show(pinfo, tvb, "answer to a beacon")
         return tvb:len()
+    end
+
+    -- An answer goes to the port that the beacon came from, which is known by nothing else.
+    function guess_udp(tvb, pinfo, tree)
+        if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
+            answers[pinfo.number] = true
+        end
+        if not answers[pinfo.number] then return false end
+        dissect_udp(tvb, pinfo, tree)
+        return true
     end
 end
 
@@ -5637,8 +5676,11 @@ do
 
     -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
     function dissect_usb(tvb, pinfo, tree)
-        if is_control(pinfo) or not starts_like_frame(tvb) then return 0 end
-        return dissect_report(tvb, pinfo, tree)
+        if is_control(pinfo) or tvb:len() < HEADER_SIZE then return 0 end
+        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        if is_length(low, high) then return dissect_report(tvb, pinfo, tree) end
+        show(pinfo, tvb, dissect_no_frame(tvb, 0, tvb:len(), low + high * 0x100, tree))
+        return tvb:len()
     end
 
     -- Whether a frame is without any fault and goes the way that it should.
@@ -5647,8 +5689,16 @@ do
         if not type or message.stop < message.size then return false end
         -- Bricks in a chain send commands both ways.
         if type.carries ~= "daisy" and type.is_command ~= (from_host or nil) then return false end
+        if type.carries == "daisy" then
+            -- In a command the layers stand behind the sub-command.
+            local at = type.is_command and HEADER_SIZE + 1 or HEADER_SIZE
+            local from, to = byte(message.text, at + 1, at + 2)
+            if not to or from > MOST_LAYERS or to > MOST_LAYERS then return false end
+        end
         if type.carries == "direct" and type.is_command then
-            if message.size <= COMMAND_HEADER_SIZE then return false end
+            -- Nobody sends the opcode that stands for a fault; its number is that of the bytes of an empty report.
+            local first = byte(message.text, COMMAND_HEADER_SIZE + 1)
+            if not first or OPCODE_NAMES[first] == "ERROR" then return false end
             return select(2, count_operations(message.text, COMMAND_HEADER_SIZE, message.stop)) == nil
         end
         show_message(message, 0)
@@ -5664,7 +5714,9 @@ do
         local stop = LENGTH_FIELD + low + high * 0x100
         if (MESSAGE_TYPES[code].carries == "daisy") ~= (sort == "daisy") or stop > tvb:len() then return false end
         local message = read_message(tvb:raw(0, stop))
-        if not is_flawless(message, is_from_host(pinfo)) and not is_overwritten(message, pinfo) then return false end
+        local is_taken = is_flawless(message, is_from_host(pinfo))
+            or is_overwritten(message, pinfo) and not message.fault
+        if not is_taken then return false end
         dissect_report(tvb, pinfo, tree)
         return true
     end
@@ -5684,14 +5736,21 @@ do
     end
     forget_streams()
 
+    -- Devices by the addresses of their hardware: to the others Wireshark adds a device's name as soon as it knows one.
+    local function ends(pinfo)
+        return tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
+    end
+
     local function channel_key(pinfo)
-        return conversation_key(pinfo) .. " " .. floor(pinfo.match_uint / 2)
+        local from, to, channel = ends(pinfo)
+        return (from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel
     end
 
     -- One direction of one channel. `left` is what waits, `numbers` the packets that it came in.
     local function stream_of(pinfo)
-        local channel = floor(pinfo.match_uint / 2)
-        local key = tostring(pinfo.src) .. " > " .. tostring(pinfo.dst) .. " " .. channel
+        local from, to, channel = ends(pinfo)
+        -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
+        local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
         if not stream then
             stream = { left = "", numbers = {} }
@@ -5701,13 +5760,24 @@ do
     end
 
     -- The first time that a packet is seen: what waits for it. nil for what is not this protocol, as other programs
-    -- use the same channels.
-    local function open_packet(stream, piece)
-        if not stream.is_ours then
-            if not may_be_frame(piece) then return nil end
-            stream.is_ours = true
+    -- use the same channels. Less than a header does not tell; whoever types a text sends it letter by letter.
+    local function open_packet(stream, piece, number)
+        if stream.is_ours then return { waiting = stream.left, numbers = stream.numbers } end
+        for _, waiting in ipairs({ stream.left, "" }) do
+            local text = waiting .. piece
+            if may_be_frame(text) then
+                stream.is_ours = #text >= HEADER_SIZE
+                if stream.is_ours then
+                    return { waiting = waiting, numbers = waiting ~= "" and stream.numbers or {} }
+                end
+                if waiting == "" then stream.numbers = {} end
+                stream.left = text
+                table.insert(stream.numbers, number)
+                return nil
+            end
         end
-        return { waiting = stream.left, numbers = stream.numbers }
+        stream.left, stream.numbers = "", {}
+        return nil
     end
 
     -- The same packet when it is read: what waits now for the next one.
@@ -5715,7 +5785,7 @@ do
         stream.left = rest
         if is_whole then
             for _, earlier in ipairs(packet.numbers) do
-                packets[earlier].complete_in = number
+                if packets[earlier] then packets[earlier].complete_in = number end
             end
         end
         stream.numbers = {}
@@ -5745,18 +5815,20 @@ do
     end
 
     function dissect_rfcomm(tvb, pinfo, tree)
+        if tvb:len() == 0 then return 0 end
         local number, piece = pinfo.number, tvb:raw()
+        local is_cut = tvb:len() < tvb:reported_len()
         local packet, stream = packets[number], nil
         if not pinfo.visited then
             stream = stream_of(pinfo)
-            packet = open_packet(stream, piece)
+            packet = open_packet(stream, piece, number)
             packets[number] = packet
         end
         if not packet then return 0 end
         local text, whole = packet.waiting .. piece, tvb
         if packet.waiting ~= "" then whole = ByteArray.new(text, true):tvb("EV3 frames") end
         if packet.waiting ~= "" and has_tree(tree) then add_joined(tree, tvb, packet) end
-        local behind, _, said = dissect_stream(whole, text, #text, channel_key, pinfo, tree, false)
+        local behind, _, said = dissect_stream(whole, text, #text, channel_key, pinfo, tree, is_cut)
         if stream then close_packet(stream, packet, number, sub(text, behind + 1), behind > 0) end
         if behind < #text then
             if has_tree(tree) then add_part(tree, tvb, #text - behind, packet) end
@@ -5789,6 +5861,7 @@ end
 function ev3.init()
     forget_dialogues()
     forget_streams()
+    forget_bricks()
 end
 
 local dialect_choices = {}
@@ -5814,6 +5887,7 @@ function ev3.prefs_changed()
 end
 
 DissectorTable.get("udp.port"):add(BEACON_PORT, ev3)
+ev3:register_heuristic("udp", guess_udp)
 
 local usb_products = DissectorTable.get("usb.product")
 for _, product in ipairs(USB_PRODUCTS) do
@@ -5828,5 +5902,5 @@ rfcomm_channels:add(2 * RFCOMM_CHANNEL + 1, ev3)
 
 -- Every item of a tree is an object that Lua must clean up. Doing that sooner, and all at once, keeps memory small and
 -- warm: full output of a busy capture takes a third less time, as `pytest benchmarks -k dissector` shows.
-collectgarbage("setpause", 130)
-collectgarbage("setstepmul", 1000)
+collectgarbage("setpause", 120)
+collectgarbage("setstepmul", 2000)

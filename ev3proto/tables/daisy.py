@@ -31,3 +31,6 @@ TEXTS = {
 
 SENSOR_DATA_SIZE = 32
 """Bytes of a sensor's raw data in a layered report."""
+
+MOST_LAYERS = 4
+"""Bricks in a chain; senders count their layers from 0 or from 1."""

@@ -246,6 +246,7 @@ def _daisy() -> Iterator[str]:
     yield _assign("DAISY_NAMES", Table(named={member.value: member.name for member in daisy.DaisyCommand}))
     operations = {member.value: True for member in daisy.DaisyCommand if member.carries_operations}
     yield _assign("DAISY_CARRIES_OPERATIONS", Table(named=operations))
+    yield _assign("MOST_LAYERS", daisy.MOST_LAYERS)
     yield "\n-- The data of a sensor in a daisy reply, part by part; the last one has what is left.\n"
     rows = []
     for part in SENSOR_REPORT.subcons:

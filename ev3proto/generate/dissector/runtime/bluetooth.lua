@@ -12,14 +12,21 @@ do
     end
     forget_streams()
 
+    -- Devices by the addresses of their hardware: to the others Wireshark adds a device's name as soon as it knows one.
+    local function ends(pinfo)
+        return tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
+    end
+
     local function channel_key(pinfo)
-        return conversation_key(pinfo) .. " " .. floor(pinfo.match_uint / 2)
+        local from, to, channel = ends(pinfo)
+        return (from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel
     end
 
     -- One direction of one channel. `left` is what waits, `numbers` the packets that it came in.
     local function stream_of(pinfo)
-        local channel = floor(pinfo.match_uint / 2)
-        local key = tostring(pinfo.src) .. " > " .. tostring(pinfo.dst) .. " " .. channel
+        local from, to, channel = ends(pinfo)
+        -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
+        local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
         if not stream then
             stream = { left = "", numbers = {} }
@@ -29,13 +36,24 @@ do
     end
 
     -- The first time that a packet is seen: what waits for it. nil for what is not this protocol, as other programs
-    -- use the same channels.
-    local function open_packet(stream, piece)
-        if not stream.is_ours then
-            if not may_be_frame(piece) then return nil end
-            stream.is_ours = true
+    -- use the same channels. Less than a header does not tell; whoever types a text sends it letter by letter.
+    local function open_packet(stream, piece, number)
+        if stream.is_ours then return { waiting = stream.left, numbers = stream.numbers } end
+        for _, waiting in ipairs({ stream.left, "" }) do
+            local text = waiting .. piece
+            if may_be_frame(text) then
+                stream.is_ours = #text >= HEADER_SIZE
+                if stream.is_ours then
+                    return { waiting = waiting, numbers = waiting ~= "" and stream.numbers or {} }
+                end
+                if waiting == "" then stream.numbers = {} end
+                stream.left = text
+                table.insert(stream.numbers, number)
+                return nil
+            end
         end
-        return { waiting = stream.left, numbers = stream.numbers }
+        stream.left, stream.numbers = "", {}
+        return nil
     end
 
     -- The same packet when it is read: what waits now for the next one.
@@ -43,7 +61,7 @@ do
         stream.left = rest
         if is_whole then
             for _, earlier in ipairs(packet.numbers) do
-                packets[earlier].complete_in = number
+                if packets[earlier] then packets[earlier].complete_in = number end
             end
         end
         stream.numbers = {}
@@ -73,18 +91,20 @@ do
     end
 
     function dissect_rfcomm(tvb, pinfo, tree)
+        if tvb:len() == 0 then return 0 end
         local number, piece = pinfo.number, tvb:raw()
+        local is_cut = tvb:len() < tvb:reported_len()
         local packet, stream = packets[number], nil
         if not pinfo.visited then
             stream = stream_of(pinfo)
-            packet = open_packet(stream, piece)
+            packet = open_packet(stream, piece, number)
             packets[number] = packet
         end
         if not packet then return 0 end
         local text, whole = packet.waiting .. piece, tvb
         if packet.waiting ~= "" then whole = ByteArray.new(text, true):tvb("EV3 frames") end
         if packet.waiting ~= "" and has_tree(tree) then add_joined(tree, tvb, packet) end
-        local behind, _, said = dissect_stream(whole, text, #text, channel_key, pinfo, tree, false)
+        local behind, _, said = dissect_stream(whole, text, #text, channel_key, pinfo, tree, is_cut)
         if stream then close_packet(stream, packet, number, sub(text, behind + 1), behind > 0) end
         if behind < #text then
             if has_tree(tree) then add_part(tree, tvb, #text - behind, packet) end

@@ -64,8 +64,8 @@ do
     end
 
     local function add_argument(view, parameter, encoding, value, at, stop)
-        local item, part, name = view.item, view.part, parameter.name
-        local range = part(at, stop)
+        local item, tvb, name, base = view.item, view.tvb, parameter.name, view.base + at
+        local range = tvb(base, stop - at)
         local added
         if encoding.scope then
             local text = variable_text(encoding, value)
@@ -75,15 +75,16 @@ do
             added = add_value(item, range, parameter, name, value)
             if parameter.tells_length and encoding.kind == CONSTANT then view.lengths[name] = value end
         end
-        added:add(field.encoding, stop == at + 1 and range or part(at, at + 1), encoding.label)
+        added:add(field.encoding, stop == at + 1 and range or tvb(base, 1), encoding.label)
         add_phrase(view, parameter, encoding, value)
     end
 
     -- The operations between two offsets in the tree. Returns the line on the first one, how many there are, the offset
     -- behind what could be read, and the fault where there is one.
-    local function add_operations(item, part, text, at, stop, globals, locals)
+    local function add_operations(item, part, message, at, stop, globals, locals)
+        local text = message.text
         local line, count = nil, 0
-        local view = { part = part, globals = globals, locals = locals, lengths = {} }
+        local view = { tvb = message.tvb, base = message.base, globals = globals, locals = locals, lengths = {} }
         while at < stop do
             local code = byte(text, at + 1)
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
@@ -164,7 +165,7 @@ do
             memory:add_le(field.globals, range)
             memory:add_le(field.locals, range)
             line, count, behind, message.fault =
-                add_operations(item, part, text, COMMAND_HEADER_SIZE, stop, globals, locals)
+                add_operations(item, part, message, COMMAND_HEADER_SIZE, stop, globals, locals)
             if message.fault then add_rest(item, part, behind, stop) end
         else
             line, count, behind, message.fault =
@@ -306,7 +307,7 @@ do
         local is_code = payload < stop and DAISY_CARRIES_OPERATIONS[number]
         if is_code and not select(2, count_operations(text, payload, stop)) then
             local said, count = say_operations(text, payload, stop)
-            if added then add_operations(added, part, text, payload, stop) end
+            if added then add_operations(added, part, message, payload, stop) end
             line = line .. ": " .. operations_line(said, count)
         end
         return line
@@ -436,6 +437,7 @@ do
             function part(start, stop)
                 return tvb(at + start, stop - start)
             end
+            message.tvb, message.base = tvb, at
             item = tree:add(ev3, part(0, message.stop))
             item:add(field.length, part(0, 2), message.size - LENGTH_FIELD)
             item:add(field.counter, part(2, 4), message.counter)

@@ -9,9 +9,19 @@ local function plural(count, word)
     return count .. " " .. word .. (count == 1 and "" or "s")
 end
 
+-- The symbol of a control character: a line end would cut the line.
+local function symbol_of(control)
+    local code = byte(control)
+    return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
+end
+
+local function on_one_line(text)
+    return (gsub(utf8_text(text), "[\1-\31\127]", symbol_of))
+end
+
 local function shortened(text)
     if #text > MOST_TEXT then text = sub(text, 1, MOST_TEXT) .. "..." end
-    return '"' .. utf8_text(text) .. '"'
+    return '"' .. on_one_line(text) .. '"'
 end
 
 local function number_text(value)

@@ -3,8 +3,16 @@
 -- WiFi: the beacon in UDP datagrams, then the byte stream of a TCP connection, in which frames may be split over
 -- segments and share them, after a text from each side. RFCOMM is such a stream, too.
 
-local dissect_stream, dissect_tcp, dissect_udp
+local dissect_stream, dissect_no_frame, dissect_tcp, dissect_udp, guess_udp, forget_bricks
 do
+    -- Where beacons came from, and the packets that were sent back there.
+    local bricks, answers
+
+    function forget_bricks()
+        bricks, answers = {}, {}
+    end
+    forget_bricks()
+
     -- The text by which a host unlocks the brick's port: the offset behind it, and the serial number.
     local function match_unlock(text, at)
         local serial, newline, behind = text:match(UNLOCK_PATTERN, at + 1)
@@ -59,12 +67,18 @@ do
         return #part < MOST_UNLOCK and starts_with(part, UNLOCK_REQUEST)
     end
 
-    -- What is left of a text that came in an earlier segment: its line ends, or the zero behind the answer.
+    -- What is left of a text that came in an earlier segment: its line ends, or the zero behind the answer. A faulty
+    -- frame may start like that, too: so only whole frames may follow.
     local function end_of_text(text, at)
-        local ends = text:match("^[\r\n]+()", at + 1)
-        if ends then return ends - 1 end
-        local zero, low, high = byte(text, at + 1, at + 3)
-        return zero == 0 and high and is_length(low, high) and at + 1 or nil
+        local behind = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
+        at = behind and behind - 1
+        local next = at
+        while next and next < #text do
+            local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
+            if not type or not is_length(low, high) or not MESSAGE_TYPES[type] then return nil end
+            next = next + LENGTH_FIELD + low + high * 0x100
+        end
+        return next == #text and at or nil
     end
 
     local function dissect_end_of_text(tvb, at, behind, tree)
@@ -87,7 +101,7 @@ do
     end
 
     -- Nobody knows where the next frame starts: the packet is lost, the next one is looked at anew.
-    local function dissect_no_frame(tvb, at, stop, length, tree)
+    function dissect_no_frame(tvb, at, stop, length, tree)
         local said = format("no frame (%s)", plural(stop - at, "byte"))
         local reason = "no frame can start here: its length field would say %d, a frame has %d to %d bytes behind it"
         return add_faulty(tvb, at, stop, tree, said, "no_boundary", format(reason, length, MIN_LENGTH, MAX_LENGTH))
@@ -153,9 +167,10 @@ do
                 complain(item or tree, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
                 break
             end
-            local value = utf8_text(sub(text, at + #head + 1, stop - 1))
-            values[#values + 1] = value
-            if item then item:add(beacon_field[line.name], tvb(at + #head, stop - 1 - at - #head), value) end
+            local value = sub(text, at + #head + 1, stop - 1)
+            values[#values + 1] = on_one_line(value)
+            local range = tvb(at + #head, #value)
+            if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
             at = stop + 1
         end
         local said = "beacon: " .. concat(values, " ")
@@ -168,6 +183,7 @@ do
         local text = tvb:raw()
         local head = BEACON_LINES[1].label .. ": "
         if sub(text, 1, #head) == head then
+            if not pinfo.visited then bricks[tostring(pinfo.src) .. " " .. pinfo.src_port] = true end
             show(pinfo, tvb, dissect_beacon(tvb, text, tree))
             return tvb:len()
         end
@@ -176,5 +192,15 @@ do
         end
         show(pinfo, tvb, "answer to a beacon")
         return tvb:len()
+    end
+
+    -- An answer goes to the port that the beacon came from, which is known by nothing else.
+    function guess_udp(tvb, pinfo, tree)
+        if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
+            answers[pinfo.number] = true
+        end
+        if not answers[pinfo.number] then return false end
+        dissect_udp(tvb, pinfo, tree)
+        return true
     end
 end

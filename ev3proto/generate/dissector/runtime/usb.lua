@@ -57,8 +57,11 @@ do
 
     -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
     function dissect_usb(tvb, pinfo, tree)
-        if is_control(pinfo) or not starts_like_frame(tvb) then return 0 end
-        return dissect_report(tvb, pinfo, tree)
+        if is_control(pinfo) or tvb:len() < HEADER_SIZE then return 0 end
+        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        if is_length(low, high) then return dissect_report(tvb, pinfo, tree) end
+        show(pinfo, tvb, dissect_no_frame(tvb, 0, tvb:len(), low + high * 0x100, tree))
+        return tvb:len()
     end
 
     -- Whether a frame is without any fault and goes the way that it should.
@@ -67,8 +70,16 @@ do
         if not type or message.stop < message.size then return false end
         -- Bricks in a chain send commands both ways.
         if type.carries ~= "daisy" and type.is_command ~= (from_host or nil) then return false end
+        if type.carries == "daisy" then
+            -- In a command the layers stand behind the sub-command.
+            local at = type.is_command and HEADER_SIZE + 1 or HEADER_SIZE
+            local from, to = byte(message.text, at + 1, at + 2)
+            if not to or from > MOST_LAYERS or to > MOST_LAYERS then return false end
+        end
         if type.carries == "direct" and type.is_command then
-            if message.size <= COMMAND_HEADER_SIZE then return false end
+            -- Nobody sends the opcode that stands for a fault; its number is that of the bytes of an empty report.
+            local first = byte(message.text, COMMAND_HEADER_SIZE + 1)
+            if not first or OPCODE_NAMES[first] == "ERROR" then return false end
             return select(2, count_operations(message.text, COMMAND_HEADER_SIZE, message.stop)) == nil
         end
         show_message(message, 0)
@@ -84,7 +95,9 @@ do
         local stop = LENGTH_FIELD + low + high * 0x100
         if (MESSAGE_TYPES[code].carries == "daisy") ~= (sort == "daisy") or stop > tvb:len() then return false end
         local message = read_message(tvb:raw(0, stop))
-        if not is_flawless(message, is_from_host(pinfo)) and not is_overwritten(message, pinfo) then return false end
+        local is_taken = is_flawless(message, is_from_host(pinfo))
+            or is_overwritten(message, pinfo) and not message.fault
+        if not is_taken then return false end
         dissect_report(tvb, pinfo, tree)
         return true
     end

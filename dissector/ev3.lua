@@ -4126,7 +4126,7 @@ local function ready_operation(number, opcode_name, cmd_name, row)
     local operation = {
         name = name,
         title = title, heading = format("0x%02X ", number) .. title,
-        opcode_name = opcode_name, cmd_name = cmd_name, text = row[3],
+        cmd_name = cmd_name,
         fixed = {}, has_outputs = false,
     }
     for index = 4, #row do
@@ -5063,11 +5063,11 @@ do
             memory:add_le(field.locals, range)
             line, count, behind, message.fault =
                 add_operations(item, part, message, COMMAND_HEADER_SIZE, stop, globals, locals)
-            if message.fault then add_rest(item, part, behind, stop) end
         else
             line, count, behind, message.fault =
                 say_operations(text, COMMAND_HEADER_SIZE, stop, message.target, globals, locals)
         end
+        if message.fault then add_rest(item, part, behind, stop) end
         return line and operations_line(line, count) or message.fault and message.type.name or "no operations"
     end
 

@@ -85,7 +85,7 @@ local function ready_operation(number, opcode_name, cmd_name, row)
     local operation = {
         name = name,
         title = title, heading = format("0x%02X ", number) .. title,
-        opcode_name = opcode_name, cmd_name = cmd_name, text = row[3],
+        cmd_name = cmd_name,
         fixed = {}, has_outputs = false,
     }
     for index = 4, #row do

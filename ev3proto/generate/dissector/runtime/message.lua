@@ -166,11 +166,11 @@ do
             memory:add_le(field.locals, range)
             line, count, behind, message.fault =
                 add_operations(item, part, message, COMMAND_HEADER_SIZE, stop, globals, locals)
-            if message.fault then add_rest(item, part, behind, stop) end
         else
             line, count, behind, message.fault =
                 say_operations(text, COMMAND_HEADER_SIZE, stop, message.target, globals, locals)
         end
+        if message.fault then add_rest(item, part, behind, stop) end
         return line and operations_line(line, count) or message.fault and message.type.name or "no operations"
     end
 

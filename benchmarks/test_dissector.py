@@ -15,23 +15,20 @@ from collections.abc import Iterator
 from pathlib import Path
 from statistics import median
 
-import dpkt
 import pytest
+from frames import Segment, tcp_capture
 from wireshark import Tshark
 
 import ev3proto
 from benchmarks.commands import commands
-from ev3proto.tables.discovery import TCP_PORT
 
 COMMANDS = 15_000
 ROUNDS = 5
 MOST = {"one line": 3.0, "-V": 3.5}
 """How many times tshark's own time each kind of output may take."""
 
-HOST, BRICK = (bytes((192, 0, 2, 1)), 49152), (bytes((192, 0, 2, 10)), TCP_PORT)
 
-
-def _dialogue() -> Iterator[tuple[bool, bytes]]:
+def _dialogue() -> Iterator[Segment]:
     """Each command and its reply, and whether it comes from the host."""
     rng = random.Random(1)
     for counter, frame in enumerate(commands(COMMANDS)):
@@ -44,24 +41,15 @@ def _dialogue() -> Iterator[tuple[bool, bytes]]:
             global_size=command.global_size,
             local_size=command.local_size,
         )
-        yield True, asked.build()
-        yield False, ev3proto.direct_reply(rng.randbytes(command.global_size), counter=counter).build()
+        yield Segment(True, asked.build())
+        yield Segment(False, ev3proto.direct_reply(rng.randbytes(command.global_size), counter=counter).build())
 
 
 @pytest.fixture(scope="module")
 def capture(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A pcap file of the dialogue, a frame a packet, a millisecond from each to the next."""
     path = tmp_path_factory.mktemp("speed") / "commands.pcap"
-    sent = {True: 1, False: 1}
-    with path.open("wb") as file:
-        writer = dpkt.pcap.Writer(file)
-        for number, (from_host, frame) in enumerate(_dialogue()):
-            (source, port), (target, other) = (HOST, BRICK) if from_host else (BRICK, HOST)
-            tcp = dpkt.tcp.TCP(sport=port, dport=other, seq=sent[from_host], ack=sent[not from_host], data=frame)
-            tcp.flags = dpkt.tcp.TH_PUSH | dpkt.tcp.TH_ACK
-            ip = dpkt.ip.IP(src=source, dst=target, p=dpkt.ip.IP_PROTO_TCP, data=tcp)
-            writer.writepkt(bytes(dpkt.ethernet.Ethernet(data=ip)), ts=1_800_000_000 + number / 1000)
-            sent[from_host] += len(frame)
+    path.write_bytes(tcp_capture(_dialogue()))
     return path
 
 

@@ -28,6 +28,8 @@ local TYPE_NAMES = {
     DATA8 = "DATA8", DATA16 = "DATA16", DATA32 = "DATA32", DATAF = "DATAF", STRING = "string", HANDLE = "handle",
     ARRAY_TYPED = "array-typed", LABEL = "label", COUNT = "count", VALUES = "values",
 }
+-- Bytes of a value in memory, of the types that have a value there.
+local SIZE_OF = { DATA8 = 1, DATA16 = 2, DATA32 = 4, DATAF = 4, HANDLE = 2 }
 local DIALECTS = { "official", "xtended", "compat" }
 
 -- Frames -------------------------------------------------------------------------------------------------------------
@@ -4045,11 +4047,6 @@ local experts = {
 
 local format = string.format
 
-local SIZE_OF = { [DATA8] = 1, [DATA16] = 2, [DATA32] = 4, [DATAF] = 4, [HANDLE] = 2 }
-
--- The index of a variable of these types must be a multiple of their size, else the brick refuses the command.
-local ALIGNMENT = { [DATA16] = 2, [HANDLE] = 2, [DATA32] = 4, [DATAF] = 4 }
-
 local function ready_parameter(abbreviation, row)
     local parameter = {
         name = row[1], field_name = row[1], direction = row[2], type = row[3], text = row[4],
@@ -4059,7 +4056,8 @@ local function ready_parameter(abbreviation, row)
     parameter.is_float = row[3] == DATAF
     parameter.is_output = row[2] ~= IN
     parameter.size = SIZE_OF[row[3]]
-    parameter.alignment = ALIGNMENT[row.validated or row[3]]
+    -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
+    parameter.alignment = SIZE_OF[row.validated or row[3]]
     parameter.is_flags = row.enum and row.enum.is_flags
     parameter.key = " " .. row[1]:lower() .. "="
     if row[3] == VALUES then
@@ -4939,14 +4937,14 @@ do
 
     -- What the brick refuses, or what lies beyond the memory that the command asks for.
     local function check_variable(added, view, parameter, encoding, index)
-        local alignment = encoding.handle and 2 or parameter.alignment
+        local alignment = encoding.handle and SIZE_OF[HANDLE] or parameter.alignment
         if alignment and index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
             local variable = variable_text(encoding, index)
             complain(added, "misaligned", format(reason, parameter.name, sort, alignment, variable))
         end
-        local size = encoding.handle and 2 or encoding.address and 4 or parameter.size or 1
+        local size = encoding.handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size or 1
         if parameter.length and parameter.is_output and not encoding.handle then
             size = size * stated_length(parameter, view.lengths, 1)
         end

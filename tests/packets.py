@@ -19,6 +19,9 @@ HOST, BRICK, EVERYBODY = (bytes((192, 0, 2, number)) for number in (1, 10, 255))
 HOST_PORT = 49152
 """The first port that a computer gives to a program; the next programs get the next ones."""
 
+MILLISECONDS_EACH = 1
+"""From one packet to the next."""
+
 _HEAD_SIZE = 24
 _RECORD = struct.Struct("<IIII")
 
@@ -31,8 +34,8 @@ class Capture:
         self._pieces = [struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 0x40000, link)]
 
     def add(self, packet: bytes, size: int = 0) -> int:
-        """Adds a packet, a millisecond after the one before; returns its number."""
-        seconds, milliseconds = divmod(self.count, 1000)
+        """Adds a packet, a while after the one before; returns its number."""
+        seconds, milliseconds = divmod(self.count * MILLISECONDS_EACH, 1000)
         head = _RECORD.pack(seconds, 1000 * milliseconds, len(packet), size or len(packet))
         self._pieces += [head, packet]
         self.count += 1

@@ -19,8 +19,9 @@ from typing import Any, NamedTuple
 
 import pytest
 from dissected import Follower, Frame, difference, is_message, packets, shown, unshown
-from frames import MILLISECONDS_EACH, Segment, drawn, tcp_capture
+from frames import Segment, drawn, tcp_capture
 from hypothesis import strategies as st
+from packets import MILLISECONDS_EACH
 from wireshark import Tshark
 
 import ev3proto

@@ -76,6 +76,9 @@ def _words() -> Iterator[str]:
     for members in (DIRECTIONS, TYPES, ENCODING_KINDS, FIELD_KINDS):
         yield _names([str(name) for name in members.values()])
     yield _assign("TYPE_NAMES", Table(named={member.name: member.label for member in Type}))
+    sizes = {member.name: member.size for member in Type if member.size and member is not Type.LABEL}
+    yield "-- Bytes of a value in memory, of the types that have a value there.\n"
+    yield _assign("SIZE_OF", Table(named=sizes))
     yield _assign("DIALECTS", Table(DIALECTS))
     yield "\n"
 

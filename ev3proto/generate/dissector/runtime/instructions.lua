@@ -4,11 +4,6 @@
 
 local format = string.format
 
-local SIZE_OF = { [DATA8] = 1, [DATA16] = 2, [DATA32] = 4, [DATAF] = 4, [HANDLE] = 2 }
-
--- The index of a variable of these types must be a multiple of their size, else the brick refuses the command.
-local ALIGNMENT = { [DATA16] = 2, [HANDLE] = 2, [DATA32] = 4, [DATAF] = 4 }
-
 local function ready_parameter(abbreviation, row)
     local parameter = {
         name = row[1], field_name = row[1], direction = row[2], type = row[3], text = row[4],
@@ -18,7 +13,8 @@ local function ready_parameter(abbreviation, row)
     parameter.is_float = row[3] == DATAF
     parameter.is_output = row[2] ~= IN
     parameter.size = SIZE_OF[row[3]]
-    parameter.alignment = ALIGNMENT[row.validated or row[3]]
+    -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
+    parameter.alignment = SIZE_OF[row.validated or row[3]]
     parameter.is_flags = row.enum and row.enum.is_flags
     parameter.key = " " .. row[1]:lower() .. "="
     if row[3] == VALUES then

@@ -42,14 +42,14 @@ do
 
     -- What the brick refuses, or what lies beyond the memory that the command asks for.
     local function check_variable(added, view, parameter, encoding, index)
-        local alignment = encoding.handle and 2 or parameter.alignment
+        local alignment = encoding.handle and SIZE_OF[HANDLE] or parameter.alignment
         if alignment and index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
             local variable = variable_text(encoding, index)
             complain(added, "misaligned", format(reason, parameter.name, sort, alignment, variable))
         end
-        local size = encoding.handle and 2 or encoding.address and 4 or parameter.size or 1
+        local size = encoding.handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size or 1
         if parameter.length and parameter.is_output and not encoding.handle then
             size = size * stated_length(parameter, view.lengths, 1)
         end

@@ -1,0 +1,75 @@
+"""A dialogue: the messages between one computer and one brick, each with what the ones before make of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from ev3proto.dialogue.pairing import Pairing
+from ev3proto.dialogue.transfers import Transfer, Transfers
+from ev3proto.dialogue.values import Value, values_of
+from ev3proto.messages import DirectCommand, DirectReply, Message, SystemCommand, SystemReply
+
+
+@dataclass(frozen=True, slots=True)
+class Exchange:
+    """What a dialogue makes of one message.
+
+    message   the message itself
+    request   for a reply: the command it answers; None when no such command was seen
+    values    for a reply: what it says, by name
+    transfer  the file that the message is about, None where it is about none
+    """
+
+    message: Message
+    request: Message | None = None
+    values: list[Value] = field(default_factory=list)
+    transfer: Transfer | None = None
+
+    @property
+    def is_orphan(self) -> bool:
+        """True for a reply to a command that was not seen."""
+        return self.request is None and self.message.type is not None and not self.message.type.is_command
+
+
+class Dialogue:
+    """Follows the messages between one computer and one brick, in order, both directions."""
+
+    def __init__(self) -> None:
+        self._pairing: Pairing[Message] = Pairing()
+        self._transfers = Transfers()
+
+    @property
+    def unanswered(self) -> list[Message]:
+        """The commands that wait for their reply, oldest first."""
+        return self._pairing.unanswered
+
+    def feed(self, message: Message) -> list[Value]:
+        """What a reply says, by name; an empty list for commands and for replies to commands that were not seen."""
+        return self.follow(message).values
+
+    def follow(self, message: Message) -> Exchange:
+        """The same with all that is known: command answered, values, file. Feed or follow each message once."""
+        if message.type is None:
+            return Exchange(message)
+        key, size = _pairing(message)
+        if message.type.is_command:
+            if message.wants_reply:
+                self._pairing.remember(key, size or 0, message)
+            transfer = self._transfers.requested(message) if isinstance(message, SystemCommand) else None
+            return Exchange(message, transfer=transfer)
+        request = self._pairing.answered(key, size)
+        transfer = self._transfers.progress(message, request) if isinstance(message, SystemReply) else None
+        return Exchange(message, request, values_of(message, request), transfer)
+
+
+def _pairing(message: Message) -> tuple[tuple[str, int, int], int | None]:
+    """What a pairing must know of a message: what command and reply have in common, and the size of the reply."""
+    carries = "" if message.type is None else message.type.carries
+    if isinstance(message, SystemCommand | SystemReply):
+        return (carries, message.counter, message.number), None
+    size = None
+    if isinstance(message, DirectCommand):
+        size = message.global_size
+    elif isinstance(message, DirectReply) and not message.is_error:
+        size = len(message.memory)
+    return (carries, message.counter, 0), size

@@ -1,0 +1,77 @@
+"""Which reply answers which command: by message counter, and where that does not tell, by the size of the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from typing import Generic, NamedTuple, TypeVar
+
+T = TypeVar("T")
+
+MOST_PENDING = 65536
+"""Commands without a reply that are remembered: as many as there are counters."""
+
+MOST_PER_KEY = 4
+"""Commands with the same counter that are remembered, for senders who never change it."""
+
+
+class _Waiting(NamedTuple, Generic[T]):
+    key: Hashable
+    size: int
+    command: T
+
+
+class Pairing(Generic[T]):
+    """Remembers commands, in whatever form, until their replies come.
+
+    Commands whose reply never comes are forgotten when their counter is used again often enough or too many wait.
+
+    key   what a reply has in common with the command that it answers
+    size  what a direct command asks for, and how much its reply carries
+    """
+
+    def __init__(self, most: int = MOST_PENDING) -> None:
+        self._most = most
+        self._by_key: dict[Hashable, list[int]] = {}
+        self._waiting: dict[int, _Waiting[T]] = {}
+        self._seen = 0
+
+    @property
+    def unanswered(self) -> list[T]:
+        """The commands that wait for their reply, oldest first."""
+        return [waiting.command for waiting in self._waiting.values()]
+
+    def remember(self, key: Hashable, size: int, command: T) -> T | None:
+        """Waits for the command's reply. Returns the command that is forgotten for it, if any is."""
+        number = self._seen
+        self._seen = number + 1
+        same = self._by_key.setdefault(key, [])
+        same.append(number)
+        self._waiting[number] = _Waiting(key, size, command)
+        if len(same) > MOST_PER_KEY:
+            return self._forget(same[0])
+        if len(self._waiting) > self._most:
+            return self._forget(next(iter(self._waiting)))
+        return None
+
+    def answered(self, key: Hashable, size: int | None) -> T | None:
+        """The command that a reply answers: the newest that asked for this size, else the newest; None if none waits.
+
+        The newest, because a sender comes back to a counter only after it gave up on the one before. `size` is None
+        for a reply that tells nothing by it.
+        """
+        same = self._by_key.get(key)
+        if same is None:
+            return None
+        if size is not None and len(same) > 1:
+            for number in reversed(same):
+                if self._waiting[number].size == size:
+                    return self._forget(number)
+        return self._forget(same[-1])
+
+    def _forget(self, number: int) -> T:
+        waiting = self._waiting.pop(number)
+        same = self._by_key[waiting.key]
+        same.remove(number)
+        if not same:
+            del self._by_key[waiting.key]
+        return waiting.command

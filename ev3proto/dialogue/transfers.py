@@ -1,0 +1,97 @@
+"""Files and listings on their way: which of them a system message is about, and how much of it was moved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ev3proto.messages import FieldValue, Message, SystemCommand, SystemReply
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
+
+MOST_BEGUN = 65536
+"""BEGIN_... commands whose reply is awaited: as many as there are counters."""
+
+
+@dataclass(slots=True)
+class Transfer:
+    """A file or listing on its way, from its BEGIN_... to its end.
+
+    command      the BEGIN_... command's name
+    path         what is moved
+    size         bytes of it all, None until known
+    handle       the brick's handle, None until known
+    transferred  bytes moved so far
+    """
+
+    command: str
+    path: str
+    size: int | None = None
+    handle: int | None = None
+    transferred: int = 0
+
+    @property
+    def is_complete(self) -> bool:
+        """True when everything was moved."""
+        return self.size is not None and self.transferred >= self.size
+
+
+class Transfers:
+    """The files and listings between one computer and one brick, told apart by the handles that the brick gives."""
+
+    def __init__(self) -> None:
+        self._begun: dict[int, Transfer] = {}
+        self._open: dict[int, Transfer] = {}
+
+    def requested(self, message: SystemCommand) -> Transfer | None:
+        """What a command moves, its own data counted in; None for a command that moves nothing that is known."""
+        entry = SYSTEM_BY_NUMBER.get(message.number)
+        if entry is None or entry.transfer is None:
+            return None
+        if entry.transfer == "begin":
+            path = str(message.fields.get("path", ""))
+            size = message.fields.get("size")
+            transfer = Transfer(entry.name, path, size if isinstance(size, int) else None)
+            self._begun[message.counter] = transfer
+            if len(self._begun) > MOST_BEGUN:
+                del self._begun[next(iter(self._begun))]
+            return transfer
+        transfer_or_none = self._open.get(_number(message.fields.get("handle")))
+        data = message.fields.get("data")
+        if transfer_or_none is not None and isinstance(data, bytes):
+            transfer_or_none.transferred += len(data)
+        return transfer_or_none
+
+    def progress(self, reply: SystemReply, request: Message | None) -> Transfer | None:
+        """The same for a reply, with the command that it answers."""
+        entry = SYSTEM_BY_NUMBER.get(reply.number)
+        if entry is None or entry.transfer is None:
+            return None
+        if entry.transfer == "begin":
+            transfer = self._begun.pop(reply.counter, None)
+            if reply.is_error or "handle" not in reply.fields:
+                return transfer
+            number = _number(reply.fields["handle"])
+            if transfer is None:
+                # The command was not seen: the handle stands for another file than before, nobody knows which.
+                self._open.pop(number, None)
+                return None
+            transfer.handle = number
+            self._open[number] = transfer
+        else:
+            handle = reply.fields.get("handle")
+            if handle is None and isinstance(request, SystemCommand):
+                handle = request.fields.get("handle")
+            transfer = self._open.get(_number(handle))
+            # The brick takes a handle back when a file is closed, complete or in trouble.
+            if entry.transfer == "close" or reply.is_error or reply.status is SystemStatus.END_OF_FILE:
+                self._open.pop(_number(handle), None)
+        if transfer is not None:
+            for name in ("size", "list_size"):
+                if name in reply.fields:
+                    transfer.size = _number(reply.fields[name])
+            for name in ("data", "list"):
+                transfer.transferred += len(reply.fields.get(name, b""))  # type: ignore[arg-type]
+        return transfer
+
+
+def _number(value: FieldValue | None) -> int:
+    return value if isinstance(value, int) else -1

@@ -1,0 +1,167 @@
+"""What a reply says, by name: its memory read by the outputs of the command it answers, or its own fields."""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ev3proto.messages import Argument, DirectCommand, DirectReply, Message, Operation, SystemReply
+from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.tables.declaration import Enumeration, Parameter, Type
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, RANGES, STRING_CODING
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
+
+ValueType = int | float | str | bytes | list[int] | list[float]
+"""What a value from a reply can be."""
+
+_LAYOUTS = {Type.DATA8: "<b", Type.DATA16: "<h", Type.DATA32: "<i", Type.DATAF: "<f", Type.HANDLE: "<h"}
+_BY_SIZE = {1: Type.DATA8, 2: Type.DATA16, 4: Type.DATA32}
+_NAN = {str(kind): RANGES[kind].nan for kind in _BY_SIZE.values()}
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """One value in a reply.
+
+    op       opcode's name, or the system command's
+    command  CMD's name, None where there is none
+    name     the parameter's or field's name
+    value    number, text, or list of numbers
+    unit     as people write it, None where it has none
+    type     what it is in memory: DATA8, DATAF, string, u32, ...
+    symbol   name of the number in its enumeration, None where it has none
+    offset   of its first byte in the reply's frame
+    length   bytes in the reply's frame
+    """
+
+    op: str
+    command: str | None
+    name: str
+    value: ValueType
+    unit: str | None = None
+    type: str = ""
+    symbol: str | list[str | None] | None = None
+    offset: int = 0
+    length: int = 0
+
+    @property
+    def is_nan(self) -> bool:
+        """True for the value by which the firmware says that there is none."""
+        if isinstance(self.value, float):
+            return math.isnan(self.value)
+        return isinstance(self.value, int) and self.value == _NAN.get(self.type)
+
+
+def values_of(reply: Message, request: Message | None) -> list[Value]:
+    """What a reply says; an empty list where the command that it answers is not known or is of another kind."""
+    if isinstance(reply, SystemReply):
+        return list(system_values(reply))
+    if isinstance(reply, DirectReply) and isinstance(request, DirectCommand):
+        return list(reply_values(request, reply))
+    return []
+
+
+def system_values(reply: SystemReply) -> Iterator[Value]:
+    """The fields of a system reply as values."""
+    entry = SYSTEM_BY_NUMBER.get(reply.number)
+    if entry is None:
+        return
+    at = HEADER_SIZE + 2
+    for declared in entry.reply:
+        if declared.name not in reply.fields:
+            continue
+        value = reply.fields[declared.name]
+        length = _LENGTHS.get(declared.kind, 0) or len(value) + (declared.kind in _TERMINATED)  # type: ignore[arg-type]
+        yield Value(reply.command or "", None, declared.name, value, None, declared.kind.value, None, at, length)
+        at += length
+
+
+_LENGTHS = {Kind.U8: 1, Kind.U16: 2, Kind.U32: 4}
+_TERMINATED = (Kind.TEXT, Kind.COUNTED_TEXT)
+
+
+def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
+    """What the reply's memory holds, by the output parameters of the command it answers; nothing for an error."""
+    if reply.is_error:
+        return
+    for operation in command.operations:
+        for argument in operation.arguments:
+            if argument.parameter.is_output and argument.kind == GLOBAL and not argument.form.address:
+                value = _read(operation, argument, reply.memory)
+                if value is not None:
+                    yield value
+
+
+def _read(operation: Operation, argument: Argument, memory: bytes) -> Value | None:
+    parameter = argument.parameter
+    start = int(argument.value)
+    kind = Type.HANDLE if argument.form.handle else parameter.type
+    symbol: str | list[str | None] | None = None
+    value: ValueType
+    if kind is Type.STRING:
+        piece = memory[start : start + _length(operation, parameter, len(memory))].split(b"\0", 1)[0]
+        if start >= len(memory):
+            return None
+        value, length = piece.decode(STRING_CODING), len(piece)
+    elif kind is Type.ARRAY_TYPED:
+        kind = _untyped(operation, start, len(memory))
+        piece = memory[start : start + kind.size]
+        if len(piece) < kind.size:
+            return None
+        (value,) = struct.unpack(_LAYOUTS[kind], piece)
+        length = kind.size
+    elif kind not in _LAYOUTS:
+        return None
+    else:
+        count = 1 if parameter.length is None else _length(operation, parameter, len(memory) // kind.size)
+        count = min(count, (len(memory) - start) // kind.size)
+        if count < 1:
+            return None
+        length = count * kind.size
+        numbers = [number for (number,) in struct.iter_unpack(_LAYOUTS[kind], memory[start : start + length])]
+        if parameter.length is None:
+            value, symbol = numbers[0], _name(parameter.enum, numbers[0])
+        else:
+            value = numbers
+            symbol = [_name(parameter.enum, number) for number in numbers] if parameter.enum else None
+    return Value(
+        operation.name,
+        operation.command,
+        argument.name,
+        value,
+        None if argument.form.handle else parameter.unit,
+        str(kind),
+        symbol,
+        HEADER_SIZE + start,
+        length,
+    )
+
+
+def _name(enum: Enumeration | None, number: int | float) -> str | None:
+    return enum.name_of(number) if enum else None
+
+
+def _length(operation: Operation, parameter: Parameter, most: int) -> int:
+    """How long an output is: what its length parameter says, or as much as there is where that does not say it.
+
+    Some firmware lengths are negative: -1 for no limit, others for bytes in reverse order.
+    """
+    if isinstance(parameter.length, int):
+        return parameter.length
+    for argument in operation.arguments:
+        if argument.name == parameter.length and argument.kind == CONSTANT:
+            if argument.value == -1 and parameter.type is Type.STRING:
+                return most
+            return abs(int(argument.value))
+    return most
+
+
+def _untyped(operation: Operation, start: int, end: int) -> Type:
+    """The type of an output that has that of the array it comes from: what fits before the next output."""
+    for argument in operation.arguments:
+        if argument.kind == GLOBAL and argument.parameter.is_output and start < int(argument.value) < end:
+            end = int(argument.value)
+    room = max((size for size in _BY_SIZE if size <= end - start), default=4)
+    return _BY_SIZE[room]

@@ -36,6 +36,7 @@ from ev3proto.tables.system import SystemStatus
 from ev3proto.version import VERSION
 
 if TYPE_CHECKING:
+    from ev3proto import capture
     from ev3proto.dialogue import Dialogue, Exchange, Transfer, Value
     from ev3proto.names import ADR, GVX, HND, LAB1, LC0, LC1, LC2, LC4, LCF, LCS, LCX, LVX
     from ev3proto.schema.discovery import Beacon, Unlock
@@ -92,6 +93,7 @@ __all__ = [
     "Unlock",
     "Value",
     "Variable",
+    "capture",
     "direct_command",
     "direct_reply",
     "operation",
@@ -103,6 +105,8 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     """What is imported late, and the constants of the instruction set: `opSound`, `TONE`, `LED_RED`, `PORT_A`, ..."""
+    if name == "capture":
+        return import_module("ev3proto.capture")
     if name in _HOME:
         value = globals()[name] = getattr(import_module(_HOME[name]), name)
         return value

@@ -28,6 +28,7 @@ from ev3proto.messages import (
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.fields import Fields
 from ev3proto.schema.instructions import InstructionSet, instruction_set
+from ev3proto.schema.packed import packed
 from ev3proto.tables import daisy, system
 from ev3proto.tables.frame import (
     COUNTERS,
@@ -61,12 +62,7 @@ SENSOR_REPORT = Struct(
 """A sensor of another layer in a daisy reply."""
 
 
-def _packed(schema: Struct) -> struct.Struct:
-    """One struct for a Construct of nothing but numbers: it reads them all at once."""
-    return struct.Struct("<" + "".join(field.subcon.fmtstr[1:] for field in schema.subcons))
-
-
-_header = _packed(HEADER)
+_header = packed(HEADER)
 _memory = struct.Struct("<H")
 _command_header = struct.Struct(_header.format + "H").unpack_from
 HEADER_SIZE = HEADER.sizeof()

@@ -1,0 +1,41 @@
+"""Where every captured byte went: nothing that a capture has may be lost without a word."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+
+@dataclass(slots=True)
+class Account:
+    """What became of the captured bytes of all packets; the parts add up to `captured`.
+
+    packets   packets in the file
+    captured  bytes of them in the file
+    frames    bytes of frames
+    texts     bytes of beacons, unlock texts and what is answered to them
+    padding   bytes behind the frame in USB reports
+    headers   bytes of what carries frames: Ethernet, IP, TCP, USB and Bluetooth headers
+    repeated  bytes that came again, sent twice
+    other     bytes of packets that have nothing to do with a brick
+    skipped   bytes among frames that could not be read
+    """
+
+    packets: int = 0
+    captured: int = 0
+    frames: int = 0
+    texts: int = 0
+    padding: int = 0
+    headers: int = 0
+    repeated: int = 0
+    other: int = 0
+    skipped: int = 0
+
+    @property
+    def parts(self) -> dict[str, int]:
+        """The bytes of each part by its name."""
+        return {field.name: getattr(self, field.name) for field in fields(self)[2:]}
+
+    @property
+    def balance(self) -> int:
+        """Captured bytes that stand in no part: 0 once all was read."""
+        return self.captured - sum(self.parts.values())

@@ -1,0 +1,326 @@
+"""Bluetooth as host and controller exchange it: connections, L2CAP channels, and what RFCOMM carries in them.
+
+A capture may begin before or after any of them was set up. Where it has not the request for an L2CAP channel, RFCOMM is
+recognised by its check sum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from construct import Int8ul, Int16ub, Int16ul, Int32ub, Struct
+
+from ev3proto.capture.packets import Link, Packet
+from ev3proto.schema.packed import packed
+
+ACL = Struct("handle" / Int16ul, "length" / Int16ul)
+"""Head of a packet of data; the upper bits of the handle say whether it starts or goes on."""
+
+L2CAP = Struct("length" / Int16ul, "channel" / Int16ul)
+SIGNAL = Struct("code" / Int8ul, "identifier" / Int8ul, "length" / Int16ul)
+CONNECTION_REQUEST = Struct("service" / Int16ul, "source" / Int16ul)
+CONNECTION_RESPONSE = Struct("target" / Int16ul, "source" / Int16ul, "result" / Int16ul)
+DIRECTION = Struct("received" / Int32ub)
+MONITOR = Struct("adapter" / Int16ub, "kind" / Int16ub)
+"""What Linux's monitor writes in front of each packet."""
+
+_acl, _l2cap, _signal = packed(ACL), packed(L2CAP), packed(SIGNAL)
+_request, _response = packed(CONNECTION_REQUEST), packed(CONNECTION_RESPONSE)
+_direction, _monitor = packed(DIRECTION, ">"), packed(MONITOR, ">")
+
+COMMAND_PACKET, ACL_PACKET, EVENT_PACKET = 1, 2, 4
+"""Packet types of HCI."""
+
+_MONITOR_KINDS = {3: (EVENT_PACKET, True), 4: (ACL_PACKET, False), 5: (ACL_PACKET, True)}
+_RECEIVED = 1
+
+CONNECTED, DISCONNECTED, COMMAND_COMPLETE = 0x03, 0x05, 0x0E
+"""Events."""
+
+READ_ADDRESS = 0x1009
+"""The command that asks a controller for its own address."""
+
+HANDLE_BITS = 12
+_GOES_ON = 1
+
+SIGNALS = 1
+"""The L2CAP channel on which channels are set up."""
+
+ASK, ANSWER, CLOSE = 2, 3, 6
+"""Signals."""
+
+SERVICE_RFCOMM = 3
+_LEAST_DYNAMIC = 0x40
+
+UIH, OPEN, DONE, REFUSED, CLOSED = 0xEF, 0x2F, 0x63, 0x0F, 0x43
+"""RFCOMM's frame types: data, and those that open and close ports."""
+
+_POLL = 0x10
+_FRAME_TYPES = {UIH, OPEN, DONE, REFUSED, CLOSED}
+_MOST_CONNECTIONS = 1 << HANDLE_BITS
+_MOST_CHANNELS = 1024
+
+
+def _check_table() -> bytes:
+    table = bytearray()
+    for byte in range(256):
+        for _ in range(8):
+            byte = byte >> 1 ^ (0xE0 if byte & 1 else 0)
+        table.append(byte)
+    return bytes(table)
+
+
+_CHECK = _check_table()
+
+
+def _check(data: bytes) -> int:
+    """RFCOMM's check sum (TS 07.10, 5.2.1.6)."""
+    rest = 0xFF
+    for byte in data:
+        rest = _CHECK[rest ^ byte]
+    return 0xFF - rest
+
+
+class Serial(NamedTuple):
+    """What an RFCOMM frame carries.
+
+    channel       the serial port's number
+    is_from_host  which way it goes
+    data          the bytes, none in frames that only set things up
+    is_turn       the port is opened or closed with it
+    """
+
+    channel: int
+    is_from_host: bool
+    data: bytes
+    is_turn: bool
+
+
+class Ports(NamedTuple):
+    """Both ends of a connection, as texts."""
+
+    host: str
+    device: str
+
+
+class Told(NamedTuple):
+    """What a packet adds to.
+
+    ends     both ends of the connection
+    key      the connection: adapter and handle, and how often the handle was given
+    serial   what RFCOMM carries, None for other traffic
+    weight   captured bytes of all packets that it came in
+    """
+
+    ends: Ports
+    key: tuple[object, int, int]
+    serial: Serial | None
+    weight: int
+
+
+@dataclass(slots=True)
+class _Part:
+    """An L2CAP packet of which some is there."""
+
+    data: bytes
+    size: int
+    weight: int
+
+
+@dataclass(slots=True)
+class _Connection:
+    """One connection of an adapter. The channels are by direction: those in which the host gets data, and the device.
+
+    asked     services that were asked for, by who asked and the identifier of the signal: service and channel
+    services  what is known of a channel: the service behind it
+    """
+
+    address: str | None
+    generation: int
+    asked: dict[tuple[bool | None, int], tuple[int, int]] = field(default_factory=dict)
+    services: dict[tuple[bool | None, int], int] = field(default_factory=dict)
+    parts: dict[object, _Part] = field(default_factory=dict)
+
+
+class Bluetooth:
+    """Follows what the adapters of one computer exchange with their controllers."""
+
+    def __init__(self) -> None:
+        self._connections: dict[tuple[object, int], _Connection] = {}
+        self._own: dict[object, str] = {}
+        self._generation = 0
+
+    def told(self, packet: Packet) -> Iterator[Told | int]:
+        """What is complete with a packet; a number for so many captured bytes of other traffic."""
+        kind, is_from_host, body = _unwrap(packet)
+        adapter: object = packet.interface if packet.interface.link != Link.BLUETOOTH_MONITOR else _adapter(packet)
+        if kind == ACL_PACKET and len(body) >= _acl.size:
+            yield from self._data(adapter, is_from_host, body, len(packet.data))
+            return
+        if kind == EVENT_PACKET:
+            yield from self._event(adapter, body)
+        yield len(packet.data)
+
+    def pending(self) -> int:
+        """Captured bytes of L2CAP packets whose rest never came."""
+        return sum(part.weight for connection in self._connections.values() for part in connection.parts.values())
+
+    def _event(self, adapter: object, body: bytes) -> Iterator[int]:
+        if len(body) < 2:
+            return
+        event, rest = body[0], body[2:]
+        if event == CONNECTED and len(rest) >= 9 and rest[0] == 0:
+            handle = int.from_bytes(rest[1:3], "little")
+            yield from self._forget(adapter, handle)
+            self._connect(adapter, handle, _address(rest[3:9]))
+        elif event == DISCONNECTED and len(rest) >= 3:
+            yield from self._forget(adapter, int.from_bytes(rest[1:3], "little"))
+        elif event == COMMAND_COMPLETE and len(rest) >= 10 and int.from_bytes(rest[1:3], "little") == READ_ADDRESS:
+            self._own[adapter] = _address(rest[4:10])
+
+    def _connect(self, adapter: object, handle: int, address: str | None) -> _Connection:
+        self._generation += 1
+        connection = _Connection(address, self._generation)
+        self._connections[adapter, handle] = connection
+        return connection
+
+    def _forget(self, adapter: object, handle: int) -> Iterator[int]:
+        connection = self._connections.pop((adapter, handle), None)
+        if connection is not None:
+            yield from (part.weight for part in connection.parts.values())
+
+    def _data(self, adapter: object, is_from_host: bool | None, body: bytes, weight: int) -> Iterator[Told | int]:
+        word, length = _acl.unpack_from(body)
+        handle, start = word & ((1 << HANDLE_BITS) - 1), word >> HANDLE_BITS & 3
+        connection = self._connections.get((adapter, handle))
+        if connection is None:
+            if len(self._connections) >= _MOST_CONNECTIONS:
+                yield from self._forget(*next(iter(self._connections)))
+            connection = self._connect(adapter, handle, None)
+        data = body[_acl.size : _acl.size + length]
+        # Without direction, the kind of start tells which of two unfinished packets goes on.
+        side: object = start if is_from_host is None else is_from_host
+        if start == _GOES_ON:
+            if is_from_host is None:
+                side = next(reversed(connection.parts), None)
+            part = connection.parts.pop(side, None)
+            if part is None:
+                yield weight
+                return
+            part = _Part(part.data + data, part.size, part.weight + weight)
+        else:
+            if side in connection.parts:
+                yield connection.parts.pop(side).weight
+            if len(data) < _l2cap.size:
+                yield weight
+                return
+            part = _Part(data, _l2cap.size + _l2cap.unpack_from(data)[0], weight)
+        # A packet that was cut by the capture can only be read as far as it is there.
+        is_cut = len(data) < length
+        if len(part.data) < part.size and not is_cut:
+            connection.parts[side] = part
+            return
+        serial = self._channel(connection, is_from_host, part.data[: part.size])
+        ends = Ports(self._own.get(adapter, "host"), connection.address or f"handle 0x{handle:04x}")
+        yield Told(ends, (adapter, handle, connection.generation), serial, part.weight)
+
+    def _channel(self, connection: _Connection, is_from_host: bool | None, data: bytes) -> Serial | None:
+        _, channel = _l2cap.unpack_from(data)
+        payload = data[_l2cap.size :]
+        if channel == SIGNALS:
+            _signalled(connection, is_from_host, payload)
+            return None
+        if channel < _LEAST_DYNAMIC:
+            return None
+        service = connection.services.get((is_from_host, channel))
+        if service is None:
+            serial = _serial(payload, is_from_host, is_checked=True)
+            if serial is not None and len(connection.services) < _MOST_CHANNELS:
+                connection.services[is_from_host, channel] = SERVICE_RFCOMM
+            return serial
+        return _serial(payload, is_from_host) if service == SERVICE_RFCOMM else None
+
+
+def _unwrap(packet: Packet) -> tuple[int | None, bool | None, bytes]:
+    """Packet type, whether it is from the host (None where nothing tells), and what follows the type."""
+    data, link = packet.data, packet.interface.link
+    if link == Link.BLUETOOTH_MONITOR:
+        if packet.flags is None:
+            if len(data) < _monitor.size:
+                return None, None, b""
+            kind, data = _monitor.unpack_from(data)[1], data[_monitor.size :]
+        else:
+            kind = packet.flags & 0xFFFF
+        packet_type, is_received = _MONITOR_KINDS.get(kind, (None, False))
+        return packet_type, not is_received, data
+    is_from_host: bool | None = None
+    if link == Link.HCI_WITH_DIRECTION:
+        if len(data) < _direction.size:
+            return None, None, b""
+        is_from_host = not _direction.unpack_from(data)[0] & _RECEIVED
+        data = data[_direction.size :]
+    elif packet.flags is not None:
+        is_from_host = not packet.flags & _RECEIVED
+    return (data[0] if data else None), is_from_host, data[1:]
+
+
+def _adapter(packet: Packet) -> object:
+    number = packet.flags >> 16 if packet.flags is not None else int.from_bytes(packet.data[:2], "big")
+    return (packet.interface, number)
+
+
+def _address(data: bytes) -> str:
+    return data[::-1].hex(":")
+
+
+def _signalled(connection: _Connection, is_from_host: bool | None, data: bytes) -> None:
+    """Remembers which service is behind a channel that is being set up."""
+    at = 0
+    while at + _signal.size <= len(data):
+        code, identifier, length = _signal.unpack_from(data, at)
+        body = data[at + _signal.size : at + _signal.size + length]
+        at += _signal.size + length
+        if len(connection.asked) + len(connection.services) > _MOST_CHANNELS:
+            connection.asked.clear()
+            connection.services.clear()
+        other = None if is_from_host is None else not is_from_host
+        if code == ASK and len(body) >= _request.size:
+            connection.asked[is_from_host, identifier] = _request.unpack_from(body)
+        elif code == ANSWER and len(body) >= _response.size:
+            target, source, result = _response.unpack_from(body)
+            service, _ = connection.asked.get((other, identifier), (None, 0))
+            if result == 0 and service is not None:
+                # Who answers sends to the channel of who asked, and the other way round.
+                connection.services[is_from_host, source] = service
+                connection.services[other, target] = service
+                connection.asked.pop((other, identifier), None)
+        elif code == CLOSE and len(body) >= _request.size:
+            target, source = _request.unpack_from(body)
+            connection.services.pop((is_from_host, target), None)
+            connection.services.pop((other, source), None)
+
+
+def _serial(data: bytes, is_from_host: bool | None, *, is_checked: bool = False) -> Serial | None:
+    """The RFCOMM frame in an L2CAP packet; with `is_checked` only if all of it fits. None where there is none."""
+    if len(data) < 4 or not data[0] & 1:
+        return None
+    address, control = data[0], data[1]
+    kind = control & ~_POLL
+    if kind not in _FRAME_TYPES:
+        return None
+    head = 3 if data[2] & 1 else 4
+    length = data[2] >> 1 if head == 3 else data[2] >> 1 | data[3] << 7
+    number = address >> 2
+    has_credits = kind == UIH and bool(control & _POLL) and number != 0
+    start = head + has_credits
+    if is_checked:
+        checked = data[:2] if kind == UIH else data[:head]
+        if len(data) != start + length + 1 or data[-1] != _check(checked):
+            return None
+    if is_from_host is None:
+        # In data frames this bit is set by the side that opened the connection, which a brick does not do.
+        is_from_host = bool(address & 2)
+    carried = data[start : start + length] if kind == UIH and number else b""
+    return Serial(number >> 1, is_from_host, carried, kind in (OPEN, CLOSED))

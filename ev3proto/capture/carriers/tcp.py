@@ -1,0 +1,146 @@
+"""A byte stream out of TCP segments: lost, repeated, overlapping and reordered ones put in order.
+
+No I/O and no packets: somebody else knows where segments come from.
+"""
+
+from __future__ import annotations
+
+from bisect import insort
+from collections import deque
+from typing import NamedTuple
+
+MOST_AHEAD = 1 << 20
+"""Bytes that wait at most for what belongs in front of them: more than any brick's window."""
+
+MOST_SEGMENTS_AHEAD = 4096
+"""Segments that wait at most."""
+
+_HALF, _MASK = 1 << 31, (1 << 32) - 1
+_MOST_HOLES = 64
+
+
+class Segment(NamedTuple):
+    """Bytes of the stream.
+
+    at      offset in the stream, counted from the first byte that was seen
+    data    the bytes
+    number  the packet they came in
+    """
+
+    at: int
+    data: bytes
+    number: int
+
+
+class Hole(NamedTuple):
+    """Bytes that are not in the capture: so many, before whatever comes next."""
+
+    missing: int
+
+
+class Late(NamedTuple):
+    """Bytes that came when the stream had already gone on without them."""
+
+    data: bytes
+    number: int
+
+
+class Reassembly:
+    """One direction of a connection.
+
+    `start` is the sequence number of its first byte, None for a capture that began in the middle of the connection:
+    then the first bytes seen are the start.
+
+    repeated  bytes that came again, so far
+    """
+
+    def __init__(self, start: int | None = None) -> None:
+        self._start = start
+        self._position = 0
+        self._acknowledged: int | None = None
+        self._ahead: list[Segment] = []
+        self._waiting = 0
+        self._holes: deque[tuple[int, int]] = deque(maxlen=_MOST_HOLES)
+        self.repeated = 0
+
+    def _offset(self, sequence: int) -> int:
+        """Where in the stream a sequence number is: of all places that have it, the one nearest to where it goes on."""
+        assert self._start is not None
+        difference = (sequence - self._start - self._position) & _MASK
+        return self._position + (difference - (1 << 32) if difference >= _HALF else difference)
+
+    def add(self, sequence: int, data: bytes, number: int) -> list[Segment | Hole | Late]:
+        """What can be said of the stream with this segment, in order: its next bytes, holes in it, bytes too late."""
+        if self._start is None:
+            self._start = sequence
+        at = self._offset(sequence)
+        if at == self._position and not self._ahead:
+            self._position = at + len(data)
+            return [Segment(at, data, number)]
+        found: list[Segment | Hole | Late] = []
+        if at < self._position:
+            self._look_back(at, data[: self._position - at], number, found)
+            data = data[self._position - at :]
+            at = self._position
+        if data:
+            insort(self._ahead, Segment(at, data, number))
+            self._waiting += len(data)
+            self._go_on(found)
+        return found
+
+    def acknowledge(self, sequence: int) -> list[Segment | Hole | Late]:
+        """The other side has everything before this sequence number: what is missing of it will not come any more."""
+        self._acknowledged = sequence
+        found: list[Segment | Hole | Late] = []
+        if self._ahead:
+            self._go_on(found)
+        return found
+
+    def end(self) -> list[Segment | Hole | Late]:
+        """Nothing more will come: all that waited, with the holes in it."""
+        found: list[Segment | Hole | Late] = []
+        while self._ahead:
+            self._leave_hole(found)
+            self._go_on(found)
+        return found
+
+    def _look_back(self, at: int, data: bytes, number: int, found: list[Segment | Hole | Late]) -> None:
+        """Bytes behind which the stream already is: they came again, or are from a hole or before the start."""
+        end = at + len(data)
+        for start, stop in ((min(at, 0), 0), *self._holes):
+            first, last = max(start, at), min(stop, end)
+            if first < last:
+                found.append(Late(data[first - at : last - at], number))
+                self.repeated -= last - first
+        self.repeated += len(data)
+
+    def _go_on(self, found: list[Segment | Hole | Late]) -> None:
+        """Gives what is in order now; a hole is left where what is missing cannot come any more."""
+        ahead = self._ahead
+        while ahead:
+            at = ahead[0].at
+            if at > self._position:
+                if not self._is_lost(at):
+                    return
+                self._leave_hole(found)
+            segment = ahead.pop(0)
+            self._waiting -= len(segment.data)
+            again = self._position - at
+            data = segment.data[again:] if again > 0 else segment.data
+            self.repeated += len(segment.data) - len(data)
+            if data:
+                found.append(Segment(self._position, data, segment.number))
+                self._position += len(data)
+
+    def _is_lost(self, at: int) -> bool:
+        """Whether what is missing in front of an offset will not come any more."""
+        if self._waiting > MOST_AHEAD or len(self._ahead) > MOST_SEGMENTS_AHEAD:
+            return True
+        return self._acknowledged is not None and self._offset(self._acknowledged) >= at
+
+    def _leave_hole(self, found: list[Segment | Hole | Late]) -> None:
+        at = self._ahead[0].at
+        if at > self._position:
+            found.append(Hole(at - self._position))
+            self._holes.append((self._position, at))
+            self._position = at

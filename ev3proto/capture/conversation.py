@@ -1,0 +1,77 @@
+"""A computer and a brick in a capture: their frames become records, each reply with the command that it answers."""
+
+from __future__ import annotations
+
+from ev3proto.capture.record import Record, Route
+from ev3proto.dialogue.pairing import Pairing
+from ev3proto.dialogue.transfers import Transfers
+from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, FrameSchema
+from ev3proto.tables.frame import MAX_GLOBALS, MessageType
+
+MOST_PENDING = 4096
+"""Commands of one conversation whose reply is awaited; a long capture may have a million that nobody answers."""
+
+_DIRECT, _SYSTEM = MessageType.DIRECT_COMMAND_REPLY.carries, MessageType.SYSTEM_COMMAND_REPLY.carries
+
+# Looked up by the plain number: what the type is about, whether it is a command, wants a reply, is an error.
+_TYPES = {
+    int(member): (member.carries, member.is_command, member.wants_reply, member.is_error) for member in MessageType
+}
+
+
+class Conversation:
+    """Pairs replies with commands by their headers alone, so that nobody must read what nobody asks for."""
+
+    def __init__(self, schema: FrameSchema) -> None:
+        self._schema = schema
+        self._pairing: Pairing[Record] = Pairing(MOST_PENDING)
+        self._transfers = Transfers()
+
+    @property
+    def unanswered(self) -> list[Record]:
+        """The commands that wait for their reply, oldest first."""
+        return self._pairing.unanswered
+
+    def record(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
+        """The record of a frame. Give each frame of the conversation once, in order, both directions."""
+        record = Record(frame, numbers, time_ns, route, self._schema)
+        if len(frame) < HEADER_SIZE:
+            return record
+        known = _TYPES.get(frame[HEADER_SIZE - 1])
+        if known is None:
+            return record
+        carries, is_command, wants_reply, is_error = known
+        size: int | None = None
+        number = 0
+        if carries == _DIRECT:
+            if not is_command:
+                size = None if is_error else len(frame) - HEADER_SIZE
+            elif len(frame) >= COMMAND_HEADER_SIZE:
+                size = (frame[HEADER_SIZE] | frame[HEADER_SIZE + 1] << 8) & MAX_GLOBALS
+        elif carries == _SYSTEM:
+            number = frame[HEADER_SIZE] if len(frame) > HEADER_SIZE else -1
+        key = (carries, frame[2] | frame[3] << 8, number)
+        if is_command:
+            if wants_reply:
+                self._pairing.remember(key, size or 0, record)
+        else:
+            record.request = self._pairing.answered(key, size)
+        if carries == _SYSTEM:
+            self._follow_transfer(record)
+        return record
+
+    def overwritten(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
+        """The record of a reply whose first bytes are those of the command that it answers, its type included."""
+        record = Record(frame, numbers, time_ns, route, self._schema)
+        key = (_SYSTEM, frame[2] | frame[3] << 8, frame[HEADER_SIZE])
+        record.request = self._pairing.answered(key, None)
+        return record
+
+    def _follow_transfer(self, record: Record) -> None:
+        message = record.message
+        if isinstance(message, SystemCommand):
+            record.transfer = self._transfers.requested(message)
+        elif isinstance(message, SystemReply):
+            request = None if record.request is None else record.request.message
+            record.transfer = self._transfers.progress(message, request)

@@ -1,0 +1,1 @@
+"""The built-in engine: packets into records, without any other program."""

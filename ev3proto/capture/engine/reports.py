@@ -1,0 +1,129 @@
+"""USB: reports that each have one frame at their start, to and from devices that are bricks or behave like one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ev3proto.capture.carriers.usb import IN, INTERRUPT, Urb, urb
+from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.engine.context import Context
+from ev3proto.capture.packets import Packet
+from ev3proto.capture.record import Carrier, Direction, Event, Route, Skipped
+from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
+from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.tables import operations, system
+from ev3proto.tables.carriers import USB_BOOTLOADER, USB_PRODUCT, USB_VENDOR
+from ev3proto.tables.daisy import MOST_LAYERS
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES, MessageType
+
+PRODUCTS = {(USB_VENDOR, USB_PRODUCT), (USB_VENDOR, USB_BOOTLOADER)}
+"""Devices that are bricks."""
+
+HOST = "host"
+
+_BIG_REPORT = MAX_FRAME
+_NO_OPERATION = operations()["ERROR"].opcode.number
+_TYPES = {int(member): member for member in MessageType}
+_BOOTLOADER = frozenset(command.number for command in system.SYSTEM if command.bootloader)
+
+OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply with the request written over its start"
+
+
+class Reports:
+    """Follows the interrupt transfers of all devices."""
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._account = context.account
+        self._products: dict[str, bool] = {}
+        self._conversations: dict[str, Conversation] = {}
+        self._routes: dict[tuple[str, bool, str | None], Route] = {}
+
+    def feed(self, packet: Packet) -> Iterable[Event]:
+        """The events in a packet: at most one."""
+        found = urb(packet)
+        if found is None:
+            self._account.other += len(packet.data)
+            return ()
+        if found.transfer != INTERRUPT:
+            if found.product is not None:
+                self._products[found.device] = found.product in PRODUCTS
+            self._account.other += len(packet.data)
+            return ()
+        is_brick = self._products.get(found.device)
+        if len(found.data) < HEADER_SIZE or is_brick is False:
+            self._account.other += len(packet.data)
+            return ()
+        is_from_host = not found.endpoint & IN
+        size = int.from_bytes(found.data[:LENGTH_FIELD], "little") + LENGTH_FIELD
+        frame = found.data[:size]
+        is_length = MIN_LENGTH <= size - LENGTH_FIELD <= MAX_LENGTH
+        if is_brick is None and not (is_length and self._looks_right(found, frame, size, is_from_host, packet)):
+            self._account.other += len(packet.data)
+            return ()
+        self._account.headers += len(packet.data) - len(found.data)
+        route = self._route(found.device, is_from_host, packet)
+        if not is_length:
+            self._account.skipped += len(found.data)
+            reason = (
+                f"the report holds no frame: its length field would say {size - LENGTH_FIELD}, a frame has {MIN_LENGTH}"
+                f" to {MAX_LENGTH} bytes behind it"
+            )
+            return (Skipped(found.data, 0, reason, packet.number, packet.time_ns, route),)
+        self._account.frames += len(frame)
+        self._account.padding += len(found.data) - len(frame)
+        conversation = self._conversations.setdefault(found.device, Conversation(self._context.schema))
+        if _is_overwritten(frame, is_from_host):
+            record = conversation.overwritten(frame, (packet.number,), packet.time_ns, route)
+            record.note = OVERWRITTEN
+            return (record,)
+        return (conversation.record(frame, (packet.number,), packet.time_ns, route),)
+
+    def end(self) -> Iterable[Event]:
+        """Nothing waits for more: a report is whole in its packet."""
+        return ()
+
+    def _route(self, device: str, is_from_host: bool, packet: Packet) -> Route:
+        key = device, is_from_host, packet.interface.name
+        if key not in self._routes:
+            ends = (HOST, device) if is_from_host else (device, HOST)
+            direction = Direction.SENT if is_from_host else Direction.RECEIVED
+            self._routes[key] = Route(Carrier.USB, *ends, direction, packet.interface.name, device)
+        return self._routes[key]
+
+    def _looks_right(self, found: Urb, frame: bytes, size: int, is_from_host: bool, packet: Packet) -> bool:
+        """Whether a report of a device whose product is not in the capture is one of ours.
+
+        Other devices have reports, too, and some of them begin like a frame: it must fit in every respect.
+        """
+        reported = len(found.data) + packet.size - len(packet.data)
+        member = _TYPES.get(frame[HEADER_SIZE - 1])
+        if reported not in REPORT_SIZES or member is None or len(frame) < size:
+            return False
+        if (member.carries == "daisy") != (reported != _BIG_REPORT):
+            return False
+        if _is_overwritten(frame, is_from_host):
+            return self._context.schema.read_leniently(frame).fault is None
+        # Bricks in a chain send commands both ways.
+        if member.carries != "daisy" and member.is_command != is_from_host:
+            return False
+        message = self._context.schema.read_leniently(frame)
+        return message.fault is None and _makes_sense(message)
+
+
+def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:
+    """Whether a reply came with the request written over its first bytes: from the device, yet of a command's type."""
+    member = _TYPES.get(frame[HEADER_SIZE - 1]) if len(frame) > HEADER_SIZE else None
+    if member is None or is_from_host:
+        return False
+    return member.kind == "system-command" and frame[HEADER_SIZE] in _BOOTLOADER
+
+
+def _makes_sense(message: Message) -> bool:
+    """Whether a frame without a fault says something that somebody would say."""
+    if isinstance(message, DaisyCommand | DaisyReply):
+        return message.layer_from <= MOST_LAYERS and message.layer_to <= MOST_LAYERS
+    if isinstance(message, DirectCommand):
+        # Nobody sends the opcode that stands for a fault; its number is that of the bytes of an empty report.
+        return bool(message.operations) and message.operations[0].opcode != _NO_OPERATION
+    return True

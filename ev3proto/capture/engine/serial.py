@@ -1,0 +1,67 @@
+"""Bluetooth: the serial port of a brick, a byte stream each way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ev3proto.capture.carriers.bluetooth import Bluetooth, Told
+from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.cutting import Cutter
+from ev3proto.capture.engine.context import Context, Stream
+from ev3proto.capture.packets import Packet
+from ev3proto.capture.record import Carrier, Direction, Event, Route
+from ev3proto.tables.carriers import RFCOMM_CHANNEL
+
+
+class SerialPorts:
+    """Follows the serial ports of all connections on the channel that bricks use."""
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._account = context.account
+        self._bluetooth = Bluetooth()
+        self._streams: dict[tuple[object, bool], Stream] = {}
+        self._conversations: dict[object, Conversation] = {}
+
+    def feed(self, packet: Packet) -> Iterable[Event]:
+        """The events that are complete with a packet."""
+        for told in self._bluetooth.told(packet):
+            if isinstance(told, int):
+                self._account.other += told
+            elif told.serial is None or told.serial.channel != RFCOMM_CHANNEL:
+                self._account.other += told.weight
+            else:
+                yield from self._serial(packet, told)
+
+    def end(self) -> Iterable[Event]:
+        """What was waiting for more."""
+        self._account.other += self._bluetooth.pending()
+        for stream in self._streams.values():
+            yield from stream.end()
+        self._streams.clear()
+
+    def _serial(self, packet: Packet, told: Told) -> Iterable[Event]:
+        serial = told.serial
+        assert serial is not None
+        self._account.headers += told.weight - len(serial.data)
+        if serial.is_turn:
+            for way in (True, False):
+                stream = self._streams.pop((told.key, way), None)
+                if stream is not None:
+                    yield from stream.end()
+        if not serial.data:
+            return
+        key = told.key, serial.is_from_host
+        if key not in self._streams:
+            conversation = self._conversations.setdefault(told.key, Conversation(self._context.schema))
+            # Other programs use the same channel: the stream is ours when something like a frame starts in it.
+            cutter = Cutter(self._context.schema, in_step=False, is_claimed=False)
+            self._streams[key] = Stream(self._context, conversation, cutter, _route(packet, told, serial.is_from_host))
+        yield from self._streams[key].feed(serial.data, packet.number, packet.time_ns)
+
+
+def _route(packet: Packet, told: Told, is_from_host: bool) -> Route:
+    host, device = told.ends
+    ends = (host, device) if is_from_host else (device, host)
+    direction = Direction.SENT if is_from_host else Direction.RECEIVED
+    return Route(Carrier.BLUETOOTH, *ends, direction, packet.interface.name, device)

@@ -1,0 +1,180 @@
+"""WiFi: TCP connections to a brick's port, and the datagrams by which bricks are found."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Collection, Iterable
+
+from dpkt.tcp import TH_ACK, TH_RST, TH_SYN
+
+from ev3proto.capture.carriers.internet import Transport, place, transport
+from ev3proto.capture.carriers.tcp import Hole, Late, Reassembly, Segment
+from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.cutting import Cutter
+from ev3proto.capture.engine.context import Context, Stream
+from ev3proto.capture.packets import Interface, Packet
+from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Route, Said
+from ev3proto.errors import DecodeError
+from ev3proto.schema.discovery import Beacon
+from ev3proto.tables.discovery import BEACON_LINES, BEACON_PORT
+
+MOST_CONNECTIONS = 1024
+"""Directions of connections that are followed at the same time; those unused for longest are given up."""
+
+MOST_BRICKS = 1024
+"""Bricks whose beacons are remembered."""
+
+_BEACON_START = f"{next(iter(BEACON_LINES.values()))}: ".encode()
+
+Key = tuple[bytes, int, bytes, int]
+"""Address and port of the sender, and of the receiver."""
+
+
+class _Half:
+    """One direction of a TCP connection."""
+
+    __slots__ = ("interface", "is_from_host", "reassembly", "start", "stream")
+
+    def __init__(self, stream: Stream, interface: Interface, is_from_host: bool, start: int | None) -> None:
+        self.stream = stream
+        self.interface = interface
+        self.is_from_host = is_from_host
+        self.reassembly = Reassembly(start)
+        self.start = start
+
+
+class WiFi:
+    """Follows the connections to the ports on which bricks listen."""
+
+    def __init__(self, context: Context, ports: Collection[int]) -> None:
+        self._context = context
+        self._account = context.account
+        self._ports = frozenset(ports)
+        self._halves: OrderedDict[Key, _Half] = OrderedDict()
+        self._conversations: OrderedDict[frozenset[tuple[bytes, int]], Conversation] = OrderedDict()
+        self._bricks: OrderedDict[tuple[bytes, int], None] = OrderedDict()
+
+    def feed(self, packet: Packet) -> Iterable[Event]:
+        """The events that are complete with a packet."""
+        found = transport(packet.interface.link, packet.data)
+        if found is not None:
+            if found.flags is None:
+                return self._datagram(packet, found)
+            if found.target_port in self._ports or found.source_port in self._ports:
+                return self._segment(packet, found)
+        self._account.other += len(packet.data)
+        return ()
+
+    def end(self) -> Iterable[Event]:
+        """What was waiting for more."""
+        for half in self._halves.values():
+            yield from self._end_half(half)
+        self._halves.clear()
+
+    # TCP
+
+    def _segment(self, packet: Packet, segment: Transport) -> list[Event]:
+        source, target, source_port, target_port, data, sequence, acknowledged, flags = segment
+        assert flags is not None
+        self._account.headers += len(packet.data) - len(data)
+        key = source, source_port, target, target_port
+        half = self._halves.get(key)
+        events: list[Event] = []
+        if flags & TH_SYN:
+            sequence = start = (sequence + 1) & 0xFFFFFFFF
+            if half is None or half.start != start:
+                if half is not None:
+                    events += self._end_half(half)
+                half = self._open(packet, key, start, events)
+        elif half is None:
+            if not data:
+                return events
+            half = self._open(packet, key, None, events)
+        elif len(self._halves) > MOST_CONNECTIONS // 2:
+            self._halves.move_to_end(key)
+        stream = half.stream
+        if half.interface is not packet.interface:
+            half.interface = packet.interface
+            stream.route = self._route(packet, key, half.is_from_host)
+        if data:
+            stream.time_ns, stream.number = packet.time_ns, packet.number
+            reassembly = half.reassembly
+            before = reassembly.repeated
+            for piece in reassembly.add(sequence, data, packet.number):
+                events += self._piece(stream, piece)
+            self._account.repeated += reassembly.repeated - before
+        if flags & TH_ACK:
+            other = self._halves.get((target, target_port, source, source_port))
+            if other is not None:
+                for piece in other.reassembly.acknowledge(acknowledged):
+                    events += self._piece(other.stream, piece)
+        if flags & TH_RST:
+            events += self._end_half(half)
+        return events
+
+    def _piece(self, stream: Stream, piece: Segment | Hole | Late) -> list[Event]:
+        if type(piece) is Segment:
+            return stream.feed(piece.data, piece.number, stream.time_ns)
+        if type(piece) is Hole:
+            return stream.leave_hole(piece.missing)
+        assert type(piece) is Late
+        return [stream.skip(piece.data, f"{len(piece.data)} bytes came too late to be put in order")]
+
+    def _open(self, packet: Packet, key: Key, start: int | None, events: list[Event]) -> _Half:
+        source, source_port, target, target_port = key
+        back = self._halves.get((target, target_port, source, source_port))
+        is_from_host = target_port in self._ports if back is None else not back.is_from_host
+        ends = frozenset(((source, source_port), (target, target_port)))
+        conversation = self._conversations.get(ends)
+        if conversation is None:
+            conversation = self._conversations[ends] = Conversation(self._context.schema)
+            if len(self._conversations) > MOST_CONNECTIONS:
+                self._conversations.popitem(last=False)
+        cutter = Cutter(self._context.schema, in_step=start is not None)
+        stream = Stream(self._context, conversation, cutter, self._route(packet, key, is_from_host))
+        half = self._halves[key] = _Half(stream, packet.interface, is_from_host, start)
+        if len(self._halves) > MOST_CONNECTIONS:
+            _, oldest = self._halves.popitem(last=False)
+            events += self._end_half(oldest)
+        return half
+
+    def _end_half(self, half: _Half) -> list[Event]:
+        events: list[Event] = []
+        before = half.reassembly.repeated
+        for piece in half.reassembly.end():
+            events += self._piece(half.stream, piece)
+        self._account.repeated += half.reassembly.repeated - before
+        return events + half.stream.end()
+
+    def _route(self, packet: Packet, key: Key, is_from_host: bool) -> Route:
+        source, target = place(key[0], key[1]), place(key[2], key[3])
+        direction = Direction.SENT if is_from_host else Direction.RECEIVED
+        return Route(Carrier.WIFI, source, target, direction, packet.interface.name, target if is_from_host else source)
+
+    # UDP
+
+    def _datagram(self, packet: Packet, datagram: Transport) -> Iterable[Event]:
+        source, target, source_port, target_port, data, *_ = datagram
+        is_beacon = data.startswith(_BEACON_START) and BEACON_PORT in (source_port, target_port)
+        if not is_beacon and not self._is_answer(source_port, target, target_port):
+            self._account.other += len(packet.data)
+            return
+        self._account.headers += len(packet.data) - len(data)
+        self._account.texts += len(data)
+        key = source, source_port, target, target_port
+        route = self._route(packet, key, is_from_host=not is_beacon)
+        if not is_beacon:
+            yield Announcement(Said.ANSWER, data, None, (packet.number,), packet.time_ns, route)
+            return
+        self._bricks[source, source_port] = None
+        if len(self._bricks) > MOST_BRICKS:
+            self._bricks.popitem(last=False)
+        try:
+            beacon = Beacon.parse(data)
+        except DecodeError:
+            beacon = None
+        yield Announcement(Said.BEACON, data, beacon, (packet.number,), packet.time_ns, route)
+
+    def _is_answer(self, source_port: int, target: bytes, target_port: int) -> bool:
+        """An answer goes to the port that a beacon came from, which is known by nothing else."""
+        return BEACON_PORT in (source_port, target_port) or (target, target_port) in self._bricks

@@ -1,0 +1,53 @@
+"""btsnoop files: Bluetooth traffic as Android and BlueZ write it. The format is that of RFC 1761 with other numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import BinaryIO
+
+from construct import Bytes, Int32ub, Int64ub, Struct
+
+from ev3proto.capture.errors import CaptureError
+from ev3proto.capture.packets import MOST_PACKET, Interface, Link, Packet
+from ev3proto.schema.packed import packed
+
+MAGIC = b"btsnoop\0"
+HEADER = Struct("magic" / Bytes(len(MAGIC)), "version" / Int32ub, "link" / Int32ub)
+RECORD = Struct("size" / Int32ub, "length" / Int32ub, "flags" / Int32ub, "drops" / Int32ub, "microseconds" / Int64ub)
+
+_header = packed(HEADER, ">")
+_record = packed(RECORD, ">")
+
+# Times count from the year 0.
+_EPOCH = 0x00DCDDB30F2F8000
+
+LINKS = {1002: Link.HCI, 2001: Link.BLUETOOTH_MONITOR}
+"""What packets start with, by the format's own numbers: HCI with its packet type, and BlueZ's monitor."""
+
+
+def packets(stream: BinaryIO) -> Iterator[Packet]:
+    """The packets of a file from its start. Raises CaptureError at what cannot be read, having given all before."""
+    head = stream.read(_header.size)
+    if len(head) < _header.size:
+        raise CaptureError("the file is cut off in its header")
+    _, version, link = _header.unpack(head)
+    if link not in LINKS:
+        kinds = " and ".join(map(str, LINKS))
+        raise CaptureError(f"a btsnoop file of version {version} with packets of kind {link}; {kinds} can be read")
+    interface = Interface(LINKS[link])
+    number, position = 0, len(head)
+    while head := stream.read(_record.size):
+        number += 1
+        if len(head) < _record.size:
+            raise CaptureError(f"the file is cut off in the header of packet {number}, at offset {position}")
+        size, length, flags, _, microseconds = _record.unpack(head)
+        if length > MOST_PACKET:
+            raise CaptureError(
+                f"the file is damaged at offset {position}: packet {number} would have {length} bytes; what follows"
+                " cannot be read"
+            )
+        data = stream.read(length)
+        yield Packet(number, (microseconds - _EPOCH) * 1000, data, size, interface, flags)
+        if len(data) < length:
+            raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {length} bytes are there")
+        position += _record.size + length

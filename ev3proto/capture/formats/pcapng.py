@@ -1,0 +1,166 @@
+"""pcapng files: blocks in either byte order, several sections, several interfaces with names and times of their own.
+
+dpkt's reader takes one interface for all; so the blocks are described here, as far as packets need them.
+https://www.ietf.org/archive/id/draft-ietf-opsawg-pcapng-02.html
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import BinaryIO
+
+from construct import Int16ul, Int32ul, Int64ul, Struct
+
+from ev3proto.capture.errors import CaptureError
+from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
+from ev3proto.schema.packed import packed
+
+SECTION, INTERFACE, OLD_PACKET, SIMPLE_PACKET, PACKET = 0x0A0D0D0A, 1, 2, 3, 6
+"""The blocks that are read; all others are passed over."""
+
+MAGIC = SECTION.to_bytes(4, "big")
+_ORDER_MARK = 0x1A2B3C4D
+_ORDERS = {_ORDER_MARK.to_bytes(4, "little"): "<", _ORDER_MARK.to_bytes(4, "big"): ">"}
+
+BLOCK = Struct("type" / Int32ul, "length" / Int32ul)
+INTERFACE_HEAD = Struct("link" / Int16ul, "reserved" / Int16ul, "most" / Int32ul)
+PACKET_HEAD = Struct("interface" / Int32ul, "high" / Int32ul, "low" / Int32ul, "captured" / Int32ul, "size" / Int32ul)
+OLD_PACKET_HEAD = Struct(
+    "interface" / Int16ul,
+    "drops" / Int16ul,
+    "high" / Int32ul,
+    "low" / Int32ul,
+    "captured" / Int32ul,
+    "size" / Int32ul,
+)
+OPTION = Struct("code" / Int16ul, "length" / Int16ul)
+
+END_OF_OPTIONS, NAME, RESOLUTION, TIME_OFFSET = 0, 2, 9, 14
+"""Options of an interface."""
+
+_LEAST_BLOCK = 12
+_MOST_INTERFACES = 1 << 16
+
+
+@dataclass(slots=True)
+class _Clock:
+    """How the times of an interface are meant."""
+
+    interface: Interface
+    most: int
+    per_second: int = 1_000_000
+    offset_ns: int = 0
+
+    def time_ns(self, high: int, low: int) -> int:
+        return (high << 32 | low) * 1_000_000_000 // self.per_second + self.offset_ns
+
+
+class _Section:
+    """One section: what its interfaces are, in its byte order."""
+
+    def __init__(self, order: str) -> None:
+        self.order = order
+        self.block = packed(BLOCK, order)
+        self.interface = packed(INTERFACE_HEAD, order)
+        self.packet = packed(PACKET_HEAD, order)
+        self.old_packet = packed(OLD_PACKET_HEAD, order)
+        self.option = packed(OPTION, order)
+        self.number = packed(Struct("value" / Int64ul), order)
+        self.size = packed(Struct("size" / Int32ul), order)
+        self.clocks: list[_Clock] = []
+
+    def add_interface(self, body: bytes) -> None:
+        link, _, most = self.interface.unpack_from(body)
+        clock = _Clock(Interface(link, None, self.order), most)
+        for code, value in self._options(body, self.interface.size):
+            if code == NAME:
+                name = value.split(b"\0", 1)[0].decode("utf-8", "replace")
+                clock.interface = Interface(link, name or None, self.order)
+            elif code == RESOLUTION and value:
+                power = value[0] & 0x7F
+                clock.per_second = 1 << power if value[0] & 0x80 else 10**power
+            elif code == TIME_OFFSET and len(value) == self.number.size:
+                seconds = int(self.number.unpack(value)[0])
+                clock.offset_ns = (seconds - (seconds >> 63 << 64)) * 1_000_000_000
+        if len(self.clocks) >= _MOST_INTERFACES:
+            raise CaptureError(f"a section with more than {_MOST_INTERFACES} interfaces is not believed")
+        self.clocks.append(clock)
+
+    def _options(self, body: bytes, at: int) -> Iterator[tuple[int, bytes]]:
+        while at + self.option.size <= len(body):
+            code, length = self.option.unpack_from(body, at)
+            at += self.option.size
+            if code == END_OF_OPTIONS:
+                return
+            yield code, body[at : at + length]
+            at += length + -length % 4
+
+    def read(self, kind: int, body: bytes, number: int) -> Packet:
+        """The packet in a block of one of the three kinds that have one. Raises CaptureError."""
+        if kind == SIMPLE_PACKET:
+            (size,) = self.size.unpack_from(body)
+            clock = self._clock(0, number)
+            captured = min(size, clock.most) if clock.most else size
+            return self._packet(clock, body, self.size.size, captured, size, 0, number)
+        if kind == OLD_PACKET:
+            interface, _, high, low, captured, size = self.old_packet.unpack_from(body)
+            start = self.old_packet.size
+        else:
+            interface, high, low, captured, size = self.packet.unpack_from(body)
+            start = self.packet.size
+        clock = self._clock(interface, number)
+        return self._packet(clock, body, start, captured, size, clock.time_ns(high, low), number)
+
+    def _clock(self, interface: int, number: int) -> _Clock:
+        if interface >= len(self.clocks):
+            raise CaptureError(f"packet {number} is of interface {interface}, of which the file says nothing")
+        return self.clocks[interface]
+
+    def _packet(
+        self, clock: _Clock, body: bytes, start: int, captured: int, size: int, time_ns: int, number: int
+    ) -> Packet:
+        if captured > len(body) - start:
+            raise CaptureError(
+                f"packet {number} would have {captured} bytes, but its block has room for {len(body) - start}"
+            )
+        return Packet(number, time_ns, body[start : start + captured], size, clock.interface)
+
+
+def packets(stream: BinaryIO) -> Iterator[Packet]:
+    """The packets of a file from its start. Raises CaptureError at what cannot be read, having given all before."""
+    section: _Section | None = None
+    number, position = 0, 0
+    while head := stream.read(8):
+        if len(head) < 8:
+            raise CaptureError(f"the file is cut off in a block's header, at offset {position}")
+        mark = b""
+        if head.startswith(MAGIC):
+            mark = stream.read(4)
+            if mark not in _ORDERS:
+                raise CaptureError(f"the file is damaged at offset {position + 8}: a section has no byte order mark")
+            section = _Section(_ORDERS[mark])
+        assert section is not None, "a file is sniffed by its first section"
+        kind, length = section.block.unpack(head)
+        if length < _LEAST_BLOCK + len(mark) or length % 4 or length > MOST_PACKET:
+            raise CaptureError(
+                f"the file is damaged at offset {position}: a block would have {length} bytes; what follows cannot be"
+                " read"
+            )
+        rest = length - len(head) - len(mark)
+        body = stream.read(rest)
+        if len(body) < rest:
+            got = len(head) + len(mark) + len(body)
+            raise CaptureError(f"the file is cut off in a block at offset {position}: {got} of its {length} bytes")
+        if body[-4:] != head[4:]:
+            raise CaptureError(f"the file is damaged at offset {position}: a block does not end with its length")
+        try:
+            if kind == INTERFACE:
+                section.add_interface(body[:-4])
+            elif kind in (PACKET, SIMPLE_PACKET, OLD_PACKET):
+                number += 1
+                yield section.read(kind, body[:-4], number)
+        except struct.error:
+            raise CaptureError(f"the file is damaged at offset {position}: a block is too short for its kind") from None
+        position += length

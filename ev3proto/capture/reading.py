@@ -1,0 +1,106 @@
+"""Capture files opened, sniffed and read: `read` gives records, and everything else that a capture has beside them."""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Collection, Iterator
+from pathlib import Path
+from types import TracebackType
+from typing import BinaryIO, Literal, Self
+
+from ev3proto.capture.account import Account
+from ev3proto.capture.engine.reading import events
+from ev3proto.capture.formats import packets, unpacked
+from ev3proto.capture.record import Event, Record
+from ev3proto.tables import check_dialect
+from ev3proto.tables.discovery import TCP_PORT
+
+Engine = Literal["builtin", "wireshark"]
+
+
+class Capture:
+    """A capture that is being read: iterate it once, for its records or with `events` for everything in it.
+
+    It is closed when it was read to its end, when nobody holds it any more, or by `close` or a `with`.
+
+    account  where the captured bytes went, so far
+    """
+
+    def __init__(self, events: Iterator[Event], account: Account, file: BinaryIO | None) -> None:
+        self._events = events
+        self._file = file
+        self.account = account
+
+    def __iter__(self) -> Iterator[Record]:
+        for event in self.events():
+            if type(event) is Record:
+                yield event
+
+    def events(self) -> Iterator[Event]:
+        """Records, announcements and skipped bytes, in the order in which they became complete.
+
+        Raises CaptureError for a damaged file after everything readable was given, OSError where it cannot be read.
+        """
+        try:
+            yield from self._events
+        finally:
+            self.close()
+
+    def close(self) -> None:
+        """Closes what was opened."""
+        if self._file is not None:
+            self._file.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
+    ) -> None:
+        self.close()
+
+
+def read(
+    source: str | os.PathLike[str] | BinaryIO,
+    *,
+    dialect: str = "official",
+    ports: Collection[int] = (TCP_PORT,),
+    engine: Engine = "builtin",
+    tshark: str | None = None,
+) -> Capture:
+    """A capture file's records: pcap, pcapng or btsnoop, packed with gzip or not, told by its first bytes.
+
+    source   a path, or a binary stream at its start (which stays open)
+    dialect  the firmware whose instruction set to read by
+    ports    TCP ports on which bricks listen
+    engine   "builtin", or "wireshark": tshark takes the packets apart, for every link type that Wireshark knows
+    tshark   path of the tshark for that engine, where it is not on the path
+
+    Raises OSError for a file that cannot be opened, CaptureError for one that is no capture, ValueError for an unknown
+    dialect or engine; while it is read CaptureError for a damaged file, after everything readable was given.
+    """
+    check_dialect(dialect)
+    account = Account()
+    if engine == "wireshark":
+        from ev3proto.capture.wireshark import wireshark_events
+
+        return Capture(wireshark_events(source, account, dialect=dialect, ports=ports, tshark=tshark), account, None)
+    if engine != "builtin":
+        raise ValueError(f"there is no engine {engine!r}: it is builtin or wireshark")
+    if isinstance(source, str | os.PathLike):
+        file: BinaryIO = Path(source).open("rb")  # noqa: SIM115 - the capture closes it
+        owned: BinaryIO | None = file
+    else:
+        file, owned = source, None
+    try:
+        found = packets(unpacked(_buffered(file)))
+    except BaseException:
+        if owned is not None:
+            owned.close()
+        raise
+    return Capture(events(found, account, dialect=dialect, ports=ports), account, owned)
+
+
+def _buffered(stream: BinaryIO) -> io.BufferedReader:
+    return stream if isinstance(stream, io.BufferedReader) else io.BufferedReader(stream)  # type: ignore[arg-type]

@@ -190,7 +190,7 @@ def test_output_that_cannot_be_written() -> None:
 def test_standard_input_that_is_closed() -> None:
     command = f"{sys.executable} -m ev3proto decode <&-"
     done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False, timeout=60, cwd=ROOT)
-    assert (done.returncode, done.stderr) == (1, "-: cannot be read: standard input is closed\n")
+    assert (done.returncode, done.stderr) == (1, "standard input: cannot be read: standard input is closed\n")
 
 
 def test_dialects() -> None:

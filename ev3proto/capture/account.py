@@ -11,6 +11,8 @@ class Account:
 
     packets   packets in the file
     captured  bytes of them in the file
+    first_ns  when the first packet was captured, in nanoseconds since 1970-01-01 UTC; None where there is none
+    last_ns   when the last one was
     frames    bytes of frames
     texts     bytes of beacons, unlock texts and what is answered to them
     padding   bytes behind the frame in USB reports
@@ -22,6 +24,8 @@ class Account:
 
     packets: int = 0
     captured: int = 0
+    first_ns: int | None = None
+    last_ns: int | None = None
     frames: int = 0
     texts: int = 0
     padding: int = 0
@@ -33,7 +37,7 @@ class Account:
     @property
     def parts(self) -> dict[str, int]:
         """The bytes of each part by its name."""
-        return {field.name: getattr(self, field.name) for field in fields(self)[2:]}
+        return {field.name: getattr(self, field.name) for field in fields(self)[4:]}
 
     @property
     def balance(self) -> int:

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import io
 import os
 from collections.abc import Collection, Iterator
-from pathlib import Path
 from types import TracebackType
 from typing import BinaryIO, Literal, Self
 
 from ev3proto.capture.account import Account
-from ev3proto.capture.engine.reading import events
-from ev3proto.capture.formats import packets, unpacked
+from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.record import Event, Record
 from ev3proto.tables import check_dialect
 from ev3proto.tables.discovery import TCP_PORT
@@ -27,10 +24,15 @@ class Capture:
     account  where the captured bytes went, so far
     """
 
-    def __init__(self, events: Iterator[Event], account: Account, file: BinaryIO | None) -> None:
+    def __init__(self, events: Iterator[Event], account: Account, file: CaptureFile | None = None) -> None:
         self._events = events
         self._file = file
         self.account = account
+
+    @property
+    def progress(self) -> float | None:
+        """How much of the file was read, 0 to 1; None where nobody knows its size."""
+        return None if self._file is None else self._file.progress
 
     def __iter__(self) -> Iterator[Record]:
         for event in self.events():
@@ -62,7 +64,7 @@ class Capture:
 
 
 def read(
-    source: str | os.PathLike[str] | BinaryIO,
+    source: str | os.PathLike[str] | BinaryIO | CaptureFile,
     *,
     dialect: str = "official",
     ports: Collection[int] = (TCP_PORT,),
@@ -71,7 +73,7 @@ def read(
 ) -> Capture:
     """A capture file's records: pcap, pcapng or btsnoop, packed with gzip or not, told by its first bytes.
 
-    source   a path, or a binary stream at its start (which stays open)
+    source   a path, a binary stream at its start (which stays open), or a CaptureFile that was looked at before
     dialect  the firmware whose instruction set to read by
     ports    TCP ports on which bricks listen
     engine   "builtin", or "wireshark": tshark takes the packets apart, for every link type that Wireshark knows
@@ -85,22 +87,19 @@ def read(
     if engine == "wireshark":
         from ev3proto.capture.wireshark import wireshark_events
 
-        return Capture(wireshark_events(source, account, dialect=dialect, ports=ports, tshark=tshark), account, None)
+        return Capture(wireshark_events(source, account, dialect=dialect, ports=ports, tshark=tshark), account)
     if engine != "builtin":
         raise ValueError(f"there is no engine {engine!r}: it is builtin or wireshark")
-    if isinstance(source, str | os.PathLike):
-        file: BinaryIO = Path(source).open("rb")  # noqa: SIM115 - the capture closes it
-        owned: BinaryIO | None = file
-    else:
-        file, owned = source, None
+    from ev3proto.capture.engine.reading import events
+
+    file = source if isinstance(source, CaptureFile) else _opened(source)
     try:
-        found = packets(unpacked(_buffered(file)))
+        packets = file.packets()
     except BaseException:
-        if owned is not None:
-            owned.close()
+        file.close()
         raise
-    return Capture(events(found, account, dialect=dialect, ports=ports), account, owned)
+    return Capture(events(packets, account, dialect=dialect, ports=ports), account, file)
 
 
-def _buffered(stream: BinaryIO) -> io.BufferedReader:
-    return stream if isinstance(stream, io.BufferedReader) else io.BufferedReader(stream)  # type: ignore[arg-type]
+def _opened(source: str | os.PathLike[str] | BinaryIO) -> CaptureFile:
+    return CaptureFile.at(source) if isinstance(source, str | os.PathLike) else CaptureFile(source)

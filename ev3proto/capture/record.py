@@ -211,6 +211,12 @@ class Announcement:
         """When it was captured, in seconds since 1970-01-01 UTC."""
         return self.time_ns / NANOSECONDS
 
+    @property
+    def facts(self) -> dict[str, str]:
+        """What the text says, by name: a brick's serial number, TCP port, name and protocol; nothing for answers."""
+        names = ("serial", "port", "name", "protocol")
+        return {name: getattr(self.text, name) for name in names if hasattr(self.text, name)}
+
 
 @dataclass(frozen=True, slots=True)
 class Skipped:

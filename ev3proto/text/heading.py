@@ -11,21 +11,44 @@ from ev3proto.text.spans import Line, Role
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """How a message was come by: which way it went, when, and whether the text it was read from is cut off."""
+    """How a message was come by.
+
+    direction  `sent` or `received`, as the computer sees it
+    time       as it was written, or seconds since the capture began
+    cut        the text that it was read from is cut off
+    packets    the packets of a capture that carried it
+    place      carrier and brick
+    answers    for a reply: the packet of the command that it answers
+    latency    for a reply: seconds since then
+    """
 
     direction: str | None = None
     time: str | None = None
     cut: bool = False
+    packets: tuple[int, ...] = ()
+    place: str | None = None
+    answers: int | None = None
+    latency: float | None = None
+
+
+def origin(seen: Seen) -> Line:
+    """`0.011558 #12 usb 1.7 sent `: what stands before a message."""
+    line: Line = []
+    if seen.time:
+        line.append((f"{seen.time} ", Role.ASIDE))
+    if seen.packets:
+        line.append((f"#{'+'.join(map(str, seen.packets))} ", Role.ASIDE))
+    if seen.place:
+        line.append((f"{seen.place} ", Role.PLAIN))
+    if seen.direction:
+        line.append((f"{seen.direction} ", Role.ASIDE))
+    return line
 
 
 def heading(exchange: Exchange, seen: Seen) -> Line:
     """`09:12:31.011558 sent DIRECT_COMMAND_REPLY, counter 42, 16 bytes`, and for replies what they answer and how."""
     message = exchange.message
-    line: Line = []
-    if seen.time:
-        line.append((f"{seen.time} ", Role.ASIDE))
-    if seen.direction:
-        line.append((f"{seen.direction} ", Role.ASIDE))
+    line = origin(seen)
     size = len(message.build())
     if message.type is None:
         line.append((f"no EV3 message, {_bytes(size)}", Role.HEADING))
@@ -35,6 +58,8 @@ def heading(exchange: Exchange, seen: Seen) -> Line:
     if seen.cut and message.stated_length is not None:
         line.append((f" of {message.stated_length + 2}: the text is cut here", Role.MEANING))
     line += _what(exchange)
+    if seen.latency is not None:
+        line.append((f" ({seen.latency * 1000:.3f} ms after #{seen.answers})", Role.ASIDE))
     return line
 
 

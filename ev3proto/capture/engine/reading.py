@@ -35,6 +35,9 @@ def events(packets: Iterator[Packet], account: Account, *, dialect: str, ports: 
     trouble: CaptureError | None = None
     try:
         for packet in packets:
+            if account.first_ns is None:
+                account.first_ns = packet.time_ns
+            account.last_ns = packet.time_ns
             account.packets += 1
             account.captured += len(packet.data)
             reader = readers.get(packet.interface.link)

@@ -4,65 +4,121 @@ from __future__ import annotations
 
 import gzip
 import io
+import os
+import stat
 import zlib
 from collections.abc import Callable, Iterator
-from typing import BinaryIO
+from importlib import import_module
+from pathlib import Path
+from types import TracebackType
+from typing import Any, BinaryIO, Self
 
 from ev3proto.capture.errors import CaptureError
-from ev3proto.capture.formats import btsnoop, pcap, pcapng
 from ev3proto.capture.packets import Packet
 
 GZIP = b"\x1f\x8b"
 
-_READERS: dict[bytes, Callable[[BinaryIO], Iterator[Packet]]] = {
-    **dict.fromkeys(pcap.MAGICS, pcap.packets),
-    pcapng.MAGIC: pcapng.packets,
-    btsnoop.MAGIC: btsnoop.packets,
+MAGICS = {
+    bytes.fromhex("a1b2c3d4"): "pcap",
+    bytes.fromhex("d4c3b2a1"): "pcap",
+    bytes.fromhex("a1b23c4d"): "pcap",
+    bytes.fromhex("4d3cb2a1"): "pcap",
+    bytes.fromhex("a1b2cd34"): "pcap",
+    bytes.fromhex("34cdb2a1"): "pcap",
+    bytes.fromhex("0a0d0d0a"): "pcapng",
+    b"btsnoop\0": "btsnoop",
 }
+"""What files of each format start with; each is read by the module of that name, imported when there is such a file."""
 
-_MOST_MAGIC = max(map(len, _READERS))
+Reader = Callable[[BinaryIO], Iterator[Packet]]
 
-
-def unpacked(stream: io.BufferedReader) -> io.BufferedReader:
-    """The same stream, or what gzip packed into it."""
-    if not stream.peek(len(GZIP)).startswith(GZIP):
-        return stream
-    return io.BufferedReader(gzip.GzipFile(fileobj=stream))
+_MOST_MAGIC = max(map(len, MAGICS))
+_GZIP_TROUBLE = (EOFError, zlib.error, gzip.BadGzipFile)
 
 
-def is_capture(stream: io.BufferedReader) -> bool:
-    """Whether a stream starts like a capture file. Nothing is taken from it. Raises CaptureError for a damaged gzip."""
-    return _reader(stream) is not None
+class CaptureFile:
+    """A stream that may be a capture, or have one in it that gzip packed. It can be looked at before it is read.
 
+    contents  what is in it, unpacked
+    """
 
-def packets(stream: io.BufferedReader) -> Iterator[Packet]:
-    """The packets of a stream. Raises CaptureError for another format, or at what cannot be read, all before given."""
-    reader = _reader(stream)
-    if reader is None:
-        start = _start(stream)
-        raise CaptureError(
-            f"no capture file: it starts with {start.hex(' ').upper()}; pcap, pcapng and btsnoop files can be read,"
-            " packed with gzip or not"
-            if start
-            else "no capture file: it is empty"
+    def __init__(self, stream: BinaryIO, *, is_ours: bool = False) -> None:
+        """`is_ours`: close it with this."""
+        self._is_ours = is_ours
+        self._file: io.BufferedReader[Any] = (
+            stream if isinstance(stream, io.BufferedReader) else io.BufferedReader(stream)
         )
-    return _told(reader(stream))
+        is_packed = self._file.peek(len(GZIP)).startswith(GZIP)
+        self.contents: io.BufferedReader[Any] = (
+            io.BufferedReader(gzip.GzipFile(fileobj=self._file)) if is_packed else self._file
+        )
+        self._size = _size(stream)
+
+    @classmethod
+    def at(cls, path: str | os.PathLike[str]) -> Self:
+        """The file at a path. Raises OSError."""
+        stream = Path(path).open("rb")  # noqa: SIM115 - `close` does
+        try:
+            return cls(stream, is_ours=True)
+        except BaseException:
+            stream.close()
+            raise
+
+    @property
+    def is_capture(self) -> bool:
+        """Whether it starts like a capture file. Raises CaptureError for a damaged gzip, OSError."""
+        return self._format() is not None
+
+    @property
+    def progress(self) -> float | None:
+        """How much of it was read, 0 to 1; None where nobody knows its size."""
+        return None if not self._size or self._file.closed else min(self._file.tell() / self._size, 1.0)
+
+    def packets(self) -> Iterator[Packet]:
+        """The packets in it. Raises CaptureError for another format, and at what cannot be read, all before given."""
+        name = self._format()
+        if name is None:
+            start = self._start().hex(" ").upper()
+            what = f"it starts with {start}" if start else "it is empty"
+            raise CaptureError(
+                f"no capture file: {what}; pcap, pcapng and btsnoop files can be read, packed with gzip or not"
+            )
+        return self._told(import_module(f"{__name__}.{name}").packets)
+
+    def close(self) -> None:
+        """Closes the stream if it is ours."""
+        if self._is_ours:
+            self._file.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _told(self, reader: Reader) -> Iterator[Packet]:
+        try:
+            yield from reader(self.contents)
+        except _GZIP_TROUBLE as error:
+            raise CaptureError(f"the gzip stream is cut off or damaged: {error}") from None
+
+    def _start(self) -> bytes:
+        try:
+            return self.contents.peek(_MOST_MAGIC)[:_MOST_MAGIC]
+        except _GZIP_TROUBLE as error:
+            raise CaptureError(f"the gzip stream is cut off or damaged: {error}") from None
+
+    def _format(self) -> str | None:
+        start = self._start()
+        return next((name for magic, name in MAGICS.items() if start.startswith(magic)), None)
 
 
-def _told(found: Iterator[Packet]) -> Iterator[Packet]:
+def _size(stream: BinaryIO) -> int | None:
+    """Bytes of a file; None for a pipe or what is no file at all."""
     try:
-        yield from found
-    except (EOFError, zlib.error, gzip.BadGzipFile) as error:
-        raise CaptureError(f"the gzip stream is cut off or damaged: {error}") from None
-
-
-def _start(stream: io.BufferedReader) -> bytes:
-    try:
-        return stream.peek(_MOST_MAGIC)[:_MOST_MAGIC]
-    except (EOFError, zlib.error, gzip.BadGzipFile) as error:
-        raise CaptureError(f"the gzip stream is cut off or damaged: {error}") from None
-
-
-def _reader(stream: io.BufferedReader) -> Callable[[BinaryIO], Iterator[Packet]] | None:
-    start = _start(stream)
-    return next((reader for magic, reader in _READERS.items() if start.startswith(magic)), None)
+        found = os.fstat(stream.fileno())
+    except (OSError, AttributeError):
+        return None
+    return found.st_size if stat.S_ISREG(found.st_mode) else None

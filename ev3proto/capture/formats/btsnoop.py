@@ -11,8 +11,7 @@ from ev3proto.capture.errors import CaptureError
 from ev3proto.capture.packets import MOST_PACKET, Interface, Link, Packet
 from ev3proto.schema.packed import packed
 
-MAGIC = b"btsnoop\0"
-HEADER = Struct("magic" / Bytes(len(MAGIC)), "version" / Int32ub, "link" / Int32ub)
+HEADER = Struct("magic" / Bytes(8), "version" / Int32ub, "link" / Int32ub)
 RECORD = Struct("size" / Int32ub, "length" / Int32ub, "flags" / Int32ub, "drops" / Int32ub, "microseconds" / Int64ub)
 
 _header = packed(HEADER, ">")

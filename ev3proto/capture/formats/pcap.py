@@ -13,8 +13,6 @@ from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
 
 _NANO = (pcap.TCPDUMP_MAGIC_NANO, pcap.PMUDPCT_MAGIC_NANO)
 _SWAPPED = (pcap.PMUDPCT_MAGIC, pcap.PMUDPCT_MAGIC_NANO, pcap.PACPDOM_MAGIC)
-MAGICS = tuple(magic.to_bytes(4, "big") for magic in pcap.MAGIC_TO_PKT_HDR)
-"""What such a file starts with."""
 
 # The upper bits of the field say whether Ethernet packets have their check sum.
 _LINK_MASK = 0xFFFF

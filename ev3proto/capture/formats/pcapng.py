@@ -20,7 +20,7 @@ from ev3proto.schema.packed import packed
 SECTION, INTERFACE, OLD_PACKET, SIMPLE_PACKET, PACKET = 0x0A0D0D0A, 1, 2, 3, 6
 """The blocks that are read; all others are passed over."""
 
-MAGIC = SECTION.to_bytes(4, "big")
+_MAGIC = SECTION.to_bytes(4, "big")
 _ORDER_MARK = 0x1A2B3C4D
 _ORDERS = {_ORDER_MARK.to_bytes(4, "little"): "<", _ORDER_MARK.to_bytes(4, "big"): ">"}
 
@@ -136,7 +136,7 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
         if len(head) < 8:
             raise CaptureError(f"the file is cut off in a block's header, at offset {position}")
         mark = b""
-        if head.startswith(MAGIC):
+        if head.startswith(_MAGIC):
             mark = stream.read(4)
             if mark not in _ORDERS:
                 raise CaptureError(f"the file is damaged at offset {position + 8}: a section has no byte order mark")

@@ -1,0 +1,254 @@
+"""What all subcommands that read captures share: the options, the complaints, the progress bar."""
+
+from __future__ import annotations
+
+import functools
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from ev3proto.cli.output import complain
+from ev3proto.tables.declaration import DIALECTS
+from ev3proto.tables.discovery import TCP_PORT
+
+if TYPE_CHECKING:
+    from ev3proto.capture import Account, Capture, Event
+    from ev3proto.capture.filter import Filter
+    from ev3proto.capture.formats import CaptureFile
+
+BUILTIN = "builtin"
+"""The engine that needs no other program."""
+
+MOST_COMPLAINTS = 10
+"""Places in a capture that are complained about one by one; of the others, only their number is told."""
+
+_PATIENCE = 1.0
+_EVERY = 2048
+
+
+@dataclass
+class CaptureOptions:
+    """How captures are to be read.
+
+    dialect  the firmware whose instruction set to read by
+    ports    TCP ports on which bricks listen
+    engine   builtin or wireshark
+    tshark   path of the tshark for that engine
+    filter   which records to show, None for all
+    """
+
+    dialect: str = DIALECTS[0]
+    ports: tuple[int, ...] = (TCP_PORT,)
+    engine: str = BUILTIN
+    tshark: str | None = None
+    filter: Filter | None = None
+
+
+@dataclass
+class CaptureSource:
+    """A capture named on the command line.
+
+    name     path, or - for standard input
+    options  how to read it
+    status   exit status so far: 1 once anything was at fault
+    """
+
+    name: str
+    options: CaptureOptions
+    status: int = 0
+    _capture: Capture | None = field(default=None, repr=False)
+
+    @property
+    def account(self) -> Account:
+        """Where the captured bytes went, so far."""
+        from ev3proto.capture import Account
+
+        return Account() if self._capture is None else self._capture.account
+
+    @property
+    def label(self) -> str:
+        """How people call it."""
+        return "standard input" if self.name == "-" else self.name
+
+    def events(self, stream: CaptureFile | None = None, *, is_quiet: bool = True) -> Iterator[Event]:
+        """The events that the filter lets through. What cannot be read is complained about; nothing is raised.
+
+        stream    its bytes, where they were looked at before
+        is_quiet  nothing else is printed meanwhile: a progress bar may be drawn
+        """
+        from ev3proto.capture import CaptureError
+
+        try:
+            with self._opened(stream) as capture, _progress(capture, self.label, is_quiet=is_quiet) as advance:
+                for count, event in enumerate(self._told(capture)):
+                    if count % _EVERY == 0:
+                        advance()
+                    yield event
+        except CaptureError as error:
+            self._complain(str(error))
+        except OSError as error:
+            self._complain(f"cannot be read: {error.strerror or error}")
+
+    def _complain(self, sentence: str) -> None:
+        complain(f"{self.label}: {sentence}")
+        self.status = 1
+
+    def _opened(self, stream: CaptureFile | None) -> Capture:
+        from ev3proto.capture import read
+
+        options = self.options
+        self._capture = read(
+            stream or _stream(self.name),
+            dialect=options.dialect,
+            ports=options.ports,
+            engine=options.engine,  # type: ignore[arg-type]
+            tshark=options.tshark,
+        )
+        return self._capture
+
+    def _told(self, capture: Capture) -> Iterator[Event]:
+        from ev3proto.capture import Record, Skipped
+
+        chosen = self.options.filter
+        places = lost = 0
+        for event in capture.events():
+            if isinstance(event, Skipped):
+                places += 1
+                lost += len(event.data)
+                if places <= MOST_COMPLAINTS:
+                    self._complain(str(event))
+            elif isinstance(event, Record) and chosen is not None and not chosen(event):
+                continue
+            yield event
+        if places > MOST_COMPLAINTS:
+            self._complain(f"and {places - MOST_COMPLAINTS} more places; {lost} bytes in all could not be read")
+
+
+def _stream(name: str) -> Any:
+    if name != "-":
+        return name
+    if sys.stdin is None:
+        raise OSError("standard input is closed")
+    return sys.stdin.buffer
+
+
+def _compiled(_context: click.Context, _parameter: click.Parameter, text: str | None) -> Filter | None:
+    if text is None:
+        return None
+    from ev3proto.capture.filter import FilterError, compile_filter
+
+    try:
+        return compile_filter(text)
+    except FilterError as error:
+        raise click.BadParameter(f"{error}\n  {text}\n  {' ' * (error.column - 1)}^") from None
+
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+_OPTIONS = (
+    click.option(
+        "--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True, help="Whose instruction set."
+    ),
+    click.option(
+        "--port",
+        "ports",
+        type=click.IntRange(1, 65535),
+        multiple=True,
+        default=(TCP_PORT,),
+        show_default=True,
+        help="TCP port on which a brick listens; several are allowed.",
+    ),
+    click.option(
+        "--engine",
+        type=click.Choice((BUILTIN, "wireshark")),
+        default=BUILTIN,
+        show_default=True,
+        help="What takes packets apart: ev3proto itself, or the tshark on this computer.",
+    ),
+    click.option("--tshark", metavar="PATH", help="The tshark to use, where it is not on the path."),
+    click.option(
+        "--filter",
+        "chosen",
+        callback=_compiled,
+        metavar="EXPRESSION",
+        help="Only frames of a capture for which this is true, such as 'op==SOUND.TONE && FREQUENCY>400'.",
+    ),
+)
+
+
+def reading_options(command: F) -> F:
+    """Adds the options to a command, which gets them as one argument, `reading`."""
+
+    @functools.wraps(command)
+    def called(
+        *arguments: Any,
+        dialect: str,
+        ports: tuple[int, ...],
+        engine: str,
+        tshark: str | None,
+        chosen: Filter | None,
+        **others: Any,
+    ) -> Any:
+        reading = CaptureOptions(dialect, ports, engine, tshark, chosen)
+        return command(*arguments, reading=reading, **others)
+
+    for option in reversed(_OPTIONS):
+        option(called)
+    return called  # type: ignore[return-value]
+
+
+def capture_options(command: F) -> F:
+    """Adds the options and the argument FILE to a command, which gets them as one argument, `source`."""
+
+    @functools.wraps(command)
+    def called(*arguments: Any, file: str, reading: CaptureOptions, **others: Any) -> Any:
+        return command(*arguments, source=CaptureSource(file, reading), **others)
+
+    wrapped = reading_options(called)
+    click.argument("file", metavar="FILE")(wrapped)
+    return wrapped  # type: ignore[return-value]
+
+
+def _progress(capture: Capture, name: str, *, is_quiet: bool) -> AbstractContextManager[Callable[[], None]]:
+    """What draws the bar when it is called, where a terminal watches and nothing else is printed on it."""
+    watched = sys.stderr is not None and sys.stderr.isatty() and (is_quiet or not sys.stdout.isatty())
+    return _Bar(capture, name) if watched else nullcontext(lambda: None)
+
+
+class _Bar:
+    """A bar that is drawn once reading takes longer than people like to wait without a word."""
+
+    def __init__(self, capture: Capture, name: str) -> None:
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+        self._capture = capture
+        self._started = time.monotonic()
+        console = Console(stderr=True)
+        text = TextColumn("{task.description}", markup=False)
+        columns = (text, BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
+        self._progress = Progress(*columns, console=console, transient=True)
+        self._task = self._progress.add_task(name, total=None)
+        self._is_drawn = False
+
+    def __enter__(self) -> Callable[[], None]:
+        return self._advance
+
+    def __exit__(self, *_: object) -> None:
+        if self._is_drawn:
+            self._progress.stop()
+
+    def _advance(self) -> None:
+        if not self._is_drawn:
+            if time.monotonic() - self._started < _PATIENCE:
+                return
+            self._progress.start()
+            self._is_drawn = True
+        done = self._capture.progress
+        if done is not None:
+            self._progress.update(self._task, total=1.0, completed=done)

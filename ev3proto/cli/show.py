@@ -1,0 +1,147 @@
+"""Messages to standard output, in the format asked for: from pasted text, or with all that a capture knows of them."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from ev3proto.cli.output import Printer
+from ev3proto.dialogue import Exchange
+from ev3proto.text.assembly import assembly
+from ev3proto.text.dialogues import dialogue_line
+from ev3proto.text.heading import Seen, heading, origin
+from ev3proto.text.records import record as json_record
+from ev3proto.text.spans import Line, Role, plain_text
+from ev3proto.text.table import table
+from ev3proto.text.tree import tree
+
+if TYPE_CHECKING:
+    from ev3proto.capture import Announcement, Record
+    from ev3proto.capture.dialogues import Spoken
+
+FORMATS = ("tree", "table", "asm", "json")
+
+
+class Show:
+    """Shows one message after the other.
+
+    style  one of FORMATS
+    """
+
+    def __init__(self, style: str) -> None:
+        self._style = style
+        self._printer = Printer()
+        self.count = 0
+
+    def exchange(self, exchange: Exchange, seen: Seen, padding: int = 0) -> None:
+        """A message, and how many bytes of padding followed it."""
+        self._count()
+        if self._style == "json":
+            self._printer.text(json.dumps(json_record(exchange, seen), ensure_ascii=False))
+        elif self._style == "asm":
+            for line in assembly(exchange, plain_text(heading(exchange, seen))):
+                self._printer.text(line)
+        else:
+            self._printer.lines((table if self._style == "table" else tree)(exchange, seen))
+            if padding:
+                self._printer.text(f"        {padding} bytes of padding follow the frame")
+
+    def record(self, record: Record, start_ns: int) -> None:
+        """A frame of a capture that began then."""
+        if self._style == "json":
+            self._count()
+            self._printer.text(json.dumps(_json(record), ensure_ascii=False))
+            return
+        answers = None if record.request is None else record.request.number
+        self.exchange(record.exchange, _seen(record, start_ns, answers))
+        if record.note is not None:
+            self._printer.lines([[(f"  note: {record.note}", Role.MEANING)]])
+
+    def announcement(self, announcement: Announcement, start_ns: int) -> None:
+        """A text of a capture that began then."""
+        self._count()
+        facts = announcement.facts
+        if self._style == "json":
+            route = announcement.route
+            entry = {
+                "kind": announcement.said.name.lower(),
+                "direction": route.direction,
+                **_place(announcement),
+                "text": facts,
+                "hex": announcement.data.hex(),
+            }
+            self._printer.text(json.dumps(entry, ensure_ascii=False))
+            return
+        line = origin(_seen(announcement, start_ns))
+        line.append((str(announcement.said), Role.HEADING))
+        told = ", ".join(f"{name} {value}" for name, value in facts.items())
+        self._printer.lines([[*line, (f": {told}" if told else "", Role.VALUE)]])
+
+    def dialogue(self, spoken: Spoken, start_ns: int) -> None:
+        """A command with its reply, on one line."""
+        from ev3proto.capture.record import NANOSECONDS
+
+        self.count += 1
+        if self._style == "json":
+            entry: dict[str, Any] = {
+                name: _json(record) for name, record in spoken._asdict().items() if record is not None
+            }
+            entry["latency"] = None if spoken.reply is None else spoken.reply.latency
+            self._printer.text(json.dumps(entry, ensure_ascii=False))
+            return
+        first = spoken.command or spoken.last
+        reply = spoken.reply
+        line: Line = [
+            (f"{(first.time_ns - start_ns) / NANOSECONDS:12.6f} ", Role.ASIDE),
+            (f"#{first.number} ".rjust(7), Role.ASIDE),
+            (f"{first.carrier} {first.peer}  ", Role.PLAIN),
+        ]
+        line += dialogue_line(
+            None if spoken.command is None else spoken.command.message,
+            None if reply is None else reply.exchange,
+            None if reply is None else reply.latency,
+        )
+        self._printer.lines([line])
+
+    def _count(self) -> None:
+        if self.count and self._style == "table":
+            self._printer.text("")
+        self.count += 1
+
+
+def _seen(event: Record | Announcement, start_ns: int, answers: int | None = None) -> Seen:
+    from ev3proto.capture.record import NANOSECONDS, Record
+
+    return Seen(
+        direction=event.route.direction,
+        time=f"{(event.time_ns - start_ns) / NANOSECONDS:.6f}",
+        packets=event.numbers,
+        place=f"{event.route.carrier} {event.route.peer}",
+        answers=answers,
+        latency=event.latency if isinstance(event, Record) else None,
+    )
+
+
+def _place(event: Record | Announcement) -> dict[str, Any]:
+    """Where and when, for other tools."""
+    from ev3proto.capture.record import utc
+
+    route = event.route
+    return {
+        "time": utc(event.time_ns),
+        "packets": list(event.numbers),
+        "interface": route.interface,
+        "carrier": route.carrier,
+        "source": route.source,
+        "target": route.target,
+        "peer": route.peer,
+    }
+
+
+def _json(record: Record) -> dict[str, Any]:
+    entry = json_record(record.exchange, Seen(direction=record.direction)) | _place(record)
+    if record.request is not None:
+        entry |= {"answers": record.request.number, "latency": record.latency}
+    if record.note is not None:
+        entry["note"] = record.note
+    return entry

@@ -8,19 +8,16 @@ tshark is measured is a setting: EV3PROTO_TSHARK, as for the tests.
 
 from __future__ import annotations
 
-import random
 import subprocess
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from statistics import median
 
 import pytest
-from frames import Segment, tcp_capture
+from frames import tcp_capture
 from wireshark import Tshark
 
-import ev3proto
-from benchmarks.commands import commands
+from benchmarks.dialogue import dialogue
 
 COMMANDS = 15_000
 ROUNDS = 5
@@ -28,28 +25,11 @@ MOST = {"one line": 3.0, "-V": 3.5}
 """How many times tshark's own time each kind of output may take."""
 
 
-def _dialogue() -> Iterator[Segment]:
-    """Each command and its reply, and whether it comes from the host."""
-    rng = random.Random(1)
-    for counter, frame in enumerate(commands(COMMANDS)):
-        command = ev3proto.parse(frame)
-        assert isinstance(command, ev3proto.DirectCommand)
-        asked = ev3proto.direct_command(
-            *command.operations,
-            counter=counter,
-            reply=True,
-            global_size=command.global_size,
-            local_size=command.local_size,
-        )
-        yield Segment(True, asked.build())
-        yield Segment(False, ev3proto.direct_reply(rng.randbytes(command.global_size), counter=counter).build())
-
-
 @pytest.fixture(scope="module")
 def capture(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A pcap file of the dialogue, a frame a packet, a millisecond from each to the next."""
     path = tmp_path_factory.mktemp("speed") / "commands.pcap"
-    path.write_bytes(tcp_capture(_dialogue()))
+    path.write_bytes(tcp_capture(dialogue(COMMANDS)))
     return path
 
 

@@ -137,6 +137,7 @@ class OperationReader(Protocol):
     """What an operation needs of its schema."""
 
     declaration: Declaration
+    has_outputs: bool
 
     def selector(self, data: bytes, at: int) -> Argument | None:
         """The CMD argument of the operation at an offset."""
@@ -192,6 +193,11 @@ class Operation(tuple["OperationReader", bytes, int, int]):
     def full_name(self) -> str:
         """`SOUND.TONE`, or the opcode's name alone."""
         return self._schema.declaration.name
+
+    @property
+    def has_outputs(self) -> bool:
+        """True where any of its parameters takes a value that the brick writes."""
+        return self._schema.has_outputs
 
     @property
     def cmd(self) -> Argument | None:

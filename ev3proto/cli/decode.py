@@ -98,6 +98,7 @@ class Decoding:
     def source(self, source: Source) -> None:
         """Everything in a source; a sentence where it cannot be read."""
         if source.is_frame:
+            self._refuse_for_text(source)
             self._pasted(read_argument(source.name), source)
             return
         file = self._opened(source)
@@ -107,8 +108,13 @@ class Decoding:
             if self._reading.engine != BUILTIN or self._is_capture(source, file):
                 self._capture(source, file)
             else:
+                self._refuse_for_text(source)
                 for pasted in self._readable(source, read_text(_lines(file.contents))):
                     self._pasted(pasted, source)
+
+    def _refuse_for_text(self, source: Source) -> None:
+        if self._as_dialogues or self._reading.filter is not None:
+            raise click.UsageError(f"--dialogues and --filter are for captures, and {source.label[:60]} is none")
 
     def _opened(self, source: Source) -> CaptureFile | None:
         from ev3proto.capture.formats import CaptureFile

@@ -5,24 +5,32 @@ from __future__ import annotations
 import math
 import struct
 from collections.abc import Iterator
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from ev3proto.messages import Argument, DirectCommand, DirectReply, Message, Operation, SystemReply
 from ev3proto.schema.frame import HEADER_SIZE
-from ev3proto.tables.declaration import Enumeration, Parameter, Type
+from ev3proto.tables.declaration import Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, RANGES, STRING_CODING
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
 
 ValueType = int | float | str | bytes | list[int] | list[float]
 """What a value from a reply can be."""
 
-_LAYOUTS = {Type.DATA8: "<b", Type.DATA16: "<h", Type.DATA32: "<i", Type.DATAF: "<f", Type.HANDLE: "<h"}
+_LAYOUTS = {
+    kind: struct.Struct(layout)
+    for kind, layout in (
+        (Type.DATA8, "<b"),
+        (Type.DATA16, "<h"),
+        (Type.DATA32, "<i"),
+        (Type.DATAF, "<f"),
+        (Type.HANDLE, "<h"),
+    )
+}
 _BY_SIZE = {1: Type.DATA8, 2: Type.DATA16, 4: Type.DATA32}
 _NAN = {str(kind): RANGES[kind].nan for kind in _BY_SIZE.values()}
 
 
-@dataclass(frozen=True, slots=True)
-class Value:
+class Value(NamedTuple):
     """One value in a reply.
 
     op       opcode's name, or the system command's
@@ -87,8 +95,11 @@ def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
     if reply.is_error:
         return
     for operation in command.operations:
+        if not operation.has_outputs:
+            continue
         for argument in operation.arguments:
-            if argument.parameter.is_output and argument.kind == GLOBAL and not argument.form.address:
+            parameter, form, *_ = argument
+            if form.kind == GLOBAL and parameter.is_output and not form.address:
                 value = _read(operation, argument, reply.memory)
                 if value is not None:
                     yield value
@@ -110,37 +121,38 @@ def _read(operation: Operation, argument: Argument, memory: bytes) -> Value | No
         piece = memory[start : start + kind.size]
         if len(piece) < kind.size:
             return None
-        (value,) = struct.unpack(_LAYOUTS[kind], piece)
+        (value,) = _LAYOUTS[kind].unpack(piece)
         length = kind.size
     elif kind not in _LAYOUTS:
         return None
+    elif parameter.length is None:
+        layout = _LAYOUTS[kind]
+        length = layout.size
+        if start + length > len(memory):
+            return None
+        (value,) = layout.unpack_from(memory, start)
+        if parameter.enum is not None:
+            symbol = parameter.enum.name_of(value)
     else:
-        count = 1 if parameter.length is None else _length(operation, parameter, len(memory) // kind.size)
+        count = _length(operation, parameter, len(memory) // kind.size)
         count = min(count, (len(memory) - start) // kind.size)
         if count < 1:
             return None
         length = count * kind.size
-        numbers = [number for (number,) in struct.iter_unpack(_LAYOUTS[kind], memory[start : start + length])]
-        if parameter.length is None:
-            value, symbol = numbers[0], _name(parameter.enum, numbers[0])
-        else:
-            value = numbers
-            symbol = [_name(parameter.enum, number) for number in numbers] if parameter.enum else None
+        numbers = [number for (number,) in _LAYOUTS[kind].iter_unpack(memory[start : start + length])]
+        value = numbers
+        symbol = [parameter.enum.name_of(number) for number in numbers] if parameter.enum else None
     return Value(
         operation.name,
         operation.command,
         argument.name,
         value,
         None if argument.form.handle else parameter.unit,
-        str(kind),
+        kind.label,
         symbol,
         HEADER_SIZE + start,
         length,
     )
-
-
-def _name(enum: Enumeration | None, number: int | float) -> str | None:
-    return enum.name_of(number) if enum else None
 
 
 def _length(operation: Operation, parameter: Parameter, most: int) -> int:

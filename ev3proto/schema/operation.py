@@ -38,6 +38,9 @@ class OperationSchema(Bytewise):
         """The arguments where their number is always the same, None where a list follows."""
         self.readers = tuple((schema.parameter, schema.long_forms) for schema in self.fixed)
         self._elements: dict[tuple[int, Type], ArgumentSchema] = {}
+        self.has_outputs = any(
+            parameter.is_output or parameter.elements is not Direction.IN for parameter in parameters
+        )
 
     # Reading
 

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from ev3proto.capture import Event
     from ev3proto.capture.formats import CaptureFile
 
+_START = 8
+
 _GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 
 
@@ -109,6 +111,13 @@ class Decoding:
                 self._capture(source, file)
             else:
                 self._refuse_for_text(source)
+                start = file.contents.peek(_START)[:_START]
+                if _is_binary(start):
+                    self._complain(
+                        f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()}; captures"
+                        " are pcap, pcapng or btsnoop files, packed with gzip or not"
+                    )
+                    return
                 for pasted in self._readable(source, read_text(_lines(file.contents))):
                     self._pasted(pasted, source)
 
@@ -195,6 +204,13 @@ class Decoding:
         self._show.exchange(self._dialogue.follow(piece.message), seen, piece.padding)
         if fault is not None and not cut:
             self._complain(f"{where}: fault at {fault}")
+
+
+def _is_binary(start: bytes) -> bool:
+    """Whether bytes are no text: it has no control characters but those that break lines, or is UTF-16."""
+    if start.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return False
+    return any(byte < ord(" ") and byte not in b"\t\n\r\f\x1b" for byte in start)
 
 
 def _packets(count: int) -> str:

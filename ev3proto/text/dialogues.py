@@ -24,17 +24,15 @@ def command_spans(message: Message) -> Line:
     """What a command asks for: its operations with their arguments, or its fields."""
     line: Line = []
     if isinstance(message, DirectCommand):
-        for number, operation in enumerate(message.operations[:_MOST_OPERATIONS]):
-            line += [("; ", Role.PLAIN)] if number else []
-            line += _operation(operation)
-        if len(message.operations) > _MOST_OPERATIONS:
-            line.append((f"; and {len(message.operations) - _MOST_OPERATIONS} more", Role.ASIDE))
-        if not message.operations:
-            line.append(("no operations", Role.ASIDE))
-    elif isinstance(message, SystemCommand | DaisyCommand):
+        line += _operations(message.operations) if message.operations else [("no operations", Role.ASIDE)]
+    elif isinstance(message, SystemCommand):
         line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
-        if isinstance(message, SystemCommand):
-            line += _fields({name: plain(value) for name, value in message.fields.items()})
+        line += _fields({name: plain(value) for name, value in message.fields.items()})
+    elif isinstance(message, DaisyCommand):
+        line.append((message.command or f"0x{message.number:02X}", Role.OPERATION))
+        line.append((f" from layer {message.layer_from} to layer {message.layer_to}", Role.PLAIN))
+        if message.operations:
+            line += [(": ", Role.PLAIN), *_operations(message.operations)]
     else:
         line.append(("no EV3 message" if message.type is None else message.type.name, Role.OPERATION))
     if message.fault is not None:
@@ -78,6 +76,16 @@ def dialogue_line(command: Message | None, reply: Exchange | None, latency: floa
             line.append((f"  {latency * 1000:.3f} ms", Role.ASIDE))
     elif command is not None and command.wants_reply:
         line.append((" -> no reply", Role.FAULT))
+    return line
+
+
+def _operations(operations: tuple[Operation, ...]) -> Line:
+    line: Line = []
+    for number, operation in enumerate(operations[:_MOST_OPERATIONS]):
+        line += [("; ", Role.PLAIN)] if number else []
+        line += _operation(operation)
+    if len(operations) > _MOST_OPERATIONS:
+        line.append((f"; and {len(operations) - _MOST_OPERATIONS} more", Role.ASIDE))
     return line
 
 

@@ -8,15 +8,17 @@ import click
 
 from ev3proto.cli.decode import decode
 from ev3proto.cli.dissector import dissector
+from ev3proto.cli.files import files
 from ev3proto.cli.ops import ops
 from ev3proto.cli.output import complain
+from ev3proto.cli.stats import stats
 from ev3proto.version import VERSION
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(VERSION, prog_name="ev3proto")
 def cli() -> None:
-    """The wire protocol of the LEGO MINDSTORMS EV3: read frames, look operations up.
+    """The wire protocol of the LEGO MINDSTORMS EV3: read frames and captures, look operations up.
 
     Exit status: 0 fine, 1 the input is at fault, 2 the call is.
     """
@@ -24,7 +26,9 @@ def cli() -> None:
 
 cli.add_command(decode)
 cli.add_command(dissector)
+cli.add_command(files)
 cli.add_command(ops)
+cli.add_command(stats)
 
 
 def main() -> None:

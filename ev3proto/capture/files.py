@@ -1,0 +1,377 @@
+"""The files that a capture moves to or from the brick, put back together from their pieces.
+
+    for found in recover(capture.events(), Path("files")):
+        print(found.file, found.outcome)
+
+Pieces go to disk as they come, into a folder of their own inside the one named. What a file is called is settled when
+all was read: only then it is known whether it is whole and whether there are several bricks.
+"""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections import OrderedDict
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+from types import TracebackType
+from typing import BinaryIO, Self
+
+from ev3proto.capture.errors import CaptureError
+from ev3proto.capture.moving import LISTINGS, UPLOADS, entry_of, piece_of
+from ev3proto.capture.naming import Shelf, parts_of, safe_name
+from ev3proto.capture.record import Event, Record
+from ev3proto.capture.replies import is_error
+from ev3proto.dialogue import Transfer
+from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.tables.system import Kind, SystemStatus
+from ev3proto.tables.system import SystemCommand as SystemEntry
+
+MOST_FILES = 10_000
+"""So many files a capture can give; of further ones only the number is told."""
+
+MOST_OPEN = 16
+"""So many files are open at once."""
+
+PART = ".part"
+"""What is put behind the name of a file that is not whole."""
+
+LISTING = "listing.txt"
+"""What the listing of a folder is called, inside that folder."""
+
+
+class Outcome(StrEnum):
+    """What became of a file."""
+
+    COMPLETE = "complete"
+    INCOMPLETE = "incomplete"
+    REFUSED = "refused"
+
+
+@dataclass(frozen=True, slots=True)
+class RecoveredFile:
+    """A file that was moved.
+
+    path       on the brick, as the capture says it; for pieces whose beginning was not captured, what is known of them
+    command    that began it, None where that was not captured
+    direction  `to brick` or `from brick`
+    peer       the brick
+    bytes      that were moved
+    size       bytes of the whole file, None where nobody said it
+    outcome    complete, incomplete, or refused by the brick before anything was moved
+    trouble    for what is not complete: why not, as a sentence
+    packets    the first and the last packet that is about it
+    file       where it was written, None where nothing was
+    """
+
+    path: str
+    command: str | None
+    direction: str
+    peer: str
+    bytes: int
+    size: int | None
+    outcome: Outcome
+    trouble: str | None
+    packets: tuple[int, int]
+    file: Path | None = None
+
+
+def survey(events: Iterable[Event], *, listings: bool = False) -> Iterator[RecoveredFile]:
+    """The files that there are, in the order in which they began; nothing is written.
+
+    listings  also the listings of folders
+
+    Raises CaptureError, as reading the capture does, after everything that there is; also beyond MOST_FILES.
+    """
+    found = _Files(lambda _number, _piece: None, listings=listings)
+    trouble = found.take(events)
+    for moving in found.all:
+        yield moving.result(None)
+    if trouble is not None:
+        raise trouble
+
+
+def recover(
+    events: Iterable[Event], folder: Path, *, force: bool = False, listings: bool = False
+) -> Iterator[RecoveredFile]:
+    """Writes the files into a folder, which is made where it is not there, and says what was written.
+
+    Nothing outside the folder is touched, whatever paths the capture says. Where there are several bricks each gets a
+    folder in it. A file that is not whole is written with `.part` behind its name, an empty one of these not at all. A
+    name that is taken gets a number: `hello (2).rbf`.
+
+    force     overwrite files that were there before
+    listings  also the listings of folders, as `listing.txt` in the folder's place
+
+    Raises OSError where something cannot be written, and what `survey` raises.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    with _Pieces(folder) as pieces:
+        found = _Files(pieces.append, listings=listings)
+        trouble = found.take(events)
+        pieces.close()
+        shelf = Shelf(folder, force=force)
+        several = len({moving.peer for moving in found.all}) > 1
+        for moving in found.all:
+            yield moving.result(_written(moving, pieces, shelf, several=several))
+    if trouble is not None:
+        raise trouble
+
+
+def _written(moving: _Moving, pieces: _Pieces, shelf: Shelf, *, several: bool) -> Path | None:
+    is_whole = moving.outcome is Outcome.COMPLETE
+    if not is_whole and not moving.bytes:
+        return None
+    parts = (safe_name(moving.peer), *moving.parts) if several else moving.parts
+    place = shelf.place(parts, "" if is_whole else PART)
+    pieces.path(moving.number).replace(place)
+    return place
+
+
+# What is moved
+
+
+@dataclass(slots=True)
+class _Moving:
+    """A file on its way.
+
+    number    its place among all
+    parts     names of folders and file under which it is to be written
+    transfer  what the dialogue knows of it, None where the dialogue does not follow it
+    stated    bytes of it all, where there is no transfer that knows it
+    failure   what the brick said when something went wrong
+    """
+
+    number: int
+    path: str
+    parts: tuple[str, ...]
+    command: str | None
+    direction: str
+    peer: str
+    first: int
+    last: int
+    transfer: Transfer | None = None
+    stated: int | None = None
+    bytes: int = 0
+    failure: str | None = None
+
+    @property
+    def size(self) -> int | None:
+        return self.stated if self.transfer is None else self.transfer.size
+
+    @property
+    def outcome(self) -> Outcome:
+        if self.failure is not None:
+            return Outcome.INCOMPLETE if self.bytes else Outcome.REFUSED
+        return Outcome.COMPLETE if self.bytes == self.size else Outcome.INCOMPLETE
+
+    @property
+    def trouble(self) -> str | None:
+        if self.outcome is Outcome.COMPLETE:
+            return None
+        if self.outcome is Outcome.REFUSED:
+            return f"the brick refused it: {self.failure}"
+        counted = f"{self.bytes} of {self.size} bytes" if self.size is not None else f"{self.bytes} bytes of it"
+        if self.failure is not None:
+            return f"{counted} were moved, then the brick said {self.failure}"
+        if self.size is not None and self.bytes > self.size:
+            return f"it has {self.size} bytes, but {self.bytes} were moved"
+        return f"{counted} were captured"
+
+    def result(self, file: Path | None) -> RecoveredFile:
+        return RecoveredFile(
+            self.path,
+            self.command,
+            self.direction,
+            self.peer,
+            self.bytes,
+            self.size,
+            self.outcome,
+            self.trouble,
+            (self.first, self.last),
+            file,
+        )
+
+
+TO_BRICK, FROM_BRICK = "to brick", "from brick"
+
+_Loose = tuple[str, str, int]
+"""Which pieces belong together that belong to no known file: by brick, direction and handle."""
+
+
+class _Files:
+    """Follows the messages of a capture, and hands on each piece with the number of the file that it belongs to."""
+
+    def __init__(self, write: Callable[[int, bytes], None], *, listings: bool) -> None:
+        self.all: list[_Moving] = []
+        self._write = write
+        self._listings = listings
+        self._known: dict[int, _Moving] = {}
+        self._loose: dict[_Loose, _Moving] = {}
+        self._images: dict[str, _Moving] = {}
+        self._is_full = False
+
+    def take(self, events: Iterable[Event]) -> CaptureError | None:
+        """All events; what is wrong with the capture, once everything that can be read was taken."""
+        try:
+            for event in events:
+                if isinstance(event, Record):
+                    self._record(event)
+        except CaptureError as error:
+            return error
+        return CaptureError(f"it moves more than {MOST_FILES} files: the rest is left out") if self._is_full else None
+
+    def _record(self, record: Record) -> None:
+        message = record.message
+        entry = entry_of(message)
+        if entry is None or not isinstance(message, SystemCommand | SystemReply):
+            return
+        moving = self._moving(record, message, entry)
+        if moving is None:
+            return
+        moving.last = record.number
+        if isinstance(message, SystemReply):
+            if is_error(message):
+                # A file that was moved is not the worse for being closed twice.
+                moving.failure = moving.failure if entry.transfer == "close" else _status(message)
+                return
+            if moving.direction == FROM_BRICK:
+                # It was asked again.
+                moving.failure = None
+        piece = piece_of(message)
+        if piece:
+            self._write(moving.number, piece)
+            moving.bytes += len(piece)
+
+    def _moving(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
+        """The file that a message is about, None where it is about none."""
+        if _is_listing(entry) and not self._listings:
+            return None
+        if record.transfer is not None:
+            return self._of_transfer(record, record.transfer)
+        if entry.bootloader:
+            return self._of_image(record, message, entry)
+        if entry.transfer is not None:
+            return self._of_handle(record, message, entry)
+        return None
+
+    def _of_transfer(self, record: Record, transfer: Transfer) -> _Moving | None:
+        moving = self._known.get(id(transfer))
+        if moving is None:
+            path = f"{transfer.path}/{LISTING}" if transfer.command in LISTINGS else transfer.path
+            direction = FROM_BRICK if transfer.command in UPLOADS else TO_BRICK
+            moving = self._new(record, transfer.path, parts_of(path), direction, transfer.command)
+            if moving is not None:
+                moving.transfer = transfer
+                # It is held as long as its id is looked up: no other one can get that.
+                self._known[id(transfer)] = moving
+        return moving
+
+    def _of_image(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
+        """A firmware on its way into the flash memory, which has no path and no handle."""
+        begins = _begins_image(entry)
+        is_command = isinstance(message, SystemCommand)
+        if not begins and not any(field.kind is Kind.DATA for field in entry.request):
+            return None
+        if is_command and (begins or record.peer not in self._images):
+            address, size = message.fields.get("address"), message.fields.get("image_size")
+            self._images.pop(record.peer, None)
+            path, name = "flash memory, its address was not captured", "flash.bin"
+            if isinstance(address, int):
+                path, name = f"flash memory from 0x{address:08X}", f"flash-0x{address:08x}.bin"
+            begun = self._new(record, path, (name,), TO_BRICK, entry.name if begins else None)
+            if begun is not None:
+                begun.stated = size if isinstance(size, int) else None
+                self._images[record.peer] = begun
+        return self._images.get(record.peer)
+
+    def _of_handle(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
+        """Pieces of a file whose beginning was not captured: nobody knows its path."""
+        handle = message.fields.get("handle")
+        if not isinstance(handle, int):
+            return None
+        direction = FROM_BRICK if entry.name in UPLOADS else TO_BRICK
+        key = (record.peer, direction, handle)
+        if entry.transfer != "continue":
+            # From now on the handle stands for something else.
+            self._loose.pop((record.peer, TO_BRICK, handle), None)
+            self._loose.pop((record.peer, FROM_BRICK, handle), None)
+        moving = self._loose.get(key)
+        if moving is None and piece_of(message):
+            path = f"handle {handle}, its path was not captured"
+            moving = self._new(record, path, (f"handle-{handle}",), direction)
+            if moving is not None:
+                size = message.fields.get("size", message.fields.get("list_size"))
+                moving.stated = size if isinstance(size, int) else None
+                self._loose[key] = moving
+        if isinstance(message, SystemReply) and message.status is SystemStatus.END_OF_FILE:
+            self._loose.pop(key, None)
+        return moving
+
+    def _new(
+        self, record: Record, path: str, parts: tuple[str, ...], direction: str, command: str | None = None
+    ) -> _Moving | None:
+        number = len(self.all)
+        if number >= MOST_FILES:
+            self._is_full = True
+            return None
+        moving = _Moving(number, path, parts, command, direction, record.peer, record.number, record.number)
+        self.all.append(moving)
+        return moving
+
+
+def _status(reply: SystemReply) -> str:
+    return reply.status.name if reply.status is not None else f"status {reply.status_code}"
+
+
+def _is_listing(entry: SystemEntry) -> bool:
+    return any(field.kind is Kind.LISTING for field in entry.reply)
+
+
+def _begins_image(entry: SystemEntry) -> bool:
+    # What asks for a checksum has the same field, but also an answer.
+    return not entry.reply and any(field.name == "image_size" for field in entry.request)
+
+
+class _Pieces:
+    """Files that grow, known by their numbers, in a folder of their own that is gone in the end."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = Path(tempfile.mkdtemp(prefix=".ev3proto-", dir=folder))
+        self._open: OrderedDict[int, BinaryIO] = OrderedDict()
+
+    def path(self, number: int) -> Path:
+        """Where a file is; an empty one is made where nothing was written."""
+        path = self._folder / str(number)
+        path.touch()
+        return path
+
+    def append(self, number: int, piece: bytes) -> None:
+        """Writes a piece behind those that were written."""
+        file = self._open.get(number)
+        if file is None:
+            if len(self._open) >= MOST_OPEN:
+                self._open.popitem(last=False)[1].close()
+            file = self._open[number] = (self._folder / str(number)).open("ab")
+        else:
+            self._open.move_to_end(number)
+        file.write(piece)
+
+    def close(self) -> None:
+        """Closes all; nothing is written any more."""
+        while self._open:
+            self._open.popitem()[1].close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
+    ) -> None:
+        # That the disk is full was already said, and a file that cannot be closed is removed all the same.
+        with suppress(OSError):
+            self.close()
+        shutil.rmtree(self._folder, ignore_errors=True)

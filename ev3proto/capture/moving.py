@@ -1,0 +1,55 @@
+"""What moves files and listings: which commands do, which way, and the bytes that a message carries of one."""
+
+from __future__ import annotations
+
+from ev3proto.messages import Message, SystemCommand, SystemReply
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Kind
+from ev3proto.tables.system import SystemCommand as SystemEntry
+
+
+def _answers_with(kind: Kind) -> frozenset[str]:
+    return frozenset(
+        entry.name
+        for entry in SYSTEM
+        if entry.transfer is not None and any(field.kind is kind for field in entry.reply)
+    )
+
+
+LISTINGS = _answers_with(Kind.LISTING)
+"""The commands that move listings of folders."""
+
+UPLOADS = _answers_with(Kind.DATA) | LISTINGS
+"""The commands that move something from the brick; the others move files to it."""
+
+
+def entry_of(message: Message) -> SystemEntry | None:
+    """What the tables say of a system message's command; None for other messages and unknown commands."""
+    return SYSTEM_BY_NUMBER.get(message.number) if isinstance(message, SystemCommand | SystemReply) else None
+
+
+def piece_of(message: Message) -> bytes:
+    """The bytes of a file or listing that a message carries, often none."""
+    entry = entry_of(message)
+    if entry is None or not isinstance(message, SystemCommand | SystemReply):
+        return b""
+    declared = entry.request if isinstance(message, SystemCommand) else entry.reply
+    for field in declared:
+        value = message.fields.get(field.name)
+        if field.kind is Kind.LISTING and isinstance(value, str):
+            return value.encode(STRING_CODING)
+        # What closes a file has data, too: its hash.
+        if field.kind is Kind.DATA and isinstance(value, bytes) and entry.transfer != "close":
+            return value
+    return b""
+
+
+def begins(message: Message) -> bool:
+    """True for the command that begins to move something."""
+    entry = entry_of(message)
+    return isinstance(message, SystemCommand) and entry is not None and entry.transfer == "begin"
+
+
+def printable(path: str) -> str:
+    r"""A path from a capture as it can be shown: what would move the cursor or do worse is written `\x1b`."""
+    return "".join(letter if letter.isprintable() else f"\\x{ord(letter):02x}" for letter in path)

@@ -1,0 +1,103 @@
+"""`ev3proto files`: the files that a capture moves to or from the brick, listed or written to disk."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ev3proto.cli.captures import CaptureSource, capture_options
+from ev3proto.cli.output import complain
+
+if TYPE_CHECKING:
+    from ev3proto.capture.files import RecoveredFile
+
+
+@click.command()
+@capture_options
+@click.option(
+    "-o",
+    "--output",
+    "folder",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Write the files into this folder, which is made if it is not there.",
+)
+@click.option("--listings", is_flag=True, help="Also the listings of folders, as text.")
+@click.option("--force", is_flag=True, help="Overwrite files that are in the folder.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
+def files(source: CaptureSource, folder: Path | None, listings: bool, force: bool, as_json: bool) -> None:
+    """Puts the files that were moved to or from the brick back together.
+
+    Without -o they are only listed. With it, each is written under its path on the brick, always inside the folder; a
+    file that is not whole gets .part behind its name, and the exit status is 1.
+
+    \b
+      ev3proto files robot.pcapng
+      ev3proto files robot.pcapng -o files
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    if force and folder is None:
+        raise click.UsageError("--force needs -o: the folder to write into")
+    from ev3proto.capture.files import Outcome, recover, survey
+    from ev3proto.capture.moving import printable
+
+    if folder is None:
+        found = survey(source.events(), listings=listings)
+    else:
+        found = recover(source.events(), folder, force=force, listings=listings)
+    rows = []
+    is_empty = True
+    for file in _complaining(found, source):
+        is_empty = False
+        if as_json:
+            click.echo(json.dumps(_record(file), ensure_ascii=False))
+        elif folder is None:
+            rows.append(_row(file))
+        elif file.file is not None:
+            click.echo(f"{file.file}: {file.bytes} bytes {file.direction}, {printable(file.path)}")
+        if folder is not None and file.trouble is not None:
+            complain(f"{source.label}, packet {file.packets[0]}: {printable(file.path)}: {file.trouble}")
+            source.status |= file.outcome is Outcome.INCOMPLETE
+    if rows:
+        _list(rows)
+    if is_empty and not source.status:
+        complain(f"{source.label}: no file is moved in it")
+    sys.exit(source.status)
+
+
+def _complaining(found: Iterator[RecoveredFile], source: CaptureSource) -> Iterator[RecoveredFile]:
+    """What is found, and a sentence when finding it comes to a bad end."""
+    from ev3proto.capture import CaptureError
+
+    try:
+        yield from found
+    except CaptureError as error:
+        complain(f"{source.label}: {error}")
+        source.status = 1
+    except OSError as error:
+        complain(f"{error.filename2 or error.filename}: cannot be written: {error.strerror or error}")
+        source.status = 1
+
+
+_COLUMNS = ("path", "direction", "bytes", "of", "state", "packets", "brick")
+
+
+def _row(file: RecoveredFile) -> tuple[str, ...]:
+    size = "" if file.size is None else str(file.size)
+    packets = "-".join(map(str, dict.fromkeys(file.packets)))
+    return file.path, file.direction, str(file.bytes), size, file.outcome.value, packets, file.peer
+
+
+def _list(rows: list[tuple[str, ...]]) -> None:
+    from ev3proto.cli.tables import Tables
+
+    bricks = {row[_COLUMNS.index("brick")] for row in rows}
+    Tables(hidden=() if len(bricks) > 1 else ("brick",)).table(_COLUMNS, rows)
+
+
+def _record(file: RecoveredFile) -> dict[str, Any]:
+    return {**asdict(file), "file": None if file.file is None else str(file.file)}

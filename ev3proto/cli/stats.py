@@ -1,0 +1,172 @@
+"""`ev3proto stats`: what a capture amounts to, in tables that people read or as JSON."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import click
+
+from ev3proto.cli.captures import CaptureSource, capture_options
+from ev3proto.cli.tables import Tables
+
+if TYPE_CHECKING:
+    from ev3proto.capture.account import Account
+    from ev3proto.capture.latencies import Percentiles
+    from ev3proto.capture.statistics import Amount, Noted, PeerSummary, Summary, TransferSummary
+
+_MILLISECONDS = 1000
+
+
+@click.command()
+@capture_options
+@click.option("--json", "as_json", is_flag=True, help="One JSON object.")
+def stats(source: CaptureSource, as_json: bool) -> None:
+    """Tells what a capture amounts to.
+
+    Messages by kind and by operation, latencies, errors, commands that got no reply, the files that were moved, and
+    where every captured byte went. Everything but the last is about the frames that --filter lets through: a command
+    whose reply it keeps back has none.
+
+    \b
+      ev3proto stats robot.pcapng
+      ev3proto stats robot.pcapng --filter 'op==UI_READ' --json
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    from ev3proto.capture.statistics import Statistics
+
+    statistics = Statistics()
+    for event in source.events():
+        statistics.add(event)
+    summary = statistics.summary(source.account)
+    if source.account.packets:
+        if as_json:
+            click.echo(json.dumps(summary.as_dict(), ensure_ascii=False))
+        else:
+            _Page(summary).show()
+    sys.exit(source.status)
+
+
+class _Page:
+    """What there is to say, in sections."""
+
+    def __init__(self, summary: Summary) -> None:
+        self._summary = summary
+        # Which brick it is goes without saying where there is only one.
+        self._tables = Tables(hidden=() if summary.peers else ("brick",))
+
+    def show(self) -> None:
+        """Everything that there is; nothing of what there is not."""
+        summary = self._summary
+        self._peer(summary.whole, "")
+        for peer in summary.peers:
+            self._peer(peer, f" of {peer.name}")
+        if summary.peers_left_out:
+            self._tables.heading(f"Further bricks: {summary.peers_left_out} messages, which are only counted in all")
+        self._section("Texts around frames", ("text", "number", "bytes"), _amounts(summary.texts))
+        self._transfers()
+        self._noted("Commands without a reply", summary.whole.unanswered, summary.unanswered)
+        self._noted("Frames with a fault", summary.whole.faults, summary.faults)
+        self._noted(_skipped_title(summary), summary.skipped_pieces, summary.skipped)
+        if summary.account is not None:
+            self._account(summary.account)
+
+    def _peer(self, peer: PeerSummary, of: str) -> None:
+        if not peer.messages.messages:
+            return
+        self._tables.heading(f"Time{of}: {peer.first} to {peer.last}, {peer.seconds:.6f} s")
+        kinds = _amounts(peer.kinds)
+        if len(kinds) > 1:
+            kinds += _amounts({"all": peer.messages})
+        self._section(f"Messages{of}", ("kind", "messages", "bytes"), kinds)
+        self._operations(peer, of)
+        if peer.orphans:
+            self._tables.heading(f"Replies whose command was not seen{of}: {peer.orphans}")
+
+    def _operations(self, peer: PeerSummary, of: str) -> None:
+        titles = ("operation", "uses", "commands", "replies", "errors", "no reply", "bytes")
+        rows = [
+            (
+                entry.name,
+                *map(str, (entry.uses, entry.commands, entry.replies)),
+                *(str(count or "") for count in (entry.errors, entry.unanswered)),
+                str(entry.bytes),
+            )
+            for entry in peer.operations
+        ]
+        self._section(f"Operations{of}", titles, rows)
+        latencies = [(entry.name, entry.latency) for entry in peer.operations]
+        if len(latencies) > 1:
+            latencies.append(("all replies", peer.latency))
+        times = [(name, *_milliseconds(latency)) for name, latency in latencies if latency is not None]
+        self._section(f"Milliseconds from command to reply{of}", ("operation", "replies", *_LATENCY), times)
+        if peer.latency is not None and not peer.latency.exact:
+            from ev3proto.capture.latencies import ACCURACY, EXACT
+
+            click.echo(f"Of more than {EXACT} replies, median, p90 and p99 are right to {ACCURACY:.0%}.")
+
+    def _transfers(self) -> None:
+        rows = [
+            (
+                entry.path,
+                entry.direction,
+                str(entry.bytes),
+                "" if entry.size is None else str(entry.size),
+                _state(entry),
+                f"{entry.seconds:.6f}",
+                "" if entry.rate is None else f"{entry.rate:.0f}",
+                str(entry.packet),
+                entry.peer,
+            )
+            for entry in self._summary.transfers
+        ]
+        titles = ("path", "direction", "bytes", "of", "state", "seconds", "bytes/s", "packet", "brick")
+        self._section("Files and listings", titles, rows, self._summary.transfers_left_out)
+
+    def _noted(self, title: str, count: int, noted: Sequence[Noted]) -> None:
+        rows = [(str(entry.packet), entry.peer, entry.text) for entry in noted]
+        self._section(f"{title}: {count}", ("packet", "brick", "what"), rows, count - len(noted))
+
+    def _account(self, account: Account) -> None:
+        rows = [(name, str(count), _share(count, account.captured)) for name, count in account.parts.items() if count]
+        if account.balance:
+            rows.append(("not read", str(account.balance), _share(account.balance, account.captured)))
+        rows.append(("all", str(account.captured), ""))
+        self._section(f"Captured bytes, in {account.packets} packets", ("part", "bytes", "share"), rows)
+
+    def _section(self, heading: str, titles: Sequence[str], rows: Sequence[Sequence[str]], more: int = 0) -> None:
+        """A table with its heading, and how many rows it lacks; nothing where it has no rows."""
+        if rows:
+            self._tables.heading(heading)
+            self._tables.table(titles, rows)
+        if more:
+            click.echo(f"and {more} more")
+
+
+_LATENCY = ("min", "median", "p90", "p99", "max")
+
+
+def _amounts(amounts: Mapping[str, Amount]) -> list[tuple[str, str, str]]:
+    return [(name, str(amount.messages), str(amount.bytes)) for name, amount in amounts.items()]
+
+
+def _milliseconds(latency: Percentiles) -> Iterator[str]:
+    yield str(latency.count)
+    for name in _LATENCY:
+        yield f"{getattr(latency, name) * _MILLISECONDS:.3f}"
+
+
+def _state(transfer: TransferSummary) -> str:
+    if transfer.complete:
+        return ""
+    return "refused" if transfer.failed and not transfer.bytes else "failed" if transfer.failed else "incomplete"
+
+
+def _skipped_title(summary: Summary) -> str:
+    missing = f", {summary.missing_bytes} more were not captured" if summary.missing_bytes else ""
+    return f"Skipped, {summary.skipped_bytes} bytes{missing}"
+
+
+def _share(count: int, whole: int) -> str:
+    return f"{count / whole:.1%}"

@@ -12,6 +12,7 @@ from ev3proto.cli.files import files
 from ev3proto.cli.ops import ops
 from ev3proto.cli.output import complain
 from ev3proto.cli.stats import stats
+from ev3proto.cli.timeline import timeline
 from ev3proto.version import VERSION
 
 
@@ -29,6 +30,7 @@ cli.add_command(dissector)
 cli.add_command(files)
 cli.add_command(ops)
 cli.add_command(stats)
+cli.add_command(timeline)
 
 
 def main() -> None:

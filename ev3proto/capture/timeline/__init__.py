@@ -1,0 +1,31 @@
+"""Timelines: a picture of a dialogue over time, with lanes by brick and kind, latencies, errors and files.
+
+    with ev3proto.capture.read("robot.pcapng") as capture:
+        timeline = collect(capture.events())
+    if timeline is not None:
+        write(timeline, Path("robot.html"), "robot.pcapng")
+
+`marks`, `bins` and `collecting` say what is drawn, `layout` where it stands, `chart`, `page` and `writing` how. The
+library that draws is imported when something is drawn.
+"""
+
+from ev3proto.capture.timeline.collecting import Window, collect
+from ev3proto.capture.timeline.marks import Cell, Kind, Lane, Mark, Outcome, Tally, Timeline
+from ev3proto.capture.timeline.writing import Form, MissingLibraryError, render, require_library, write
+
+__all__ = [
+    "Cell",
+    "Form",
+    "Kind",
+    "Lane",
+    "Mark",
+    "MissingLibraryError",
+    "Outcome",
+    "Tally",
+    "Timeline",
+    "Window",
+    "collect",
+    "render",
+    "require_library",
+    "write",
+]

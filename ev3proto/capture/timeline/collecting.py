@@ -1,0 +1,361 @@
+"""From events to marks, in memory that does not grow with the capture.
+
+Up to MOST_MARKS, everything has a mark of its own. Beyond that, marks are counted in bins of time, and only troubles
+are kept one by one, up to MOST_TROUBLES.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ev3proto.capture.conversation import MOST_PENDING
+from ev3proto.capture.moving import begins
+from ev3proto.capture.record import NANOSECONDS, Announcement, Carrier, Event, Record, Route, Skipped
+from ev3proto.capture.replies import is_error
+from ev3proto.capture.timeline.bins import Bins
+from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Kind, Lane, Mark, Outcome, Tally, Timeline
+from ev3proto.capture.timeline.wording import (
+    announcement_text,
+    clean,
+    clean_path,
+    command_text,
+    exchange_label,
+    packets,
+    reply_text,
+    subject,
+    transfer_progress,
+)
+from ev3proto.dialogue import Transfer
+
+MOST_MARKS = 20_000
+"""Marks that are drawn one by one."""
+
+MOST_TROUBLES = 2_000
+"""Troubles that are drawn one by one where the rest is counted."""
+
+MOST_FILES = 500
+"""Files that are drawn."""
+
+MOST_BRICKS = 8
+"""Bricks that have lanes of their own; the rest share theirs."""
+
+MOST_WAITING = MOST_PENDING * MOST_BRICKS
+"""Commands that wait for their reply; the oldest beyond that counts as never answered."""
+
+MOST_LANES = 300
+"""Lanes of all bricks together; what comes beyond that goes into the lane OTHERS of its kind."""
+
+CARRIERS = {Carrier.USB: "USB", Carrier.BLUETOOTH: "Bluetooth", Carrier.WIFI: "WiFi"}
+"""How carriers are written."""
+
+_KINDS = {"direct": Kind.DIRECT, "system": Kind.SYSTEM, "daisy": Kind.DAISY}
+
+
+def collect(
+    events: Iterable[Event],
+    chosen: Callable[[Record], bool] | None = None,
+    window: Window | None = None,
+    most_marks: int = MOST_MARKS,
+) -> Timeline | None:
+    """What is to be drawn of the events of a capture; None where there is nothing.
+
+    chosen      which records to draw, all without it; of a command and its reply, one is enough for both
+    window      which part of the capture to draw, all without it
+    most_marks  how many marks may be drawn one by one
+    """
+    collector = Collector(chosen, window or Window(), most_marks)
+    for event in events:
+        collector.feed(event)
+    return collector.finish()
+
+
+@dataclass(slots=True)
+class _Move:
+    """A file on its way. The transfer itself counts on while reading goes on."""
+
+    transfer: Transfer
+    brick: str
+    begin_ns: int
+    end_ns: int
+    first: int
+    last: int
+    failure: str = ""
+
+
+class Window(NamedTuple):
+    """The part of a capture that is drawn: what begins in it.
+
+    first  seconds since the first event, None from the capture's begin on
+    last   the same, None up to its end
+    """
+
+    first: float | None = None
+    last: float | None = None
+
+
+class Collector:
+    """Takes events, one by one, and makes marks of them."""
+
+    def __init__(self, chosen: Callable[[Record], bool] | None, window: Window, most_marks: int) -> None:
+        self._chosen = chosen
+        self._window = window
+        # When the capture's first event was captured, and between which times something is drawn.
+        self._origin: int | None = None
+        self._first: float = -math.inf
+        self._last: float = math.inf
+        self._most_marks = most_marks
+        self._marks: list[Mark] = []
+        self._bins: Bins | None = None
+        # The commands that wait, and whether they are chosen.
+        self._waiting: dict[Record, bool] = {}
+        self._moves: dict[int, _Move] = {}
+        self._lanes: set[Lane] = set()
+        self._bricks: dict[str, Tally] = {}
+        self._span: tuple[int, int] | None = None
+        self._unshown = 0
+
+    def feed(self, event: Event) -> None:
+        """Takes the next event."""
+        if self._origin is None:
+            self._begin(event.time_ns)
+        match event:
+            case Record():
+                self._record(event)
+            case Announcement():
+                self._announcement(event)
+            case Skipped():
+                self._skipped(event)
+
+    def _begin(self, origin: int) -> None:
+        self._origin = origin
+        if self._window.first is not None:
+            self._first = origin + self._window.first * NANOSECONDS
+        if self._window.last is not None:
+            self._last = origin + self._window.last * NANOSECONDS
+
+    def finish(self) -> Timeline | None:
+        """All that was collected; commands that still wait were never answered. None where nothing was."""
+        while self._waiting:
+            self._give_up()
+        files = [
+            self._file(move)
+            for move in self._moves.values()
+            if self._is_inside(move.begin_ns) or move.begin_ns < self._first <= move.end_ns
+        ]
+        if self._span is None or self._origin is None:
+            return None
+        begin, end = self._span
+        return Timeline(
+            origin_ns=self._origin,
+            begin_ns=begin if self._window.first is None else round(self._first),
+            end_ns=end if self._window.last is None else round(self._last),
+            marks=sorted(self._marks, key=lambda mark: mark.begin_ns),
+            files=sorted(files, key=lambda mark: mark.begin_ns),
+            cells=self._bins.cells if self._bins else {},
+            bin_ns=self._bins.width_ns if self._bins else 0,
+            bricks={name: tally for name, tally in self._bricks.items() if tally.messages or tally.outcomes},
+            unshown=self._unshown,
+        )
+
+    def _record(self, record: Record) -> None:
+        is_chosen = self._chosen is None or self._chosen(record)
+        message = record.message
+        if is_chosen:
+            self._chosen_record(record)
+        if message.type is None:
+            return
+        if not message.type.is_command:
+            was_chosen = record.request is not None and self._waiting.pop(record.request, False)
+            if is_chosen or was_chosen:
+                self._exchange(record.request, record)
+        elif message.wants_reply:
+            self._waiting[record] = is_chosen
+            if len(self._waiting) > MOST_WAITING:
+                self._give_up()
+        elif is_chosen:
+            self._exchange(record, None)
+
+    def _chosen_record(self, record: Record) -> None:
+        brick = self._brick(record.route)
+        if self._is_inside(record.time_ns):
+            self._bricks[brick].messages += 1
+        if record.message.fault is not None or record.message.type is None:
+            self._faulty(record, brick)
+        if record.transfer is not None:
+            self._move(record, record.transfer, brick)
+
+    def _give_up(self) -> None:
+        """The command that waits longest was never answered."""
+        command, is_chosen = next(iter(self._waiting.items()))
+        del self._waiting[command]
+        if is_chosen:
+            self._exchange(command, None)
+
+    def _exchange(self, command: Record | None, reply: Record | None) -> None:
+        """A command and its reply, or one of them alone."""
+        seen = command or reply
+        assert seen is not None
+        assert seen.message.type is not None
+        begin, end = seen.time_ns, reply.time_ns if command and reply else None
+        outcome = _outcome(command, reply)
+        about = subject(seen.message)
+        lane = self._lane(self._brick(seen.route), _KINDS[seen.message.type.carries], about)
+        mark = Mark(lane, outcome, begin, end, about, "", {}, seen.number)
+        if self._is_told(outcome):
+            mark.label = exchange_label(command, reply)
+            mark.details = _exchange_details(command, reply)
+        self._keep(mark)
+
+    def _faulty(self, record: Record, brick: str) -> None:
+        fault = record.message.fault
+        mark = Mark(
+            self._lane(brick, Kind.TROUBLE, "faulty frames"),
+            Outcome.FAULTY,
+            record.time_ns,
+            None,
+            "faulty frame" if record.message.type is None else f"faulty {record.message.type.name}",
+            "",
+            {
+                "fault": clean(f"at {fault}") if fault is not None else "no message type that there is",
+                "packet": packets(record.numbers),
+                "bytes": str(len(record.frame)),
+            },
+            record.number,
+        )
+        self._keep(mark)
+
+    def _announcement(self, announcement: Announcement) -> None:
+        brick = self._brick(announcement.route)
+        details = {
+            "says": announcement_text(announcement),
+            "from": clean(announcement.route.source),
+            "to": clean(announcement.route.target),
+            "packet": packets(announcement.numbers),
+        }
+        said = announcement.said.value
+        lane = self._lane(brick, Kind.ANNOUNCEMENTS, said)
+        number = max(announcement.numbers)
+        self._keep(Mark(lane, Outcome.ANNOUNCED, announcement.time_ns, None, said, "", details, number))
+
+    def _skipped(self, skipped: Skipped) -> None:
+        lane = self._lane(self._brick(skipped.route), Kind.TROUBLE, "skipped bytes")
+        details = {
+            "reason": clean(skipped.reason),
+            "from": clean(skipped.route.source),
+            "to": clean(skipped.route.target),
+            "packet": str(skipped.number),
+        }
+        if skipped.missing:
+            details["not captured"] = f"{skipped.missing} bytes"
+        heading = f"{len(skipped.data)} bytes skipped" if skipped.data else "bytes are missing"
+        self._keep(Mark(lane, Outcome.SKIPPED, skipped.time_ns, None, heading, "", details, skipped.number))
+
+    def _move(self, record: Record, transfer: Transfer, brick: str) -> None:
+        move = self._moves.get(id(transfer))
+        if move is None:
+            if len(self._moves) >= MOST_FILES:
+                self._unshown += begins(record.message)
+                return
+            move = _Move(transfer, brick, record.time_ns, record.time_ns, record.number, record.number)
+            self._moves[id(transfer)] = move
+        move.begin_ns, move.first = min((move.begin_ns, move.first), (record.time_ns, record.number))
+        move.end_ns, move.last = max((move.end_ns, move.last), (record.time_ns, record.number))
+        if is_error(record.message):
+            move.failure = reply_text(record)
+
+    def _file(self, move: _Move) -> Mark:
+        transfer = move.transfer
+        outcome = Outcome.MOVED if transfer.is_complete else Outcome.CUT_SHORT
+        details = {
+            "path": clean(transfer.path),
+            "command": transfer.command,
+            "moved": transfer_progress(transfer),
+            "packets": f"{move.first} to {move.last}",
+        }
+        if move.failure:
+            # It is counted already, as the answer of the command that failed.
+            outcome = Outcome.ERROR
+            details["error"] = move.failure
+        else:
+            self._bricks[move.brick].outcomes[outcome] += 1
+        lane = Lane(move.brick, Kind.FILES, "")
+        heading = f"{transfer.command} {clean_path(transfer.path)}"
+        return Mark(lane, outcome, move.begin_ns, move.end_ns, heading, clean_path(transfer.path), details, move.first)
+
+    def _brick(self, route: Route) -> str:
+        name = clean(f"{CARRIERS[route.carrier]} {route.peer}", 60)
+        if name not in self._bricks:
+            if len(self._bricks) >= MOST_BRICKS:
+                name = OTHERS
+            self._bricks.setdefault(name, Tally())
+        return name
+
+    def _lane(self, brick: str, kind: Kind, about: str) -> Lane:
+        lane = Lane(brick, kind, about)
+        if lane in self._lanes or len(self._lanes) < MOST_LANES:
+            self._lanes.add(lane)
+            return lane
+        return Lane(brick, kind, OTHERS)
+
+    def _is_told(self, outcome: Outcome) -> bool:
+        """Whether the mark will be drawn by itself, so that its words are worth finding."""
+        return self._bins is None or (outcome in TROUBLES and len(self._marks) < MOST_TROUBLES)
+
+    def _is_inside(self, time_ns: int) -> bool:
+        return self._first <= time_ns <= self._last
+
+    def _keep(self, mark: Mark) -> None:
+        if not self._is_inside(mark.begin_ns):
+            return
+        last = mark.begin_ns if mark.end_ns is None else mark.end_ns
+        first, latest = self._span or (mark.begin_ns, last)
+        self._span = min(first, mark.begin_ns), max(latest, last)
+        self._bricks[mark.lane.brick].add(mark)
+        if self._bins is not None:
+            self._bins.add(mark)
+            self._keep_trouble(mark)
+            return
+        self._marks.append(mark)
+        if len(self._marks) > self._most_marks:
+            marks, self._marks, self._bins = self._marks, [], Bins()
+            for each in marks:
+                self._bins.add(each)
+                self._keep_trouble(each)
+
+    def _keep_trouble(self, mark: Mark) -> None:
+        if mark.outcome not in TROUBLES:
+            return
+        if len(self._marks) < MOST_TROUBLES:
+            self._marks.append(mark)
+        else:
+            self._unshown += 1
+
+
+def _outcome(command: Record | None, reply: Record | None) -> Outcome:
+    if reply is None:
+        assert command is not None
+        return Outcome.UNANSWERED if command.message.wants_reply else Outcome.SILENT
+    if is_error(reply.message):
+        return Outcome.ERROR
+    return Outcome.ANSWERED if command is not None else Outcome.ORPHAN
+
+
+def _exchange_details(command: Record | None, reply: Record | None) -> dict[str, str]:
+    details = {}
+    if command is not None:
+        details["command"] = command_text(command)
+    if reply is not None:
+        details["reply"] = reply_text(reply)
+    for name, record in (("command", command), ("reply", reply)):
+        if record is None:
+            continue
+        details[f"{name}'s packet"] = packets(record.numbers)
+        if record.note is not None:
+            details[f"{name}'s note"] = clean(record.note)
+    seen = command or reply
+    assert seen is not None
+    details["counter"] = str(seen.message.counter)
+    return details

@@ -1,0 +1,71 @@
+"""How a timeline says durations, counts and times."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from ev3proto.capture.record import NANOSECONDS, utc
+from ev3proto.capture.timeline.marks import Outcome, Tally, Timeline
+
+_MILLISECOND = NANOSECONDS // 1000
+
+
+def duration(nanoseconds: float) -> str:
+    """`0.35 ms`, `41 ms`, `1.23 s`: three digits."""
+    unit, of_it = ("ms", _MILLISECOND) if nanoseconds < NANOSECONDS else ("s", NANOSECONDS)
+    number = nanoseconds / of_it
+    return f"{number:,.0f} {unit}" if number >= 100 else f"{number:.3g} {unit}"
+
+
+def exact(nanoseconds: int) -> str:
+    """`41.250 ms`: every microsecond."""
+    return f"{nanoseconds / _MILLISECOND:,.3f} ms"
+
+
+def clock(time_ns: int) -> str:
+    """`2024-01-31 09:12:31.011558 UTC`."""
+    return f"{utc(time_ns).removesuffix('Z').replace('T', ' ')} UTC"
+
+
+def count(number: int, what: str, plural: str | None = None) -> str:
+    """`1 message`, `20,000 messages`."""
+    return f"{number:,} {what if number == 1 else plural or f'{what}s'}"
+
+
+def summary(timeline: Timeline) -> list[str]:
+    """The lines under the title: when, how long, how much, how it went; what is not shown one by one."""
+    lines = [
+        f"from {clock(timeline.begin_ns)}, {duration(timeline.end_ns - timeline.begin_ns)}:"
+        f" {', '.join((count(timeline.messages, 'message'), *_troubles(timeline.outcomes)))}"
+    ]
+    if timeline.bin_ns:
+        lines.append(
+            f"Too much to mark one by one: the darker, the more in {duration(timeline.bin_ns)};"
+            " what went wrong has marks, and below is the slowest answer in that time."
+        )
+    else:
+        lines.append("A mark stands where a command was sent, and its bar reaches to the reply.")
+    if timeline.unshown:
+        lines.append(f"{count(timeline.unshown, 'mark')} of errors and files left out: there are too many.")
+    return lines
+
+
+def _troubles(outcomes: Counter[Outcome]) -> list[str]:
+    words = {
+        Outcome.ERROR: ("answered with an error", "answered with an error"),
+        Outcome.UNANSWERED: ("never answered", "never answered"),
+        Outcome.FAULTY: ("faulty frame", "faulty frames"),
+        Outcome.SKIPPED: ("gap with bytes skipped", "gaps with bytes skipped"),
+        Outcome.CUT_SHORT: ("file not moved whole", "files not moved whole"),
+    }
+    return [count(outcomes[outcome], *said) for outcome, said in words.items() if outcomes[outcome]]
+
+
+def brick_summary(tally: Tally) -> str:
+    """The line beside a brick's name: how much, and how long it took to answer."""
+    said = [count(tally.messages, "message")]
+    latency = tally.latencies.percentiles()
+    if latency is not None:
+        said.append(f"median answer {duration(latency.median * NANOSECONDS)}")
+        said.append(f"slowest {duration(latency.max * NANOSECONDS)}")
+    return ", ".join(said)

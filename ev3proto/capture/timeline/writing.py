@@ -1,0 +1,117 @@
+"""The picture in a file: a page, an SVG or a PNG, by the file's suffix; written whole, or not at all."""
+
+from __future__ import annotations
+
+import os
+import re
+import tempfile
+from enum import Enum
+from importlib.util import find_spec
+from pathlib import Path
+
+from ev3proto.capture.timeline.layout import lay_out
+from ev3proto.capture.timeline.marks import Timeline
+from ev3proto.capture.timeline.wording import clean
+
+LIBRARY = "vl_convert"
+"""What draws, and is not installed with everything else."""
+
+MOST_TITLE = 100
+"""Letters of the title: a long one would make the picture wider."""
+
+PNG_SCALE = 2.0
+"""Pixels of the PNG for one of the chart: letters stay sharp when it is printed or projected."""
+
+
+_SNIPPET = "window.vegaEmbed = vegaEmbed;"
+"""What the page needs of the libraries."""
+
+
+class Form(Enum):
+    """What a timeline can be written as, by the file's suffix."""
+
+    HTML = ".html"
+    SVG = ".svg"
+    PNG = ".png"
+
+    @classmethod
+    def of(cls, path: Path) -> Form:
+        """The form that a file's suffix asks for. Raises ValueError with a sentence for another suffix."""
+        try:
+            return cls(path.suffix.lower())
+        except ValueError:
+            known = ", ".join(form.value for form in cls)
+            raise ValueError(f"{path}: a timeline is written as one of {known}, by the file's suffix") from None
+
+
+class MissingLibraryError(ImportError):
+    """The library that draws is not installed."""
+
+
+def require_library() -> None:
+    """Raises MissingLibraryError where the library that draws is not installed. Does not import it."""
+    if find_spec(LIBRARY) is None:
+        raise MissingLibraryError("drawing needs one library more: pip install 'ev3proto[plot]'")
+
+
+def render(timeline: Timeline, form: Form, title: str) -> bytes:
+    """The file's contents: the same bytes for the same timeline and title.
+
+    title  what stands above the picture: the name of the capture
+
+    Raises MissingLibraryError.
+    """
+    require_library()
+    import vl_convert
+
+    from ev3proto.capture.timeline.chart import VERSION, specification
+    from ev3proto.capture.timeline.page import page
+
+    title = clean(title, MOST_TITLE)
+    picture = lay_out(timeline, title)
+    chart = specification(picture)
+    if form is Form.HTML:
+        javascript = vl_convert.javascript_bundle(_SNIPPET, vl_version=VERSION)
+        return page(chart, title, picture.margin, javascript).encode()
+    # No address is allowed: a picture is made of nothing but the capture.
+    if form is Form.SVG:
+        return _renumbered(vl_convert.vegalite_to_svg(chart, vl_version=VERSION, allowed_base_urls=[])).encode()
+    return vl_convert.vegalite_to_png(chart, vl_version=VERSION, scale=PNG_SCALE, allowed_base_urls=[])
+
+
+def _renumbered(svg: str) -> str:
+    """An SVG whose clipping paths are numbered from 0 on: the library counts them on from picture to picture."""
+    numbers: dict[str, int] = {}
+
+    def numbered(found: re.Match[str]) -> str:
+        return f"{found[1]}clip{numbers.setdefault(found[2], len(numbers))}{found[3]}"
+
+    return re.sub(r'(<clipPath id="|clip-path="url\(#)clip(\d+)("|\)")', numbered, svg)
+
+
+def write(timeline: Timeline, path: Path, title: str) -> None:
+    """Writes the picture to a file: whole, or not at all.
+
+    Raises ValueError for a suffix that is no Form, OSError, MissingLibraryError.
+    """
+    data = render(timeline, Form.of(path), title)
+    if path.exists() and not path.is_file():
+        path.write_bytes(data)  # a device or a pipe, which nothing can take the place of
+        return
+    target = path.resolve()
+    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(data)
+        Path(name).chmod(target.stat().st_mode if target.exists() else 0o666 & ~_umask())
+        Path(name).replace(target)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+def _umask() -> int:
+    """The bits that files are made without. There is no way to ask but to set it."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -1,0 +1,97 @@
+"""`ev3proto timeline`: a picture of a dialogue over time, as a page, an SVG or a PNG."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from ev3proto.cli.captures import CaptureSource, capture_options
+from ev3proto.cli.output import complain
+
+if TYPE_CHECKING:
+    from ev3proto.capture.timeline import Timeline
+
+
+MOST_SECONDS = 1e9
+"""Longest time that can be asked for: thirty years."""
+
+
+def _seconds(_context: click.Context, _parameter: click.Parameter, value: float | None) -> float | None:
+    # Written so that "nan", which click takes for a number, is refused, too.
+    if value is not None and not 0 <= value <= MOST_SECONDS:
+        raise click.BadParameter(f"{value:g} is no number of seconds from 0 to {MOST_SECONDS:g}")
+    return value
+
+
+@click.command()
+@capture_options
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    required=True,
+    help="Write to this file: .html, .svg or .png.",
+)
+@click.option(
+    "--from", "first", type=float, callback=_seconds, metavar="SECONDS", help="Begin so long after the first message."
+)
+@click.option(
+    "--to", "last", type=float, callback=_seconds, metavar="SECONDS", help="End so long after the first message."
+)
+def timeline(source: CaptureSource, output: Path, first: float | None, last: float | None) -> None:
+    """Draws who said what when, how long the brick took to answer, and what went wrong.
+
+    The file's suffix says what is drawn: .html is a page to zoom and point at, which needs no network; .svg and .png
+    are pictures for texts. With --filter, a command is drawn with its reply where either of them is let through.
+
+    \b
+      ev3proto timeline robot.pcapng -o robot.html
+      ev3proto timeline robot.pcapng -o start.png --from 5 --to 5.5
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    from ev3proto.capture.timeline import Form, MissingLibraryError, require_library
+
+    try:
+        Form.of(output)
+        require_library()
+    except (ValueError, MissingLibraryError) as error:
+        raise click.UsageError(str(error)) from None
+    if first is not None and last is not None and first >= last:
+        raise click.UsageError(f"--from {first:g} must be less than --to {last:g}")
+    if not output.parent.is_dir():
+        complain(f"{output}: cannot be written: there is no folder {output.parent}")
+        sys.exit(1)
+    drawn = _collected(source, first, last)
+    if drawn is None:
+        if not source.status:
+            complain(_nothing(source, first, last))
+        sys.exit(1)
+    _write(drawn, output, Path(source.label).name)
+    click.echo(f"{output}: written")
+    sys.exit(source.status)
+
+
+def _collected(source: CaptureSource, first: float | None, last: float | None) -> Timeline | None:
+    from ev3proto.capture.timeline import Window, collect
+
+    # The timeline filters by itself: a reply that is kept back must not look as if it never came.
+    chosen, source.options.filter = source.options.filter, None
+    return collect(source.events(), chosen, Window(first, last))
+
+
+def _nothing(source: CaptureSource, first: float | None, last: float | None) -> str:
+    limits = [f"{name} {value:g} s" for name, value in (("from", first), ("to", last)) if value is not None]
+    where = f" {' '.join(limits)}" if limits else ""
+    return f"{source.label}: there is nothing to draw{where}: no frame was found"
+
+
+def _write(drawn: Timeline, output: Path, title: str) -> None:
+    from ev3proto.capture.timeline import write
+
+    try:
+        write(drawn, output, title)
+    except OSError as error:
+        complain(f"{output}: cannot be written: {error.strerror or error}")
+        sys.exit(1)

@@ -3904,6 +3904,7 @@ local ev3 = Proto("EV3", "LEGO MINDSTORMS EV3")
 local fields = {}
 
 local field = {
+    bytes = ProtoField.bytes("ev3.bytes", "Bytes", base.NONE, "all of a frame, or of a text between frames"),
     length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
     counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil,
         "chosen by the sender, echoed in the reply"),
@@ -3955,6 +3956,16 @@ local field = {
 
 for _, declared in pairs(field) do
     fields[#fields + 1] = declared
+end
+
+-- Whether a program reads the output, and wants the bytes of whatever is recognised. People see them below anyway.
+local gives_bytes = false
+
+-- The item of a frame, or of a text around frames.
+local function add_item(tree, range)
+    local item = tree:add(ev3, range)
+    if gives_bytes then item:add(field.bytes, range) end
+    return item
 end
 
 local beacon_field = {}
@@ -5333,7 +5344,7 @@ do
                 return tvb(at + start, stop - start)
             end
             message.tvb, message.base = tvb, at
-            item = tree:add(ev3, part(0, message.stop))
+            item = add_item(tree, part(0, message.stop))
             item:add(field.length, part(0, 2), message.size - LENGTH_FIELD)
             item:add(field.counter, part(2, 4), message.counter)
             item:add(field.type, part(4, 5), byte(message.text, HEADER_SIZE))
@@ -5439,7 +5450,7 @@ do
         local said = "unlock " .. serial
         if has_tree(tree) then
             local range = tvb(at, behind - at)
-            local item = tree:add(ev3, range, "EV3: " .. said)
+            local item = add_item(tree, range):set_text("EV3: " .. said)
             item:add(field.unlock, range)
             item:add(field.unlock_serial, tvb(at + #UNLOCK_REQUEST, #serial))
         end
@@ -5455,7 +5466,7 @@ do
         if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
         if has_tree(tree) then
             local range = tvb(at, behind - at)
-            tree:add(ev3, range, "EV3: accepted"):add(field.accept, range)
+            add_item(tree, range):set_text("EV3: accepted"):add(field.accept, range)
         end
         return "accepted", behind
     end
@@ -5494,7 +5505,7 @@ do
     local function dissect_end_of_text(tvb, at, behind, tree)
         if has_tree(tree) then
             local range = tvb(at, behind - at)
-            tree:add(ev3, range, "EV3: end of the text before"):add(field.rest, range)
+            add_item(tree, range):set_text("EV3: end of the text before"):add(field.rest, range)
         end
         return "end of the text before", behind
     end
@@ -5503,7 +5514,7 @@ do
         local item
         if has_tree(tree) then
             local range = tvb(at, stop - at)
-            item = tree:add(ev3, range, "EV3: " .. said)
+            item = add_item(tree, range):set_text("EV3: " .. said)
             item:add(field.rest, range)
         end
         complain(item or tree, kind, reason)
@@ -5568,7 +5579,7 @@ do
     end
 
     local function dissect_beacon(tvb, text, tree)
-        local item = has_tree(tree) and tree:add(ev3, tvb())
+        local item = has_tree(tree) and add_item(tree, tvb())
         local at, values = 0, {}
         for _, line in ipairs(BEACON_LINES) do
             local head = line.label .. ": "
@@ -5598,7 +5609,7 @@ do
             return tvb:len()
         end
         if has_tree(tree) then
-            tree:add(ev3, tvb(), "EV3: answer to a beacon"):add(field.beacon_answer, tvb())
+            add_item(tree, tvb()):set_text("EV3: answer to a beacon"):add(field.beacon_answer, tvb())
         end
         show(pinfo, tvb, "answer to a beacon")
         return tvb:len()
@@ -5869,6 +5880,7 @@ end
 
 ev3.prefs.tcp_ports = Pref.range("TCP ports", tostring(TCP_PORT), "TCP ports on which bricks listen", 65535)
 ev3.prefs.firmware = Pref.enum("Firmware", 1, "The firmware whose instruction set to read by", dialect_choices, false)
+ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
 
 local tcp_ports = DissectorTable.get("tcp.port")
 local listened = tostring(TCP_PORT)
@@ -5880,6 +5892,7 @@ function ev3.prefs_changed()
         listened = ev3.prefs.tcp_ports
         if listened ~= "" then tcp_ports:add(listened, ev3) end
     end
+    gives_bytes = ev3.prefs.bytes
     dialect = DIALECTS[ev3.prefs.firmware]
     instructions = INSTRUCTION_SETS[dialect]
 end

@@ -28,13 +28,21 @@ class Spoken(NamedTuple):
         return record
 
 
-def dialogues(events: Iterable[Event]) -> Iterator[Spoken]:
+def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterator[Spoken]:
     """Commands with their replies, as they are complete; those that wait in vain come when nothing more does.
+
+    patience_ns  nanoseconds after which a command is given without a reply, should it come after all, then with it;
+                 None: without end
 
     At most MOST_PENDING commands wait at the same time; the oldest is then given without a reply.
     """
     waiting: OrderedDict[int, Record] = OrderedDict()
     for event in events:
+        while patience_ns is not None and waiting:
+            oldest = next(iter(waiting.values()))
+            if event.time_ns - oldest.time_ns < patience_ns:
+                break
+            yield Spoken(waiting.popitem(last=False)[1], None)
         if not isinstance(event, Record):
             continue
         if event.request is not None:

@@ -9,6 +9,7 @@ import click
 from ev3proto.cli.decode import decode
 from ev3proto.cli.dissector import dissector
 from ev3proto.cli.files import files
+from ev3proto.cli.live import live
 from ev3proto.cli.ops import ops
 from ev3proto.cli.output import complain
 from ev3proto.cli.stats import stats
@@ -28,6 +29,7 @@ def cli() -> None:
 cli.add_command(decode)
 cli.add_command(dissector)
 cli.add_command(files)
+cli.add_command(live)
 cli.add_command(ops)
 cli.add_command(stats)
 cli.add_command(timeline)

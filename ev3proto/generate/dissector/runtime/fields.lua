@@ -8,6 +8,7 @@ local ev3 = Proto("EV3", "LEGO MINDSTORMS EV3")
 local fields = {}
 
 local field = {
+    bytes = ProtoField.bytes("ev3.bytes", "Bytes", base.NONE, "all of a frame, or of a text between frames"),
     length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
     counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil,
         "chosen by the sender, echoed in the reply"),
@@ -59,6 +60,16 @@ local field = {
 
 for _, declared in pairs(field) do
     fields[#fields + 1] = declared
+end
+
+-- Whether a program reads the output, and wants the bytes of whatever is recognised. People see them below anyway.
+local gives_bytes = false
+
+-- The item of a frame, or of a text around frames.
+local function add_item(tree, range)
+    local item = tree:add(ev3, range)
+    if gives_bytes then item:add(field.bytes, range) end
+    return item
 end
 
 local beacon_field = {}

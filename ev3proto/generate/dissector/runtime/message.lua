@@ -438,7 +438,7 @@ do
                 return tvb(at + start, stop - start)
             end
             message.tvb, message.base = tvb, at
-            item = tree:add(ev3, part(0, message.stop))
+            item = add_item(tree, part(0, message.stop))
             item:add(field.length, part(0, 2), message.size - LENGTH_FIELD)
             item:add(field.counter, part(2, 4), message.counter)
             item:add(field.type, part(4, 5), byte(message.text, HEADER_SIZE))

@@ -30,6 +30,7 @@ end
 
 ev3.prefs.tcp_ports = Pref.range("TCP ports", tostring(TCP_PORT), "TCP ports on which bricks listen", 65535)
 ev3.prefs.firmware = Pref.enum("Firmware", 1, "The firmware whose instruction set to read by", dialect_choices, false)
+ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
 
 local tcp_ports = DissectorTable.get("tcp.port")
 local listened = tostring(TCP_PORT)
@@ -41,6 +42,7 @@ function ev3.prefs_changed()
         listened = ev3.prefs.tcp_ports
         if listened ~= "" then tcp_ports:add(listened, ev3) end
     end
+    gives_bytes = ev3.prefs.bytes
     dialect = DIALECTS[ev3.prefs.firmware]
     instructions = INSTRUCTION_SETS[dialect]
 end

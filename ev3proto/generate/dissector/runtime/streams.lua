@@ -29,7 +29,7 @@ do
         local said = "unlock " .. serial
         if has_tree(tree) then
             local range = tvb(at, behind - at)
-            local item = tree:add(ev3, range, "EV3: " .. said)
+            local item = add_item(tree, range):set_text("EV3: " .. said)
             item:add(field.unlock, range)
             item:add(field.unlock_serial, tvb(at + #UNLOCK_REQUEST, #serial))
         end
@@ -45,7 +45,7 @@ do
         if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
         if has_tree(tree) then
             local range = tvb(at, behind - at)
-            tree:add(ev3, range, "EV3: accepted"):add(field.accept, range)
+            add_item(tree, range):set_text("EV3: accepted"):add(field.accept, range)
         end
         return "accepted", behind
     end
@@ -84,7 +84,7 @@ do
     local function dissect_end_of_text(tvb, at, behind, tree)
         if has_tree(tree) then
             local range = tvb(at, behind - at)
-            tree:add(ev3, range, "EV3: end of the text before"):add(field.rest, range)
+            add_item(tree, range):set_text("EV3: end of the text before"):add(field.rest, range)
         end
         return "end of the text before", behind
     end
@@ -93,7 +93,7 @@ do
         local item
         if has_tree(tree) then
             local range = tvb(at, stop - at)
-            item = tree:add(ev3, range, "EV3: " .. said)
+            item = add_item(tree, range):set_text("EV3: " .. said)
             item:add(field.rest, range)
         end
         complain(item or tree, kind, reason)
@@ -158,7 +158,7 @@ do
     end
 
     local function dissect_beacon(tvb, text, tree)
-        local item = has_tree(tree) and tree:add(ev3, tvb())
+        local item = has_tree(tree) and add_item(tree, tvb())
         local at, values = 0, {}
         for _, line in ipairs(BEACON_LINES) do
             local head = line.label .. ": "
@@ -188,7 +188,7 @@ do
             return tvb:len()
         end
         if has_tree(tree) then
-            tree:add(ev3, tvb(), "EV3: answer to a beacon"):add(field.beacon_answer, tvb())
+            add_item(tree, tvb()):set_text("EV3: answer to a beacon"):add(field.beacon_answer, tvb())
         end
         show(pinfo, tvb, "answer to a beacon")
         return tvb:len()

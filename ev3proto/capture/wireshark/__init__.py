@@ -1,0 +1,86 @@
+"""The second engine: tshark takes the packets apart, with the dissector, for every link type that Wireshark knows.
+
+It knows more formats and links than the built-in engine, and is the test that this one stands: what has to do with
+carriers (reassembly, addresses, where a frame starts) is done by others here. Frames are read, and replies paired with
+commands, by the same code.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Collection, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, BinaryIO
+
+from ev3proto.capture.errors import CaptureError
+from ev3proto.capture.wireshark.errors import EngineError
+from ev3proto.capture.wireshark.program import Program
+from ev3proto.capture.wireshark.telling import Teller
+
+if TYPE_CHECKING:
+    from ev3proto.capture.account import Account
+    from ev3proto.capture.formats import CaptureFile
+    from ev3proto.capture.record import Event
+
+__all__ = ["EngineError", "wireshark_events"]
+
+
+def wireshark_events(
+    source: str | os.PathLike[str] | BinaryIO | CaptureFile,
+    account: Account,
+    *,
+    dialect: str,
+    ports: Collection[int],
+    tshark: str | None = None,
+) -> Iterator[Event]:
+    """Everything in a capture, in the order of its packets. A stream is copied into a temporary file for tshark.
+
+    source   a path, a stream at its start, or a CaptureFile
+    account  is kept while the capture is read. Wireshark does not say which bytes are whose headers: those, and bytes
+             that came twice, stand under `other`
+    dialect  the firmware whose instruction set to read by
+    ports    TCP ports on which bricks listen
+    tshark   path of the tshark, where it is not on the path
+
+    Raises OSError for a file that cannot be opened and EngineError where tshark or pyshark is missing; while it is read
+    CaptureError, after everything readable, with what tshark says of the file.
+    """
+    with ExitStack() as stack:
+        path = _file(source, stack)
+        program = Program(tshark)
+        words = stack.enter_context(program.words(dialect, ports))
+        return _events(path, program, words, Teller(account, dialect, ports), stack.pop_all())
+
+
+def _events(path: Path, program: Program, words: list[str], teller: Teller, stack: ExitStack) -> Iterator[Event]:
+    from ev3proto.capture.wireshark.running import FileRun
+
+    with stack:
+        run = FileRun(program, words, path)
+        for rows in run.batches():
+            for row in rows:
+                yield from teller.events(row)
+        yield from teller.end()
+        trouble = run.trouble()
+        if trouble is not None:
+            raise CaptureError(trouble)
+
+
+def _file(source: str | os.PathLike[str] | BinaryIO | CaptureFile, stack: ExitStack) -> Path:
+    """A file that tshark can read: the one that was named, or a copy of a stream, which goes away again."""
+    from ev3proto.capture.formats import CaptureFile
+
+    if isinstance(source, CaptureFile):
+        stack.callback(source.close)
+        source = source.contents
+    if isinstance(source, str | os.PathLike):
+        path = Path(source)
+        with path.open("rb"):
+            return path.absolute()
+    copy = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="ev3proto-"))) / "capture"
+    with copy.open("wb") as stream:
+        shutil.copyfileobj(source, stream)
+    return copy

@@ -1,0 +1,143 @@
+"""`ev3proto live`: what computer and brick say to each other, while they say it."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import click
+
+from ev3proto.cli.captures import MOST_COMPLAINTS, CaptureOptions, reading_options
+from ev3proto.cli.output import complain
+from ev3proto.cli.show import Show
+
+if TYPE_CHECKING:
+    from ev3proto.capture import Announcement, Event
+    from ev3proto.capture.dialogues import Spoken
+    from ev3proto.capture.wireshark.live import Live
+
+PATIENCE_NS = 2_000_000_000
+"""After so long without a reply a command is shown without one, as soon as anything else happens."""
+
+MOST_BEACONS = 256
+"""Different beacons of which each is shown once; a brick sends its own every few seconds."""
+
+
+@click.command()
+@click.option(
+    "-i",
+    "--interface",
+    "interfaces",
+    multiple=True,
+    required=True,
+    metavar="NAME",
+    help="Where to capture, such as wlan0 or usbmon1; several are allowed. tshark -D lists them.",
+)
+@reading_options
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line: a command with its reply, or a text.")
+def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> None:
+    """Shows dialogues while they happen: a line each, with values and latency.
+
+    tshark captures, so it must be here, and have the right to. A command stands there once its reply came, or with
+    "no reply" after two seconds without one. With --filter, dialogues are shown of which the command or the reply fits.
+
+    \b
+      ev3proto live -i wlan0
+      ev3proto live -i usbmon1 --filter 'op like "SOUND.*" || error'
+      ev3proto live -i lo --port 5556 --json
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    from ev3proto.capture.wireshark import EngineError
+    from ev3proto.capture.wireshark.live import Live
+
+    names = ", ".join(dict.fromkeys(interfaces))
+    try:
+        capture = Live(
+            tuple(dict.fromkeys(interfaces)),
+            dialect=reading.dialect,
+            ports=reading.ports,
+            tshark=reading.tshark,
+            on_start=lambda: complain(f"Capturing on {names}. Ctrl-C ends it."),
+        )
+        with _ended_by_signals(capture):
+            _Watching(reading, as_json=as_json).show(capture.events())
+    except EngineError as error:
+        complain(str(error))
+        sys.exit(1)
+
+
+for _option in live.params:
+    if isinstance(_option, click.Option) and _option.name == "engine":
+        _option.hidden = True  # only one of them captures
+
+
+@contextmanager
+def _ended_by_signals(capture: Live) -> Iterator[None]:
+    """While it lasts, Ctrl-C and being asked to terminate end the capture, and nothing else; a second Ctrl-C, all."""
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+
+    def end(number: int, _frame: object) -> None:
+        signal.signal(number, before[signal.Signals(number)])
+        capture.stop()
+
+    for number in before:
+        signal.signal(number, end)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+class _Watching:
+    """What is shown of a capture that goes on."""
+
+    def __init__(self, reading: CaptureOptions, *, as_json: bool) -> None:
+        self._chosen = reading.filter
+        self._as_json = as_json
+        self._show = Show("json" if as_json else "tree")
+        self._start_ns: int | None = None
+        self._beacons: set[bytes] = set()
+        self._skipped = 0
+
+    def show(self, events: Iterator[Event]) -> None:
+        """Shows all events until there are no more."""
+        from ev3proto.capture.dialogues import dialogues
+
+        for spoken in dialogues(self._beside(events), PATIENCE_NS):
+            if self._is_wanted(spoken):
+                self._show.dialogue(spoken, self._start_ns or 0)
+        if self._skipped > MOST_COMPLAINTS:
+            complain(f"and {self._skipped - MOST_COMPLAINTS} more places that could not be read")
+
+    def _beside(self, events: Iterator[Event]) -> Iterator[Event]:
+        """The events, of which those that are part of no dialogue are shown."""
+        from ev3proto.capture import Announcement, Skipped
+
+        for event in events:
+            if self._start_ns is None:
+                self._start_ns = event.time_ns
+            if isinstance(event, Announcement):
+                if self._chosen is None and (self._as_json or self._is_new(event)):
+                    self._show.announcement(event, self._start_ns)
+            elif isinstance(event, Skipped):
+                self._skipped += 1
+                if self._skipped <= MOST_COMPLAINTS:
+                    complain(str(event))
+            yield event
+
+    def _is_wanted(self, spoken: Spoken) -> bool:
+        chosen = self._chosen
+        return chosen is None or any(record is not None and chosen(record) for record in spoken)
+
+    def _is_new(self, announcement: Announcement) -> bool:
+        from ev3proto.capture import Said
+
+        if announcement.said is not Said.BEACON:
+            return True
+        is_new = announcement.data not in self._beacons
+        if len(self._beacons) < MOST_BEACONS:
+            self._beacons.add(announcement.data)
+        return is_new

@@ -1,0 +1,63 @@
+"""Commands with their replies as captures have them: what is given, and when."""
+
+from __future__ import annotations
+
+import io
+
+from packets import RAW_IP, Capture, Connection
+
+from ev3proto.capture import Event, Record, read
+from ev3proto.capture.dialogues import dialogues
+
+TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
+MILLISECOND = 1_000_000
+
+
+def voltage(counter: int) -> bytes:
+    return bytes.fromhex(f"0800{counter:02x}00000400810160")
+
+
+def volts(counter: int) -> bytes:
+    return bytes.fromhex(f"0700{counter:02x}0002a470fd40")
+
+
+def captured(*frames: tuple[bool, bytes]) -> list[Event]:
+    """The events of a capture of these frames, a millisecond from each to the next; True: from the host."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for from_host, frame in frames:
+        capture.add(connection.segment(from_host, frame))
+    return list(read(io.BytesIO(capture.data())).events())
+
+
+def numbers(events: list[Event], patience_ns: int | None = None) -> list[tuple[int | None, int | None]]:
+    """Of each dialogue the packets of command and reply."""
+    told = dialogues(events, patience_ns)
+    return [tuple(None if record is None else record.number for record in spoken) for spoken in told]  # type: ignore[misc]
+
+
+def test_each_command_with_its_reply_once_that_came() -> None:
+    events = captured((True, voltage(1)), (True, voltage(2)), (True, TONE), (False, volts(2)), (False, volts(1)))
+    assert numbers(events) == [(3, None), (2, 4), (1, 5)]
+
+
+def test_commands_that_wait_in_vain_come_last() -> None:
+    events = captured((True, voltage(1)), (True, TONE), (True, TONE), (True, TONE))
+    assert numbers(events) == [(2, None), (3, None), (4, None), (1, None)]
+
+
+def test_patience_that_ends() -> None:
+    events = captured((True, voltage(1)), (True, TONE), (True, TONE), (False, volts(1)))
+    assert numbers(events, patience_ns=2 * MILLISECOND) == [(2, None), (1, None), (3, None), (1, 4)]
+
+
+def test_a_reply_by_itself() -> None:
+    assert numbers(captured((False, volts(7)))) == [(None, 1)]
+
+
+def test_values_are_read_through_the_command() -> None:
+    *_, reply = captured((True, voltage(1)), (False, volts(1)))
+    assert isinstance(reply, Record)
+    assert [(value.op, value.name, round(float(value.value), 2)) for value in reply.values] == [  # type: ignore[arg-type]
+        ("UI_READ", "VALUE", 7.92)
+    ]

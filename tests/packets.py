@@ -96,6 +96,28 @@ class Connection:
         return self.capture.add(self.segment(False, data))
 
 
+def segment(
+    from_host: bool,
+    sequence: int,
+    data: bytes = b"",
+    *,
+    acknowledged: int | None = None,
+    flags: int = 0,
+    port: int = HOST_PORT,
+    brick_port: int = TCP_PORT,
+) -> bytes:
+    """A packet of TCP with the numbers given, which wrap; with `acknowledged` it has the flag for that, too."""
+    ports = (port, brick_port) if from_host else (brick_port, port)
+    flags |= 0 if acknowledged is None else ACK
+    numbers = (sequence % 2**32, (acknowledged or 0) % 2**32)
+    head = struct.pack(">HHIIBBHHH", *ports, *numbers, 5 << 4, flags, 0xFFFF, 0, 0)
+    return _ip(*((HOST, BRICK) if from_host else (BRICK, HOST)), 6, head + data)
+
+
+FIN, SYN, RST, PUSH, ACK = 0x01, 0x02, 0x04, 0x08, 0x10
+"""TCP's flags."""
+
+
 def datagram(
     data: bytes, source: bytes = BRICK, port: int = 3016, target: bytes = EVERYBODY, target_port: int = BEACON_PORT
 ) -> bytes:

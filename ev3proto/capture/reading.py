@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Generator, Iterator
 from types import TracebackType
 from typing import BinaryIO, Literal, Self
 
@@ -50,7 +50,9 @@ class Capture:
             self.close()
 
     def close(self) -> None:
-        """Closes what was opened."""
+        """Closes what was opened; iterating comes to its end."""
+        if isinstance(self._events, Generator):
+            self._events.close()
         if self._file is not None:
             self._file.close()
 
@@ -60,6 +62,9 @@ class Capture:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
     ) -> None:
+        self.close()
+
+    def __del__(self) -> None:
         self.close()
 
 

@@ -43,6 +43,7 @@ READ_ADDRESS = 0x1009
 """The command that asks a controller for its own address."""
 
 HANDLE_BITS = 12
+_HANDLE_MASK = (1 << HANDLE_BITS) - 1
 _GOES_ON = 1
 
 SIGNALS = 1
@@ -60,7 +61,7 @@ UIH, OPEN, DONE, REFUSED, CLOSED = 0xEF, 0x2F, 0x63, 0x0F, 0x43
 _POLL = 0x10
 _FRAME_TYPES = {UIH, OPEN, DONE, REFUSED, CLOSED}
 _MOST_CONNECTIONS = 1 << HANDLE_BITS
-_MOST_CHANNELS = 1024
+_MOST_CHANNELS = 128
 
 
 def _check_table() -> bytes:
@@ -89,12 +90,14 @@ class Serial(NamedTuple):
     channel       the serial port's number
     is_from_host  which way it goes
     data          the bytes, none in frames that only set things up
+    missing       further bytes of it that were not captured
     is_turn       the port is opened or closed with it
     """
 
     channel: int
     is_from_host: bool
     data: bytes
+    missing: int
     is_turn: bool
 
 
@@ -103,6 +106,15 @@ class Ports(NamedTuple):
 
     host: str
     device: str
+
+
+class Gone(NamedTuple):
+    """A connection that is no more.
+
+    key  as in what was told of it
+    """
+
+    key: tuple[object, int, int]
 
 
 class Told(NamedTuple):
@@ -152,7 +164,7 @@ class Bluetooth:
         self._own: dict[object, str] = {}
         self._generation = 0
 
-    def told(self, packet: Packet) -> Iterator[Told | int]:
+    def told(self, packet: Packet) -> Iterator[Told | Gone | int]:
         """What is complete with a packet; a number for so many captured bytes of other traffic."""
         kind, is_from_host, body = _unwrap(packet)
         adapter: object = packet.interface if packet.interface.link != Link.BLUETOOTH_MONITOR else _adapter(packet)
@@ -167,38 +179,38 @@ class Bluetooth:
         """Captured bytes of L2CAP packets whose rest never came."""
         return sum(part.weight for connection in self._connections.values() for part in connection.parts.values())
 
-    def _event(self, adapter: object, body: bytes) -> Iterator[int]:
+    def _event(self, adapter: object, body: bytes) -> Iterator[Gone | int]:
         if len(body) < 2:
             return
         event, rest = body[0], body[2:]
         if event == CONNECTED and len(rest) >= 9 and rest[0] == 0:
-            handle = int.from_bytes(rest[1:3], "little")
-            yield from self._forget(adapter, handle)
-            self._connect(adapter, handle, _address(rest[3:9]))
-        elif event == DISCONNECTED and len(rest) >= 3:
-            yield from self._forget(adapter, int.from_bytes(rest[1:3], "little"))
+            yield from self._connect(adapter, _handle(rest[1:3]), _address(rest[3:9]))
+        elif event == DISCONNECTED and len(rest) >= 3 and rest[0] == 0:
+            yield from self._forget(adapter, _handle(rest[1:3]))
         elif event == COMMAND_COMPLETE and len(rest) >= 10 and int.from_bytes(rest[1:3], "little") == READ_ADDRESS:
             self._own[adapter] = _address(rest[4:10])
 
-    def _connect(self, adapter: object, handle: int, address: str | None) -> _Connection:
+    def _connect(self, adapter: object, handle: int, address: str | None) -> Iterator[Gone | int]:
+        yield from self._forget(adapter, handle)
+        if len(self._connections) >= _MOST_CONNECTIONS:
+            yield from self._forget(*next(iter(self._connections)))
         self._generation += 1
-        connection = _Connection(address, self._generation)
-        self._connections[adapter, handle] = connection
-        return connection
+        self._connections[adapter, handle] = _Connection(address, self._generation)
 
-    def _forget(self, adapter: object, handle: int) -> Iterator[int]:
+    def _forget(self, adapter: object, handle: int) -> Iterator[Gone | int]:
         connection = self._connections.pop((adapter, handle), None)
         if connection is not None:
             yield from (part.weight for part in connection.parts.values())
+            yield Gone((adapter, handle, connection.generation))
 
-    def _data(self, adapter: object, is_from_host: bool | None, body: bytes, weight: int) -> Iterator[Told | int]:
+    def _data(
+        self, adapter: object, is_from_host: bool | None, body: bytes, weight: int
+    ) -> Iterator[Told | Gone | int]:
         word, length = _acl.unpack_from(body)
-        handle, start = word & ((1 << HANDLE_BITS) - 1), word >> HANDLE_BITS & 3
-        connection = self._connections.get((adapter, handle))
-        if connection is None:
-            if len(self._connections) >= _MOST_CONNECTIONS:
-                yield from self._forget(*next(iter(self._connections)))
-            connection = self._connect(adapter, handle, None)
+        handle, start = word & _HANDLE_MASK, word >> HANDLE_BITS & 3
+        if (adapter, handle) not in self._connections:
+            yield from self._connect(adapter, handle, None)
+        connection = self._connections[adapter, handle]
         data = body[_acl.size : _acl.size + length]
         # Without direction, the kind of start tells which of two unfinished packets goes on.
         side: object = start if is_from_host is None else is_from_host
@@ -271,6 +283,10 @@ def _adapter(packet: Packet) -> object:
     return (packet.interface, number)
 
 
+def _handle(data: bytes) -> int:
+    return int.from_bytes(data, "little") & _HANDLE_MASK
+
+
 def _address(data: bytes) -> str:
     return data[::-1].hex(":")
 
@@ -323,4 +339,5 @@ def _serial(data: bytes, is_from_host: bool | None, *, is_checked: bool = False)
         # In data frames this bit is set by the side that opened the connection, which a brick does not do.
         is_from_host = bool(address & 2)
     carried = data[start : start + length] if kind == UIH and number else b""
-    return Serial(number >> 1, is_from_host, carried, kind in (OPEN, CLOSED))
+    missing = length - len(carried) if carried else 0
+    return Serial(number >> 1, is_from_host, carried, missing, kind in (OPEN, CLOSED))

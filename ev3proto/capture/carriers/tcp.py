@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from bisect import insort
 from collections import deque
+from operator import attrgetter
 from typing import NamedTuple
 
 MOST_AHEAD = 1 << 20
@@ -15,25 +16,32 @@ MOST_AHEAD = 1 << 20
 MOST_SEGMENTS_AHEAD = 4096
 """Segments that wait at most."""
 
+MOST_AWAY = 1 << 24
+"""Bytes that a segment is at most away from where the stream goes on. Further away is another connection between the
+same ports, whose beginning is not in the capture."""
+
 _HALF, _MASK = 1 << 31, (1 << 32) - 1
 _MOST_HOLES = 64
+_offset_of = attrgetter("at")
 
 
 class Segment(NamedTuple):
     """Bytes of the stream.
 
-    at      offset in the stream, counted from the first byte that was seen
-    data    the bytes
-    number  the packet they came in
+    at       offset in the stream, counted from the first byte that was seen
+    data     the bytes
+    number   the packet they came in
+    time_ns  when that was captured
     """
 
     at: int
     data: bytes
     number: int
+    time_ns: int
 
 
 class Hole(NamedTuple):
-    """Bytes that are not in the capture: so many, before whatever comes next."""
+    """Bytes that are not in the capture: so many, before whatever comes next. 0 where nobody can tell how many."""
 
     missing: int
 
@@ -69,21 +77,24 @@ class Reassembly:
         difference = (sequence - self._start - self._position) & _MASK
         return self._position + (difference - (1 << 32) if difference >= _HALF else difference)
 
-    def add(self, sequence: int, data: bytes, number: int) -> list[Segment | Hole | Late]:
+    def add(self, sequence: int, data: bytes, number: int, time_ns: int) -> list[Segment | Hole | Late]:
         """What can be said of the stream with this segment, in order: its next bytes, holes in it, bytes too late."""
         if self._start is None:
             self._start = sequence
         at = self._offset(sequence)
         if at == self._position and not self._ahead:
             self._position = at + len(data)
-            return [Segment(at, data, number)]
+            return [Segment(at, data, number, time_ns)]
+        if abs(at - self._position) > MOST_AWAY:
+            return [*self.end(), *self._start_again(sequence), *self.add(sequence, data, number, time_ns)]
         found: list[Segment | Hole | Late] = []
         if at < self._position:
             self._look_back(at, data[: self._position - at], number, found)
             data = data[self._position - at :]
             at = self._position
         if data:
-            insort(self._ahead, Segment(at, data, number))
+            # By the offset alone: of two that differ the one that was captured first is believed.
+            insort(self._ahead, Segment(at, data, number, time_ns), key=_offset_of)
             self._waiting += len(data)
             self._go_on(found)
         return found
@@ -103,6 +114,11 @@ class Reassembly:
             self._leave_hole(found)
             self._go_on(found)
         return found
+
+    def _start_again(self, sequence: int) -> list[Segment | Hole | Late]:
+        self._start, self._position, self._acknowledged = sequence, 0, None
+        self._holes.clear()
+        return [Hole(0)]
 
     def _look_back(self, at: int, data: bytes, number: int, found: list[Segment | Hole | Late]) -> None:
         """Bytes behind which the stream already is: they came again, or are from a hole or before the start."""
@@ -129,7 +145,7 @@ class Reassembly:
             data = segment.data[again:] if again > 0 else segment.data
             self.repeated += len(segment.data) - len(data)
             if data:
-                found.append(Segment(self._position, data, segment.number))
+                found.append(Segment(self._position, data, segment.number, segment.time_ns))
                 self._position += len(data)
 
     def _is_lost(self, at: int) -> bool:

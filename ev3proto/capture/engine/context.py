@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from ev3proto.capture.account import Account
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.cutting import Cutter, Kind, Piece
+from ev3proto.capture.cutting import Cutter, Kind, Piece, bytes_of
+from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameSchema
@@ -24,26 +25,42 @@ class Context:
 class Stream:
     """One direction of a connection: its pieces become events, its bytes stand in the account."""
 
-    __slots__ = ("_account", "_conversation", "cutter", "number", "route", "time_ns")
+    __slots__ = ("_account", "_conversation", "_times", "cutter", "number", "route", "time_ns")
 
     def __init__(self, context: Context, conversation: Conversation, cutter: Cutter, route: Route) -> None:
         self._account = context.account
         self._conversation = conversation
+        self._times: dict[int, int] = {}  # when the packets were captured whose bytes wait for more
         self.cutter = cutter
         self.route = route
         self.number = 0
         self.time_ns = 0
 
+    def reach(self, packet: Packet) -> None:
+        """Says how far the capture was read: what is noticed from now on is noticed with this packet."""
+        self.number, self.time_ns = packet.number, packet.time_ns
+
     def feed(self, data: bytes, number: int, time_ns: int) -> list[Event]:
-        """The events that are complete with the next bytes, which came in that packet, at the time of the last one."""
-        self.time_ns = time_ns
-        self.number = number
-        return self._events(self.cutter.feed(data, number))
+        """The events that are complete with the next bytes, and the packet in which they came."""
+        times = self._times
+        times[number] = time_ns
+        events = self._events(self.cutter.feed(data, number))
+        waiting = self.cutter.waiting
+        if waiting:
+            self._times = {number: times[number] for number in waiting}
+        else:
+            times.clear()
+        return events
 
     def leave_hole(self, missing: int) -> list[Event]:
-        """Says that bytes are missing here."""
-        reason = f"{missing} byte{'s are' if missing != 1 else ' is'} missing in the stream: not in the capture"
+        """Says that bytes are missing here; 0 where nobody can tell how many."""
         events = self._events(self.cutter.leave_hole(missing))
+        self._times.clear()
+        if not self.cutter.is_claimed:
+            return events
+        reason = f"{bytes_of(missing)} {'is' if missing == 1 else 'are'} missing in the stream: not in the capture"
+        if not missing:
+            reason = "the stream goes on at quite another place: what is in between is not in the capture"
         return [*events, Skipped(b"", missing, reason, self.number, self.time_ns, self.route)]
 
     def skip(self, data: bytes, reason: str) -> Event:
@@ -53,13 +70,16 @@ class Stream:
 
     def end(self) -> list[Event]:
         """Says that nothing more will come."""
-        return self._events(self.cutter.end())
+        events = self._events(self.cutter.end())
+        self._times.clear()
+        return events
 
     def _events(self, pieces: Iterable[Piece]) -> list[Event]:
         events: list[Event] = []
-        account, route, time_ns = self._account, self.route, self.time_ns
+        account, route, times = self._account, self.route, self._times
         for kind, data, numbers, reason in pieces:
             size = len(data)
+            time_ns = times[numbers[0] if len(numbers) == 1 else max(numbers)]
             if kind is Kind.FRAME:
                 account.frames += size
                 events.append(self._conversation.record(data, numbers, time_ns, route))
@@ -67,7 +87,7 @@ class Stream:
                 account.other += size
             elif kind is Kind.LOST:
                 account.skipped += size
-                events.append(Skipped(data, 0, reason, self.number, time_ns, route))
+                events.append(Skipped(data, 0, reason, self.number, self.time_ns, route))
             else:
                 account.texts += size
                 if kind is Kind.UNLOCK:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Iterable
+from typing import TypeVar
 
 from ev3proto.capture.carriers.usb import IN, INTERRUPT, Urb, urb
 from ev3proto.capture.conversation import Conversation
@@ -21,6 +23,9 @@ PRODUCTS = {(USB_VENDOR, USB_PRODUCT), (USB_VENDOR, USB_BOOTLOADER)}
 
 HOST = "host"
 
+MOST_DEVICES = 4096
+"""Devices of which something is remembered: more than any computer has."""
+
 _BIG_REPORT = MAX_FRAME
 _NO_OPERATION = operations()["ERROR"].opcode.number
 _TYPES = {int(member): member for member in MessageType}
@@ -29,15 +34,19 @@ _BOOTLOADER = frozenset(command.number for command in system.SYSTEM if command.b
 OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply with the request written over its start"
 
 
+K = TypeVar("K")
+V = TypeVar("V")
+
+
 class Reports:
     """Follows the interrupt transfers of all devices."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
         self._account = context.account
-        self._products: dict[str, bool] = {}
-        self._conversations: dict[str, Conversation] = {}
-        self._routes: dict[tuple[str, bool, str | None], Route] = {}
+        self._products: OrderedDict[str, bool] = OrderedDict()
+        self._conversations: OrderedDict[str, Conversation] = OrderedDict()
+        self._routes: OrderedDict[tuple[str, bool, str | None], Route] = OrderedDict()
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events in a packet: at most one."""
@@ -47,18 +56,18 @@ class Reports:
             return ()
         if found.transfer != INTERRUPT:
             if found.product is not None:
-                self._products[found.device] = found.product in PRODUCTS
+                _put(self._products, found.device, found.product in PRODUCTS)
             self._account.other += len(packet.data)
             return ()
-        is_brick = self._products.get(found.device)
-        if len(found.data) < HEADER_SIZE or is_brick is False:
+        if len(found.data) < HEADER_SIZE:
             self._account.other += len(packet.data)
             return ()
         is_from_host = not found.endpoint & IN
         size = int.from_bytes(found.data[:LENGTH_FIELD], "little") + LENGTH_FIELD
         frame = found.data[:size]
         is_length = MIN_LENGTH <= size - LENGTH_FIELD <= MAX_LENGTH
-        if is_brick is None and not (is_length and self._looks_right(found, frame, size, is_from_host, packet)):
+        is_brick = self._products.get(found.device, False)
+        if not is_brick and not (is_length and self._looks_right(found, frame, size, is_from_host, packet)):
             self._account.other += len(packet.data)
             return ()
         self._account.headers += len(packet.data) - len(found.data)
@@ -72,7 +81,7 @@ class Reports:
             return (Skipped(found.data, 0, reason, packet.number, packet.time_ns, route),)
         self._account.frames += len(frame)
         self._account.padding += len(found.data) - len(frame)
-        conversation = self._conversations.setdefault(found.device, Conversation(self._context.schema))
+        conversation = self._conversation(found.device)
         if _is_overwritten(frame, is_from_host):
             record = conversation.overwritten(frame, (packet.number,), packet.time_ns, route)
             record.note = OVERWRITTEN
@@ -83,16 +92,21 @@ class Reports:
         """Nothing waits for more: a report is whole in its packet."""
         return ()
 
+    def _conversation(self, device: str) -> Conversation:
+        if device not in self._conversations:
+            _put(self._conversations, device, Conversation(self._context.schema))
+        return self._conversations[device]
+
     def _route(self, device: str, is_from_host: bool, packet: Packet) -> Route:
         key = device, is_from_host, packet.interface.name
         if key not in self._routes:
             ends = (HOST, device) if is_from_host else (device, HOST)
             direction = Direction.SENT if is_from_host else Direction.RECEIVED
-            self._routes[key] = Route(Carrier.USB, *ends, direction, packet.interface.name, device)
+            _put(self._routes, key, Route(Carrier.USB, *ends, direction, packet.interface.name, device))
         return self._routes[key]
 
     def _looks_right(self, found: Urb, frame: bytes, size: int, is_from_host: bool, packet: Packet) -> bool:
-        """Whether a report of a device whose product is not in the capture is one of ours.
+        """Whether a report of a device that is not known to be a brick is one of ours.
 
         Other devices have reports, too, and some of them begin like a frame: it must fit in every respect.
         """
@@ -109,6 +123,12 @@ class Reports:
             return False
         message = self._context.schema.read_leniently(frame)
         return message.fault is None and _makes_sense(message)
+
+
+def _put(known: OrderedDict[K, V], key: K, value: V) -> None:
+    known[key] = value
+    if len(known) > MOST_DEVICES:
+        known.popitem(last=False)
 
 
 def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:

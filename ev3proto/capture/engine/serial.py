@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ev3proto.capture.carriers.bluetooth import Bluetooth, Told
+from ev3proto.capture.carriers.bluetooth import Bluetooth, Gone, Told
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.cutting import Cutter
 from ev3proto.capture.engine.context import Context, Stream
@@ -28,6 +28,9 @@ class SerialPorts:
         for told in self._bluetooth.told(packet):
             if isinstance(told, int):
                 self._account.other += told
+            elif isinstance(told, Gone):
+                self._conversations.pop(told.key, None)
+                yield from self._end(told.key)
             elif told.serial is None or told.serial.channel != RFCOMM_CHANNEL:
                 self._account.other += told.weight
             else:
@@ -40,15 +43,19 @@ class SerialPorts:
             yield from stream.end()
         self._streams.clear()
 
+    def _end(self, connection: object) -> Iterable[Event]:
+        """Both streams of a connection come to their end."""
+        for way in (True, False):
+            stream = self._streams.pop((connection, way), None)
+            if stream is not None:
+                yield from stream.end()
+
     def _serial(self, packet: Packet, told: Told) -> Iterable[Event]:
         serial = told.serial
         assert serial is not None
         self._account.headers += told.weight - len(serial.data)
         if serial.is_turn:
-            for way in (True, False):
-                stream = self._streams.pop((told.key, way), None)
-                if stream is not None:
-                    yield from stream.end()
+            yield from self._end(told.key)
         if not serial.data:
             return
         key = told.key, serial.is_from_host
@@ -57,7 +64,11 @@ class SerialPorts:
             # Other programs use the same channel: the stream is ours when something like a frame starts in it.
             cutter = Cutter(self._context.schema, in_step=False, is_claimed=False)
             self._streams[key] = Stream(self._context, conversation, cutter, _route(packet, told, serial.is_from_host))
-        yield from self._streams[key].feed(serial.data, packet.number, packet.time_ns)
+        stream = self._streams[key]
+        stream.reach(packet)
+        yield from stream.feed(serial.data, packet.number, packet.time_ns)
+        if serial.missing:
+            yield from stream.leave_hole(serial.missing)
 
 
 def _route(packet: Packet, told: Told, is_from_host: bool) -> Route:

@@ -10,7 +10,7 @@ from dpkt.tcp import TH_ACK, TH_RST, TH_SYN
 from ev3proto.capture.carriers.internet import Transport, place, transport
 from ev3proto.capture.carriers.tcp import Hole, Late, Reassembly, Segment
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.cutting import Cutter
+from ev3proto.capture.cutting import Cutter, bytes_of
 from ev3proto.capture.engine.context import Context, Stream
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Route, Said
@@ -33,13 +33,14 @@ Key = tuple[bytes, int, bytes, int]
 class _Half:
     """One direction of a TCP connection."""
 
-    __slots__ = ("interface", "is_from_host", "reassembly", "start", "stream")
+    __slots__ = ("interface", "is_from_host", "reassembly", "repeated", "start", "stream")
 
     def __init__(self, stream: Stream, interface: Interface, is_from_host: bool, start: int | None) -> None:
         self.stream = stream
         self.interface = interface
         self.is_from_host = is_from_host
         self.reassembly = Reassembly(start)
+        self.repeated = 0
         self.start = start
 
 
@@ -85,10 +86,13 @@ class WiFi:
             if half is None or half.start != start:
                 if half is not None:
                     events += self._end_half(half)
+                    if not flags & TH_ACK:
+                        # Nobody answers in the new connection what was asked in the one before.
+                        self._conversations.pop(_ends(key), None)
                 half = self._open(packet, key, start, events)
         elif half is None:
             if not data:
-                return events
+                return self._acknowledge(key, acknowledged) if flags & TH_ACK else events
             half = self._open(packet, key, None, events)
         elif len(self._halves) > MOST_CONNECTIONS // 2:
             self._halves.move_to_end(key)
@@ -97,34 +101,43 @@ class WiFi:
             half.interface = packet.interface
             stream.route = self._route(packet, key, half.is_from_host)
         if data:
-            stream.time_ns, stream.number = packet.time_ns, packet.number
-            reassembly = half.reassembly
-            before = reassembly.repeated
-            for piece in reassembly.add(sequence, data, packet.number):
-                events += self._piece(stream, piece)
-            self._account.repeated += reassembly.repeated - before
+            stream.reach(packet)
+            events += self._given(half, half.reassembly.add(sequence, data, packet.number, packet.time_ns))
         if flags & TH_ACK:
-            other = self._halves.get((target, target_port, source, source_port))
-            if other is not None:
-                for piece in other.reassembly.acknowledge(acknowledged):
-                    events += self._piece(other.stream, piece)
+            events += self._acknowledge(key, acknowledged)
         if flags & TH_RST:
             events += self._end_half(half)
         return events
 
+    def _acknowledge(self, key: Key, acknowledged: int) -> list[Event]:
+        """The sender has what the other side sent before this number."""
+        source, source_port, target, target_port = key
+        other = self._halves.get((target, target_port, source, source_port))
+        pieces = [] if other is None else other.reassembly.acknowledge(acknowledged)
+        return self._given(other, pieces) if other is not None and pieces else []
+
+    def _given(self, half: _Half, pieces: list[Segment | Hole | Late]) -> list[Event]:
+        """The events in what the reassembly gave; what it found to be repeated meanwhile stands in the account."""
+        stream, repeated = half.stream, half.reassembly.repeated
+        self._account.repeated += repeated - half.repeated
+        half.repeated = repeated
+        if len(pieces) == 1:
+            return self._piece(stream, pieces[0])
+        return [event for piece in pieces for event in self._piece(stream, piece)]
+
     def _piece(self, stream: Stream, piece: Segment | Hole | Late) -> list[Event]:
         if type(piece) is Segment:
-            return stream.feed(piece.data, piece.number, stream.time_ns)
+            return stream.feed(piece.data, piece.number, piece.time_ns)
         if type(piece) is Hole:
             return stream.leave_hole(piece.missing)
         assert type(piece) is Late
-        return [stream.skip(piece.data, f"{len(piece.data)} bytes came too late to be put in order")]
+        return [stream.skip(piece.data, f"{bytes_of(len(piece.data))} came too late to be put in order")]
 
     def _open(self, packet: Packet, key: Key, start: int | None, events: list[Event]) -> _Half:
         source, source_port, target, target_port = key
         back = self._halves.get((target, target_port, source, source_port))
         is_from_host = target_port in self._ports if back is None else not back.is_from_host
-        ends = frozenset(((source, source_port), (target, target_port)))
+        ends = _ends(key)
         conversation = self._conversations.get(ends)
         if conversation is None:
             conversation = self._conversations[ends] = Conversation(self._context.schema)
@@ -133,18 +146,14 @@ class WiFi:
         cutter = Cutter(self._context.schema, in_step=start is not None)
         stream = Stream(self._context, conversation, cutter, self._route(packet, key, is_from_host))
         half = self._halves[key] = _Half(stream, packet.interface, is_from_host, start)
+        self._halves.move_to_end(key)
         if len(self._halves) > MOST_CONNECTIONS:
             _, oldest = self._halves.popitem(last=False)
             events += self._end_half(oldest)
         return half
 
     def _end_half(self, half: _Half) -> list[Event]:
-        events: list[Event] = []
-        before = half.reassembly.repeated
-        for piece in half.reassembly.end():
-            events += self._piece(half.stream, piece)
-        self._account.repeated += half.reassembly.repeated - before
-        return events + half.stream.end()
+        return self._given(half, half.reassembly.end()) + half.stream.end()
 
     def _route(self, packet: Packet, key: Key, is_from_host: bool) -> Route:
         source, target = place(key[0], key[1]), place(key[2], key[3])
@@ -156,7 +165,7 @@ class WiFi:
     def _datagram(self, packet: Packet, datagram: Transport) -> Iterable[Event]:
         source, target, source_port, target_port, data, *_ = datagram
         is_beacon = data.startswith(_BEACON_START) and BEACON_PORT in (source_port, target_port)
-        if not is_beacon and not self._is_answer(source_port, target, target_port):
+        if not data or not (is_beacon or self._is_answer(source_port, target, target_port)):
             self._account.other += len(packet.data)
             return
         self._account.headers += len(packet.data) - len(data)
@@ -178,3 +187,9 @@ class WiFi:
     def _is_answer(self, source_port: int, target: bytes, target_port: int) -> bool:
         """An answer goes to the port that a beacon came from, which is known by nothing else."""
         return BEACON_PORT in (source_port, target_port) or (target, target_port) in self._bricks
+
+
+def _ends(key: Key) -> frozenset[tuple[bytes, int]]:
+    """Both ends of a connection, whichever is the sender."""
+    source, source_port, target, target_port = key
+    return frozenset(((source, source_port), (target, target_port)))

@@ -32,8 +32,39 @@ MAGICS = {
 
 Reader = Callable[[BinaryIO], Iterator[Packet]]
 
+_STARTS = (GZIP, *MAGICS)
 _MOST_MAGIC = max(map(len, MAGICS))
 _GZIP_TROUBLE = (EOFError, zlib.error, gzip.BadGzipFile)
+
+
+class _Source(io.RawIOBase):
+    """What a function reads; the first bytes can be looked at before. Nobody's stream is closed with it.
+
+    A pipe may give less than what was asked for, and a gzip stream gives what stands in front of the place where it is
+    damaged only to who does not ask for more at once.
+    """
+
+    def __init__(self, read: Callable[[int], bytes]) -> None:
+        self._read = read
+        self._head = b""
+
+    def start(self) -> bytes:
+        """The first bytes, as many as tell what it is. Only before anything was read."""
+        while len(self._head) < _MOST_MAGIC and any(magic.startswith(self._head) for magic in _STARTS):
+            more = self._read(_MOST_MAGIC - len(self._head))
+            if not more:
+                break
+            self._head += more
+        return self._head
+
+    def readable(self) -> bool:
+        return True
+
+    def readinto(self, target: Any) -> int:
+        data = self._head[: len(target)] or self._read(len(target))
+        self._head = self._head[len(data) :]
+        target[: len(data)] = data
+        return len(data)
 
 
 class CaptureFile:
@@ -45,14 +76,15 @@ class CaptureFile:
     def __init__(self, stream: BinaryIO, *, is_ours: bool = False) -> None:
         """`is_ours`: close it with this."""
         self._is_ours = is_ours
-        self._file: io.BufferedReader[Any] = (
-            stream if isinstance(stream, io.BufferedReader) else io.BufferedReader(stream)
-        )
-        is_packed = self._file.peek(len(GZIP)).startswith(GZIP)
-        self.contents: io.BufferedReader[Any] = (
-            io.BufferedReader(gzip.GzipFile(fileobj=self._file)) if is_packed else self._file
-        )
+        self._file = stream
+        self._trouble: str | None = None
         self._size = _size(stream)
+        self._source = _Source(getattr(stream, "read1", stream.read))
+        is_packed = self._source.start().startswith(GZIP)
+        self.contents: io.BufferedReader[Any] = io.BufferedReader(self._source)
+        if is_packed:
+            self._source = _Source(gzip.GzipFile(fileobj=self.contents).read1)
+            self.contents = io.BufferedReader(self._source)
 
     @classmethod
     def at(cls, path: str | os.PathLike[str]) -> Self:
@@ -105,10 +137,15 @@ class CaptureFile:
             raise CaptureError(f"the gzip stream is cut off or damaged: {error}") from None
 
     def _start(self) -> bytes:
+        start = b""
         try:
-            return self.contents.peek(_MOST_MAGIC)[:_MOST_MAGIC]
+            start = self._source.start()
         except _GZIP_TROUBLE as error:
-            raise CaptureError(f"the gzip stream is cut off or damaged: {error}") from None
+            # Asked again, the stream would say that it is empty.
+            self._trouble = self._trouble or f"the gzip stream is cut off or damaged: {error}"
+        if self._trouble is not None:
+            raise CaptureError(self._trouble)
+        return start
 
     def _format(self) -> str | None:
         start = self._start()

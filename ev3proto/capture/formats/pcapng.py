@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import BinaryIO
 
@@ -40,6 +41,7 @@ OPTION = Struct("code" / Int16ul, "length" / Int16ul)
 END_OF_OPTIONS, NAME, RESOLUTION, TIME_OFFSET = 0, 2, 9, 14
 """Options of an interface."""
 
+_PACKETS = (PACKET, SIMPLE_PACKET, OLD_PACKET)
 _LEAST_BLOCK = 12
 _MOST_INTERFACES = 1 << 16
 
@@ -97,13 +99,16 @@ class _Section:
             yield code, body[at : at + length]
             at += length + -length % 4
 
-    def read(self, kind: int, body: bytes, number: int) -> Packet:
-        """The packet in a block of one of the three kinds that have one. Raises CaptureError."""
+    def read(self, kind: int, body: bytes, number: int, *, is_cut: bool = False) -> Packet:
+        """The packet in a block of one of the three kinds that have one; with `is_cut` what there is of it.
+
+        Raises CaptureError.
+        """
         if kind == SIMPLE_PACKET:
             (size,) = self.size.unpack_from(body)
             clock = self._clock(0, number)
             captured = min(size, clock.most) if clock.most else size
-            return self._packet(clock, body, self.size.size, captured, size, 0, number)
+            return Packet(number, 0, self._data(body, self.size.size, captured, number, is_cut), size, clock.interface)
         if kind == OLD_PACKET:
             interface, _, high, low, captured, size = self.old_packet.unpack_from(body)
             start = self.old_packet.size
@@ -111,26 +116,26 @@ class _Section:
             interface, high, low, captured, size = self.packet.unpack_from(body)
             start = self.packet.size
         clock = self._clock(interface, number)
-        return self._packet(clock, body, start, captured, size, clock.time_ns(high, low), number)
+        data = self._data(body, start, captured, number, is_cut)
+        return Packet(number, clock.time_ns(high, low), data, size, clock.interface)
 
     def _clock(self, interface: int, number: int) -> _Clock:
         if interface >= len(self.clocks):
             raise CaptureError(f"packet {number} is of interface {interface}, of which the file says nothing")
         return self.clocks[interface]
 
-    def _packet(
-        self, clock: _Clock, body: bytes, start: int, captured: int, size: int, time_ns: int, number: int
-    ) -> Packet:
-        if captured > len(body) - start:
+    def _data(self, body: bytes, start: int, captured: int, number: int, is_cut: bool) -> bytes:
+        if captured > len(body) - start and not is_cut:
             raise CaptureError(
                 f"packet {number} would have {captured} bytes, but its block has room for {len(body) - start}"
             )
-        return Packet(number, time_ns, body[start : start + captured], size, clock.interface)
+        return body[start : start + captured]
 
 
 def packets(stream: BinaryIO) -> Iterator[Packet]:
     """The packets of a file from its start. Raises CaptureError at what cannot be read, having given all before."""
     section: _Section | None = None
+    trouble: CaptureError | None = None
     number, position = 0, 0
     while head := stream.read(8):
         if len(head) < 8:
@@ -138,6 +143,8 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
         mark = b""
         if head.startswith(_MAGIC):
             mark = stream.read(4)
+            if len(mark) < 4:
+                raise CaptureError(f"the file is cut off in a block's header, at offset {position}")
             if mark not in _ORDERS:
                 raise CaptureError(f"the file is damaged at offset {position + 8}: a section has no byte order mark")
             section = _Section(_ORDERS[mark])
@@ -151,16 +158,31 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
         rest = length - len(head) - len(mark)
         body = stream.read(rest)
         if len(body) < rest:
+            if kind in _PACKETS:
+                with suppress(struct.error, CaptureError):
+                    yield section.read(kind, body, number + 1, is_cut=True)
             got = len(head) + len(mark) + len(body)
             raise CaptureError(f"the file is cut off in a block at offset {position}: {got} of its {length} bytes")
         if body[-4:] != head[4:]:
             raise CaptureError(f"the file is damaged at offset {position}: a block does not end with its length")
-        try:
-            if kind == INTERFACE:
+        too_short = f"the file is damaged at offset {position}: a block is too short for its kind"
+        if kind == INTERFACE:
+            try:
                 section.add_interface(body[:-4])
-            elif kind in (PACKET, SIMPLE_PACKET, OLD_PACKET):
-                number += 1
-                yield section.read(kind, body[:-4], number)
-        except struct.error:
-            raise CaptureError(f"the file is damaged at offset {position}: a block is too short for its kind") from None
+            except struct.error:
+                raise CaptureError(too_short) from None
+        elif kind in _PACKETS:
+            number += 1
+            packet = None
+            try:
+                packet = section.read(kind, body[:-4], number)
+            except struct.error:
+                trouble = trouble or CaptureError(too_short)
+            except CaptureError as error:
+                trouble = trouble or error
+            if packet is not None:
+                yield packet
         position += length
+    if trouble is not None:
+        # The blocks behind it could be read.
+        raise trouble

@@ -1,0 +1,890 @@
+"""Byte streams put together again: what TCP and RFCOMM do to frames, and what a capture does to TCP and RFCOMM."""
+
+from __future__ import annotations
+
+import io
+import random
+import struct
+import time
+import tracemalloc
+from collections.abc import Iterable, Iterator
+from itertools import product
+from typing import Any
+
+import pytest
+from files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
+from packets import FIN, HOST_PORT, RST, SYN, SerialPort, packets_of, segment
+from packets import Capture as Packets
+
+import ev3proto
+from ev3proto.capture import Announcement, Capture, Event, Record, Skipped, read
+
+UNLOCK = ev3proto.Unlock("0016530f0f0f").build()
+ACCEPT = b"Accept:EV340\r\n\r\n"
+HCI = 201
+
+
+def voltage(counter: int) -> bytes:
+    """UI_READ.GET_VBATT: 10 bytes."""
+    return struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60")
+
+
+def volts(counter: int, value: float = 7.5) -> bytes:
+    """The reply to it: 9 bytes."""
+    return struct.pack("<HHBf", 7, counter, 0x02, value)
+
+
+def tone(counter: int) -> bytes:
+    """SOUND.TONE, 15 bytes: its length starts with the byte of a carriage return."""
+    return struct.pack("<HHB", 13, counter, 0x80) + bytes.fromhex("0000 94 01 01 82B801 8164")
+
+
+def led(counter: int) -> bytes:
+    """A command of 12 bytes: its length starts with the byte of a line feed."""
+    return struct.pack("<HHB", 10, counter, 0x80) + bytes.fromhex("0000 821b01 01 01")
+
+
+def opened(data: bytes) -> tuple[list[Event], Capture]:
+    """All events of a capture; nothing may be missing in its account."""
+    capture = read(io.BytesIO(data))
+    events = list(capture.events())
+    assert capture.account.balance == 0
+    return events, capture
+
+
+def of(packets: Iterable[bytes], link: int = RAW_IP) -> tuple[list[Event], Capture]:
+    return opened(pcap(link, timed(list(packets))))
+
+
+def frames(events: Iterable[Event]) -> list[tuple[bytes, tuple[int, ...]]]:
+    """The frames and the packets that they came in."""
+    return [(event.frame, event.numbers) for event in events if isinstance(event, Record)]
+
+
+def complaints(events: Iterable[Event]) -> list[tuple[bytes, int, int, str]]:
+    """What was skipped: bytes, missing bytes, where, and why."""
+    return [(event.data, event.missing, event.number, event.reason) for event in events if isinstance(event, Skipped)]
+
+
+def connected(*pieces: bytes, at: int = 1000) -> Iterator[bytes]:
+    """A connection from its start, in which the host sends these pieces."""
+    yield segment(True, at - 1, flags=SYN)
+    for piece in pieces:
+        yield segment(True, at, piece)
+        at += len(piece)
+
+
+# Frames
+
+
+def test_frames_share_segments_and_are_split_over_them() -> None:
+    stream = b"".join(map(voltage, range(4)))
+    events, _ = of(connected(stream[:10], stream[10:31], stream[31:33], stream[33:]))
+    assert frames(events) == [
+        (voltage(0), (2,)),
+        (voltage(1), (3,)),
+        (voltage(2), (3,)),
+        (voltage(3), (3, 4, 5)),
+    ]
+    assert not complaints(events)
+
+
+@pytest.mark.parametrize("size", range(1, 35))
+def test_a_stream_is_cut_anywhere(size: int) -> None:
+    stream = voltage(1) + tone(2) + led(3) + voltage(4)
+    events, capture = of(connected(*(stream[at : at + size] for at in range(0, len(stream), size))))
+    assert [frame for frame, _ in frames(events)] == [voltage(1), tone(2), led(3), voltage(4)]
+    assert not complaints(events)
+    assert capture.account.frames == len(stream)
+
+
+def test_a_long_frame_in_many_segments() -> None:
+    frame = struct.pack("<HHB", 1022, 5, 0x02) + bytes(1019)
+    events, _ = of(connected(*(bytes((byte,)) for byte in frame)))
+    assert frames(events) == [(frame, tuple(range(2, 1026)))]
+
+
+def test_requests_latencies_and_values() -> None:
+    packets = [
+        segment(True, 999, flags=SYN),
+        segment(False, 4999, flags=SYN, acknowledged=1000),
+        segment(True, 1000, voltage(1) + voltage(2), acknowledged=5000),
+        segment(False, 5000, volts(2, 8.25)[:4], acknowledged=1020),
+        segment(False, 5004, volts(2, 8.25)[4:] + volts(1, 7.5), acknowledged=1020),
+    ]
+    events, _ = of(packets)
+    first, second, to_second, to_first = (event for event in events if isinstance(event, Record))
+    assert (to_second.request, to_first.request) == (second, first)
+    assert [value.value for value in (*to_second.values, *to_first.values)] == [8.25, 7.5]
+    assert (to_second.numbers, to_first.numbers) == ((4, 5), (5,))
+    assert (to_second.latency, to_first.latency) == (0.002, 0.002)
+    assert to_second.time_ns == BEGIN_NS + 4_000_000
+    assert (first.direction, to_first.direction) == ("sent", "received")
+
+
+# Texts
+
+
+@pytest.mark.parametrize("text", [UNLOCK, UNLOCK[:-2], UNLOCK[:-4], UNLOCK.replace(b"\r", b"")])
+@pytest.mark.parametrize("frame", [voltage(1), tone(2), led(3)])
+def test_an_unlock_text_is_cut_anywhere(text: bytes, frame: bytes) -> None:
+    """The frame behind it may start with the byte of a line end."""
+    for size in range(1, len(text) + 6):
+        stream = text + frame + led(9) + tone(10)
+        events, capture = of(connected(*(stream[at : at + size] for at in range(0, len(stream), size))))
+        if not any(text.endswith(end) for end in (b"\r\n\r\n", b"\n\n")) and size > len(text):
+            continue  # a line end or a length: here nobody can tell
+        assert [frame for frame, _ in frames(events)] == [frame, led(9), tone(10)], size
+        assert not complaints(events), size
+        (unlock,) = (event for event in events if isinstance(event, Announcement))
+        assert unlock.facts == {"serial": "0016530f0f0f"}
+        assert capture.account.texts == len(text)
+
+
+@pytest.mark.parametrize("cut", range(len(UNLOCK)))
+@pytest.mark.parametrize("frame", [voltage(1), tone(2), led(3)])
+def test_an_unlock_text_in_two_segments(cut: int, frame: bytes) -> None:
+    events, _ = of(connected(UNLOCK[:cut], UNLOCK[cut:] + frame + frame))
+    assert [frame for frame, _ in frames(events)] == [frame, frame]
+    assert not complaints(events)
+
+
+@pytest.mark.parametrize("zero", [b"", b"\0"])
+@pytest.mark.parametrize("reply", [volts(1), struct.pack("<HHB", 3, 1, 4), struct.pack("<HHB", 3, 0x101, 2)])
+def test_an_accepting_text_is_cut_anywhere(zero: bytes, reply: bytes) -> None:
+    text = ACCEPT + zero
+    for size in range(1, len(text) + len(reply) + 1):
+        stream = text + reply + volts(2)
+        packets = [segment(False, 4999, flags=SYN)]
+        packets += [segment(False, 5000 + at, stream[at : at + size]) for at in range(0, len(stream), size)]
+        events, capture = of(packets)
+        assert [frame for frame, _ in frames(events)] == [reply, volts(2)], size
+        assert not complaints(events), size
+        assert len([event for event in events if isinstance(event, Announcement)]) == 1
+        assert capture.account.texts == len(text)
+
+
+def test_a_line_end_that_comes_late_is_of_the_text_though_nothing_follows() -> None:
+    for end in (b"\r", b"\n", b"\r\n", b"\r\n\r", b"\r\n\r\n"):
+        events, capture = of(connected(UNLOCK[:-4], end))
+        assert not complaints(events)
+        assert capture.account.texts == len(UNLOCK) - 4 + len(end)
+
+
+def test_a_text_that_breaks_off_is_told() -> None:
+    events, _ = of(connected(UNLOCK[:20]))
+    assert complaints(events) == [(UNLOCK[:20], 0, 2, "the stream ends inside a text, of which 20 bytes came")]
+
+
+def test_a_text_that_never_ends_is_given_up() -> None:
+    endless = b"GET /target?sn=" + b"1" * 100_000
+    events, capture = of(connected(*(endless[at : at + 1000] for at in range(0, len(endless), 1000))))
+    assert frames(events) == []
+    assert capture.account.skipped == len(endless)
+
+
+# What a capture does not have, has twice, or has in another order
+
+
+def test_a_repeated_segment_is_given_once() -> None:
+    packets = [
+        *connected(voltage(1), voltage(2)),
+        segment(True, 1000, voltage(1)),
+        segment(True, 1000, voltage(1) + voltage(2)),
+        segment(True, 1010, voltage(2) + voltage(3)),
+        segment(True, 1019, voltage(2)[-1:]),  # keeps the connection alive
+        segment(True, 1029),
+        segment(True, 999, flags=SYN),  # the start, repeated
+        segment(True, 1030, voltage(4)),
+    ]
+    events, capture = of(packets)
+    assert frames(events) == [(voltage(1), (2,)), (voltage(2), (3,)), (voltage(3), (6,)), (voltage(4), (10,))]
+    assert not complaints(events)
+    assert capture.account.repeated == 10 + 20 + 10 + 1
+
+
+def test_segments_in_another_order() -> None:
+    """A frame that waited for one in front of it has its own time."""
+    one, two, three, four = (voltage(number) for number in range(4))
+    packets = [
+        segment(True, 999, flags=SYN),
+        segment(True, 1030, four),
+        segment(True, 1015, two[5:] + three),
+        segment(True, 1000, one + two[:5]),
+    ]
+    events, _ = of(packets)
+    assert frames(events) == [(one, (4,)), (two, (4, 3)), (three, (3,)), (four, (2,))]
+    times = [event.time_ns - BEGIN_NS for event in events]
+    assert times == [3_000_000, 3_000_000, 2_000_000, 1_000_000]
+    assert [event.number for event in events if isinstance(event, Record)] == [4, 4, 3, 2]
+
+
+def test_every_order_of_five_segments() -> None:
+    stream = b"".join(map(voltage, range(5)))
+    pieces = [(1000 + at, stream[at : at + 11]) for at in range(0, len(stream), 11)]
+    for seed in range(60):
+        shuffled = random.Random(seed).sample(pieces, len(pieces))
+        events, _ = of([segment(True, 999, flags=SYN), *(segment(True, *piece) for piece in shuffled)])
+        assert [frame for frame, _ in frames(events)] == [voltage(number) for number in range(5)]
+        assert not complaints(events)
+
+
+def test_of_segments_that_differ_the_first_is_believed() -> None:
+    other = bytes(10)
+    packets = [
+        segment(True, 999, flags=SYN),
+        segment(True, 1010, voltage(2)),
+        segment(True, 1010, other),
+        segment(True, 1000, voltage(1)),
+        segment(True, 1000, other),
+    ]
+    events, capture = of(packets)
+    assert frames(events) == [(voltage(1), (4,)), (voltage(2), (2,))]
+    assert capture.account.repeated == 20
+    packets[1:3] = packets[2:0:-1]
+    events, capture = of(packets)
+    assert frames(events)[0] == (voltage(1), (4,))
+    assert complaints(events)[0][0] == other
+
+
+def test_segments_that_overlap_in_part() -> None:
+    stream = b"".join(map(voltage, range(6)))
+    spans = [(30, 60), (25, 40), (10, 28), (5, 12), (0, 7)]
+    packets = [segment(True, 1000 + start, stream[start:stop]) for start, stop in spans]
+    events, capture = of([segment(True, 999, flags=SYN), *packets])
+    assert [frame for frame, _ in frames(events)] == [voltage(number) for number in range(6)]
+    assert capture.account.repeated == 30 + 15 + 18 + 7 + 7 - 60
+
+
+def test_a_segment_that_was_not_captured() -> None:
+    """Once the other side says that it has it, it will not come any more."""
+    packets = [
+        *connected(voltage(1), voltage(2)[:4]),
+        segment(True, 1030, voltage(4)),
+        segment(True, 1040, voltage(5)),
+        segment(False, 5000, acknowledged=1050),
+    ]
+    events, _ = of(packets)
+    assert frames(events) == [(voltage(1), (2,)), (voltage(4), (4,)), (voltage(5), (5,))]
+    assert complaints(events) == [
+        (voltage(2)[:4], 0, 5, "the rest of the frame is not in the capture"),
+        (b"", 16, 5, "16 bytes are missing in the stream: not in the capture"),
+    ]
+    assert [type(event) for event in events] == [Record, Skipped, Skipped, Record, Record]
+
+
+def test_a_segment_that_comes_after_it_was_given_up() -> None:
+    packets = [
+        *connected(voltage(1)),
+        segment(True, 1020, voltage(3)),
+        segment(False, 5000, acknowledged=1030),
+        segment(True, 1010, voltage(2)),
+        segment(True, 1010, voltage(2) + voltage(3) + voltage(4)),
+    ]
+    events, capture = of(packets)
+    assert frames(events) == [(voltage(1), (2,)), (voltage(3), (3,)), (voltage(4), (6,))]
+    late = "10 bytes came too late to be put in order"
+    assert complaints(events) == [
+        (b"", 10, 3, "10 bytes are missing in the stream: not in the capture"),
+        (voltage(2), 0, 5, late),
+        (voltage(2), 0, 6, late),
+    ]
+    assert (capture.account.skipped, capture.account.repeated) == (20, 10)
+
+
+def test_nobody_acknowledges() -> None:
+    """What waits is given at the end; only so much waits."""
+    stream = b"".join(voltage(number) for number in range(10_000))
+    pieces = [segment(True, 1000 + at, stream[at : at + 10]) for at in range(0, len(stream), 10)]
+    del pieces[1]
+    events, _ = of([segment(True, 999, flags=SYN), *pieces])
+    assert len(frames(events)) == 9_999
+    assert [(missing, number) for _, missing, number, _ in complaints(events)] == [(10, 4099)]
+    events, _ = of([segment(True, 999, flags=SYN), *pieces[:100]])
+    assert len(frames(events)) == 100
+    assert [missing for _, missing, _, _ in complaints(events)] == [10]
+
+
+def test_a_capture_begun_inside_a_frame() -> None:
+    packets = [
+        segment(True, 1000, voltage(1)[3:] + voltage(2)),
+        segment(True, 1017, voltage(3)),
+        segment(False, 5000, volts(1)[-2:]),
+        segment(False, 5002, volts(2)),
+    ]
+    events, _ = of(packets)
+    assert frames(events) == [(voltage(2), (1,)), (voltage(3), (2,)), (volts(2), (4,))]
+    reason = "the capture begins inside a frame"
+    assert complaints(events) == [(voltage(1)[3:], 0, 1, reason), (volts(1)[-2:], 0, 3, reason)]
+
+
+def test_a_capture_begun_between_segments_of_a_frame() -> None:
+    for cut in range(1, 10):
+        events, _ = of([segment(True, 1000, voltage(1)[cut:]), segment(True, 2000 - 990 - cut, voltage(2))])
+        assert frames(events)[-1] == (voltage(2), (2,)), cut
+        assert b"".join(data for data, *_ in complaints(events)) == voltage(1)[cut:], cut
+
+
+def test_a_segment_from_before_the_start() -> None:
+    events, _ = of([segment(True, 1010, voltage(2)), segment(True, 1005, voltage(1)[5:] + voltage(2) + voltage(3))])
+    assert frames(events) == [(voltage(2), (1,)), (voltage(3), (2,))]
+    assert complaints(events) == [(voltage(1)[5:], 0, 2, "5 bytes came too late to be put in order")]
+
+
+@pytest.mark.parametrize("at", [2**32 - 1, 2**32 - 5, 2**32 - 10, 2**32 - 15, 0, 1])
+def test_sequence_numbers_wrap(at: int) -> None:
+    packets = [
+        segment(True, at - 1, flags=SYN),
+        segment(True, at, voltage(1)),
+        segment(True, at + 20, voltage(3)),
+        segment(True, at + 10, voltage(2)),
+        segment(True, at + 40, voltage(5)),
+        segment(False, 77, acknowledged=at + 50),
+        segment(True, at, voltage(1)),
+    ]
+    events, capture = of(packets)
+    assert [frame for frame, _ in frames(events)] == [voltage(number) for number in (1, 2, 3, 5)]
+    assert [missing for _, missing, _, _ in complaints(events)] == [10]
+    assert capture.account.repeated == 10
+
+
+def test_a_stream_longer_than_its_numbers() -> None:
+    """Positions count on where sequence numbers start again."""
+    from ev3proto.capture.carriers.tcp import Hole, Reassembly, Segment
+
+    stream = Reassembly()
+    at, big = 2**32 - 100, bytes(1 << 20)
+    for number in range(5000):
+        (found,) = stream.add((at + number * len(big)) % 2**32, big, number, 0)
+        assert isinstance(found, Segment)
+        assert found.at == number * len(big)
+    position = 5000 * len(big)
+    assert stream.add((at + position + 7) % 2**32, b"later", 1, 0) == []
+    assert stream.add((at + position - len(big)) % 2**32, big, 2, 0) == []
+    assert stream.repeated == len(big)
+    assert stream.acknowledge((at + position + 12) % 2**32) == [Hole(7), Segment(position + 7, b"later", 1, 0)]
+
+
+def test_a_port_is_used_again() -> None:
+    """The new connection starts with its own numbers and a whole frame; nobody answers in it what was asked before."""
+    packets = [
+        segment(True, 999, flags=SYN),
+        segment(False, 4999, flags=SYN, acknowledged=1000),
+        segment(True, 1000, voltage(1) + voltage(2)[:4], acknowledged=5000),
+        segment(True, 70_000, flags=SYN),
+        segment(False, 90_000, flags=SYN, acknowledged=70_001),
+        segment(True, 70_001, tone(3)[:5], acknowledged=90_001),
+        segment(False, 90_001, volts(1), acknowledged=70_006),
+        segment(True, 70_006, tone(3)[5:], acknowledged=90_010),
+    ]
+    events, _ = of(packets)
+    assert frames(events) == [(voltage(1), (3,)), (volts(1), (7,)), (tone(3), (6, 8))]
+    sentence = "the stream ends inside a frame, of which 4 bytes came and 6 are missing"
+    assert complaints(events) == [(voltage(2)[:4], 0, 3, sentence)]
+    assert [event.request for event in events if isinstance(event, Record)] == [None, None, None]
+
+
+@pytest.mark.parametrize("at", [3_000_000_000, 1_000_000_000, 4_000_000_000])
+def test_a_port_is_used_again_and_nobody_captured_how(at: int) -> None:
+    events, _ = of([*connected(voltage(1)), segment(True, at, voltage(2)), segment(True, at + 10, voltage(3))])
+    assert frames(events) == [(voltage(1), (2,)), (voltage(2), (3,)), (voltage(3), (4,))]
+    sentence = "the stream goes on at quite another place: what is in between is not in the capture"
+    assert complaints(events) == [(b"", 0, 3, sentence)]
+
+
+def test_a_connection_that_is_reset() -> None:
+    packets = [
+        *connected(voltage(1), voltage(2)[:4]),
+        segment(True, 1014, flags=RST),
+        segment(True, 1014, b"\x81\x01\x60" + voltage(3)),
+    ]
+    events, _ = of(packets)
+    assert frames(events) == [(voltage(1), (2,)), (voltage(3), (5,))]
+    assert complaints(events) == [
+        (voltage(2)[:4], 0, 3, "the stream ends inside a frame, of which 4 bytes came and 6 are missing"),
+        (b"\x81\x01\x60", 0, 5, "bytes between frames"),
+    ]
+
+
+def test_the_end_of_a_connection_takes_a_number_that_is_no_byte() -> None:
+    packets = [
+        *connected(voltage(1)),
+        segment(True, 1010, flags=FIN),
+        segment(False, 5000, acknowledged=1011),
+        segment(True, 1011),
+    ]
+    events, _ = of(packets)
+    assert frames(events) == [(voltage(1), (2,))]
+    assert not complaints(events)
+
+
+def test_segments_cut_by_the_capture() -> None:
+    """Of each packet 48 bytes were captured, 8 of them of the stream."""
+    packets = [
+        Timed(BEGIN_NS, segment(True, 999, flags=SYN)),
+        Timed(BEGIN_NS, segment(True, 1000, voltage(1) + voltage(2))[:48], 60),
+        Timed(BEGIN_NS, segment(True, 1020, voltage(3)[:8]), 48),
+        Timed(BEGIN_NS, segment(False, 5000, acknowledged=1028)),
+        Timed(BEGIN_NS, segment(True, 1028, voltage(3)[8:] + bytes(3))[:48], 45),
+        Timed(BEGIN_NS, segment(True, 1033, bytes(30))[:48], 70),
+    ]
+    events, capture = opened(pcap(RAW_IP, packets))
+    assert frames(events) == [(voltage(3), (3, 5))]
+    assert [(len(data), missing) for data, missing, _, _ in complaints(events)] == [(8, 0), (0, 12), (3, 0), (8, 0)]
+    assert capture.account.skipped == 8 + 3 + 8
+
+
+def test_segments_on_two_interfaces() -> None:
+    """The same packet is seen on its way through a bridge, or the two directions are captured apart."""
+    blocks = Blocks()
+    blocks.interface(RAW_IP, name="wlan0")
+    blocks.interface(1, name="br0")
+    wire = bytes(12) + b"\x08\x00"
+    both = [segment(True, 999, flags=SYN), segment(True, 1000, voltage(1)), segment(True, 1010, voltage(2))]
+    for packet in both:
+        blocks.packet(0, packet)
+        blocks.packet(0, wire + packet, interface=1)
+    blocks.packet(0, wire + segment(False, 5000, volts(2)), interface=1)
+    events, capture = opened(blocks.data())
+    assert frames(events) == [(voltage(1), (3,)), (voltage(2), (5,)), (volts(2), (7,))]
+    records = [event for event in events if isinstance(event, Record)]
+    assert [record.interface for record in records] == ["wlan0", "wlan0", "br0"]
+    assert records[2].request is records[1]
+    assert capture.account.repeated == 20
+
+
+def test_connections_side_by_side() -> None:
+    packets = []
+    for at in range(0, 30, 5):
+        for port in range(HOST_PORT, HOST_PORT + 3):
+            stream = b"".join(voltage(number + port) for number in range(3))
+            packets.append(segment(True, 1000 + at, stream[at : at + 5], port=port))
+    events, _ = of(packets)
+    assert len(frames(events)) == 9
+    assert [record.source for record in events if isinstance(record, Record)][:3] == [
+        "192.0.2.1:49152",
+        "192.0.2.1:49153",
+        "192.0.2.1:49154",
+    ]
+
+
+# Garbage
+
+
+def test_garbage_between_frames_is_skipped_and_told() -> None:
+    garbage = b"\xff\xff\xff\xff\xff garbage"
+    events, _ = of(connected(voltage(1) + garbage + voltage(2) + voltage(3), voltage(4)))
+    assert frames(events) == [(voltage(1), (2,)), (voltage(2), (2,)), (voltage(3), (2,)), (voltage(4), (3,))]
+    sentence = "no frame can start here: its length field would say 65535, a frame has 3 to 1022 bytes behind it"
+    assert complaints(events) == [(garbage, 0, 2, sentence)]
+
+
+def test_a_stream_of_nothing_but_garbage() -> None:
+    rng = random.Random(1)
+    pieces = [rng.randbytes(1000) for _ in range(200)]
+    events, capture = of(connected(*pieces))
+    account = capture.account
+    assert account.frames + account.skipped + account.texts == 200_000
+    assert account.skipped > 100_000
+    assert len(complaints(events)) < 1000
+
+
+@pytest.mark.parametrize(
+    "garbage",
+    [
+        b"\xfc\x03\0\0\0",  # a header of a frame that is not whole, again and again
+        b"\xfe\x03\0\0\x80\0\0\x01",
+        b"GET /target?sn=",
+        b"Accept:EV34",
+        b"\0",
+        b"\xff",
+    ],
+)
+def test_garbage_that_looks_like_something_takes_no_longer(garbage: bytes) -> None:
+    piece = (garbage * 60_000)[:60_000]
+    begin = time.monotonic()
+    _, capture = of(segment(True, 1000 + at * len(piece), piece) for at in range(20))
+    assert capture.account.captured == 20 * 60_040
+    assert time.monotonic() - begin < 10
+
+
+def test_a_connection_kept_alive_when_the_capture_begins() -> None:
+    """The byte before the next one is sent again, with which nothing begins though it may look so."""
+    answer = struct.pack("<HHB", 3, 1, 0x02)
+    events, _ = of([segment(False, 999, b"\0"), segment(False, 1000, answer), segment(False, 1005, volts(2))])
+    assert frames(events) == [(answer, (2,)), (volts(2), (3,))]
+    assert complaints(events) == [(b"\0", 0, 2, "the capture begins inside a frame")]
+
+
+def test_what_looks_like_a_long_frame_where_a_capture_begins() -> None:
+    """Inside a frame anything may stand, a length too; whole frames behind it are given all the same."""
+    for packets in (
+        [segment(True, 1000, b"\0\x03\0\0\0" + voltage(1) + voltage(2))],
+        [segment(True, 1000, b"\0\x03\0\0\0"), segment(True, 1005, voltage(1)), segment(True, 1015, voltage(2))],
+    ):
+        events, _ = of(packets)
+        assert [frame for frame, _ in frames(events)] == [voltage(1), voltage(2)]
+        assert [(data, reason) for data, _, _, reason in complaints(events)] == [
+            (b"\0\x03\0\0\0", "the capture begins inside a frame")
+        ]
+
+
+def test_a_frame_at_fault_is_a_frame_all_the_same() -> None:
+    faulty = struct.pack("<HHB", 8, 1, 0x00) + bytes.fromhex("0400 FF FF FF")
+    events, _ = of(connected(faulty, voltage(2)))
+    assert frames(events) == [(faulty, (2,)), (voltage(2), (3,))]
+
+
+# Bounds
+
+
+def test_a_million_bytes_that_never_fit() -> None:
+    """Every other byte of a stream, each in a segment of its own."""
+    packets = [segment(True, 999, flags=SYN), *(segment(True, 1001 + 2 * at, b"\xff") for at in range(30_000))]
+    data = pcap(RAW_IP, timed(packets))
+    begin = time.monotonic()
+    tracemalloc.start()
+    capture = read(io.BytesIO(data))
+    skipped = sum(event.missing for event in capture.events() if isinstance(event, Skipped))
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert capture.account.balance == 0
+    assert (capture.account.skipped, skipped) == (30_000, 30_000)
+    assert peak < 4_000_000
+    assert time.monotonic() - begin < 30
+
+
+def test_connections_without_end() -> None:
+    """Of a hundred thousand connections only some are remembered."""
+
+    def packets() -> Iterator[bytes]:
+        for number in range(8_000):
+            port, brick = 1024 + number % 60_000, number // 60_000
+            yield segment(True, 1000, voltage(1) + voltage(2)[:3], port=port)
+            yield segment(False, 5000, volts(1), port=port, acknowledged=1013)
+            assert brick == 0
+
+    data = pcap(RAW_IP, timed(list(packets())))
+    tracemalloc.start()
+    capture = read(io.BytesIO(data))
+    answered = sum(isinstance(event, Record) and event.request is not None for event in capture.events())
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert answered == 8_000
+    assert capture.account.balance == 0
+    assert capture.account.frames == 8_000 * 19
+    assert peak < 12_000_000
+
+
+# RFCOMM
+
+
+def check(data: bytes) -> int:
+    """RFCOMM's check sum, bit by bit."""
+    rest = 0xFF
+    for byte in data:
+        rest ^= byte
+        for _ in range(8):
+            rest = rest >> 1 ^ 0xE0 * (rest & 1)
+    return 0xFF - rest
+
+
+class Link:
+    """What host and controller exchange, packet by packet as H4 has it."""
+
+    OURS, THEIRS = 0x41, 0x51
+
+    def __init__(self, handle: int = 0x0B) -> None:
+        self.handle = handle
+        self.packets: list[bytes] = []
+
+    def event(self, data: str) -> None:
+        body = bytes.fromhex(data)
+        self.packets.append(struct.pack(">I", 1) + b"\x04" + body[:1] + bytes((len(body) - 1,)) + body[1:])
+
+    def connect(self, address: str = "0a000053 1600") -> None:
+        self.event(f"03 00 {self.handle.to_bytes(2, 'little').hex()} {address} 01 00")
+
+    def disconnect(self) -> None:
+        self.event(f"05 00 {self.handle.to_bytes(2, 'little').hex()} 13")
+
+    def acl(self, from_host: bool, data: bytes, *, goes_on: bool = False) -> None:
+        start = 0x1000 if goes_on else 0 if from_host else 0x2000
+        head = struct.pack(">IBHH", not from_host, 2, 0, 0)[:5] + struct.pack("<HH", self.handle | start, len(data))
+        self.packets.append(head + data)
+
+    def l2cap(self, from_host: bool, channel: int, data: bytes, pieces: int = 0) -> None:
+        whole = struct.pack("<HH", len(data), channel) + data
+        size = pieces or len(whole)
+        for at in range(0, len(whole), size):
+            self.acl(from_host, whole[at : at + size], goes_on=at > 0)
+
+    def ask(self, service: int = 3, ours: int = OURS, theirs: int = THEIRS) -> None:
+        self.l2cap(True, 1, struct.pack("<BBHHH", 2, 7, 4, service, ours))
+        self.l2cap(False, 1, struct.pack("<BBHHHHH", 3, 7, 8, theirs, ours, 1, 0))  # still pending
+        self.l2cap(False, 1, struct.pack("<BBHHHHH", 3, 7, 8, theirs, ours, 0, 0))
+
+    def rfcomm(
+        self,
+        from_host: bool,
+        data: bytes,
+        *,
+        port: int = 2,
+        kind: int = 0xEF,
+        credits: int | None = None,
+        wide: bool = False,
+        pieces: int = 0,
+        channel: int | None = None,
+    ) -> None:
+        head = bytes((port << 2 | from_host << 1 | 1, kind | (0 if credits is None else 0x10)))
+        size = len(data)
+        length = (size << 1).to_bytes(2, "little") if wide or size > 127 else bytes((size << 1 | 1,))
+        extra = b"" if credits is None else bytes((credits,))
+        end = bytes((check(head if kind == 0xEF else head + length),))
+        if channel is None:
+            channel = self.THEIRS if from_host else self.OURS
+        self.l2cap(from_host, channel, head + length + extra + data + end, pieces)
+
+    def open(self) -> None:
+        """The port is opened and negotiated, as a computer does it."""
+        self.rfcomm(True, b"", port=0, kind=0x3F)
+        self.rfcomm(False, b"", port=0, kind=0x73)
+        self.rfcomm(True, bytes.fromhex("8311 02f00700f0030007"), port=0)
+        self.rfcomm(True, b"", kind=0x3F)
+        self.rfcomm(False, b"", kind=0x73)
+        self.rfcomm(True, bytes.fromhex("e305 0b8d"), port=0)
+
+
+def link_events(link: Link) -> tuple[list[Event], Capture]:
+    return of(link.packets, HCI)
+
+
+def test_a_serial_port_from_its_connection_on() -> None:
+    link = Link()
+    link.event("0e 01 0910 00 010000000000")  # the computer's own address
+    link.connect()
+    link.ask()
+    link.open()
+    first = len(link.packets)
+    link.rfcomm(True, voltage(1))
+    link.rfcomm(False, volts(1))
+    events, capture = link_events(link)
+    assert frames(events) == [(voltage(1), (first + 1,)), (volts(1), (first + 2,))]
+    command, reply = (event for event in events if isinstance(event, Record))
+    assert (command.source, command.target) == ("00:00:00:00:00:01", "00:16:53:00:00:0a")
+    assert (command.peer, reply.peer) == ("00:16:53:00:00:0a", "00:16:53:00:00:0a")
+    assert (command.carrier, command.direction, reply.direction) == ("bluetooth", "sent", "received")
+    assert reply.request is command
+    assert capture.account.frames == 19
+
+
+@pytest.mark.parametrize("begun", ["connection", "channel", "port", "data"])
+def test_a_capture_may_begin_after_any_of_it(begun: str) -> None:
+    link = Link()
+    if begun == "connection":
+        link.connect()
+    if begun in ("connection", "channel"):
+        link.ask()
+    if begun in ("connection", "channel", "port"):
+        link.open()
+    link.rfcomm(True, voltage(1))
+    link.rfcomm(False, volts(1), credits=3)
+    link.rfcomm(False, b"", credits=1)
+    link.rfcomm(True, voltage(2), wide=True)
+    events, _ = link_events(link)
+    assert [frame for frame, _ in frames(events)] == [voltage(1), volts(1), voltage(2)]
+    assert not complaints(events)
+    assert {record.peer for record in events if isinstance(record, Record)} == {
+        "00:16:53:00:00:0a" if begun == "connection" else "handle 0x000b"
+    }
+
+
+@pytest.mark.parametrize("size", [1, 3, 4, 5, 27, 100])
+def test_acl_fragments_of_both_directions_interleaved(size: int) -> None:
+    """Long frames with two bytes of length, cut by ACL; meanwhile the other direction does the same."""
+    frame = struct.pack("<HHB", 398, 5, 0x02) + bytes(395)
+    there, back = Link(), Link()
+    there.rfcomm(True, frame, pieces=max(size, 4), credits=7)
+    back.rfcomm(False, frame, pieces=max(size, 4))
+    link = Link()
+    for pair in zip(there.packets, back.packets, strict=False):
+        link.packets += pair
+    link.packets += there.packets[len(back.packets) :] + back.packets[len(there.packets) :]
+    events, capture = link_events(link)
+    assert [frame for frame, _ in frames(events)] == [frame, frame]
+    assert [event.direction for event in events if isinstance(event, Record)] in (
+        ["sent", "received"],
+        ["received", "sent"],
+    )
+    assert (capture.account.frames, capture.account.other) == (800, 0)
+
+
+def test_frames_are_cut_anywhere_in_rfcomm() -> None:
+    stream = voltage(1) + tone(2) + voltage(3)
+    for size in range(1, len(stream) + 1):
+        link = Link()
+        link.ask()
+        for at in range(0, len(stream), size):
+            link.rfcomm(True, stream[at : at + size])
+        events, _ = link_events(link)
+        assert [frame for frame, _ in frames(events)] == [voltage(1), tone(2), voltage(3)], size
+
+
+def test_what_is_no_serial_port_of_a_brick_is_left_alone() -> None:
+    link = Link()
+    link.ask(service=1, ours=0x40, theirs=0x50)  # service discovery
+    link.ask()
+    link.l2cap(True, 0x50, voltage(1))
+    link.rfcomm(True, voltage(1), channel=0x50)
+    link.rfcomm(True, voltage(2), port=4)
+    link.l2cap(True, 0x04, voltage(3))  # of Bluetooth LE
+    link.l2cap(True, 0x60, b"\x09\xef\x15" + voltage(4) + b"\x00")  # wrong check sum
+    link.rfcomm(True, b"hello, world")
+    link.rfcomm(True, b"\r\n")
+    events, capture = link_events(link)
+    assert events == []
+    assert capture.account.frames == capture.account.skipped == 0
+    link.rfcomm(True, voltage(5))
+    events, _ = link_events(link)
+    assert [frame for frame, _ in frames(events)] == [voltage(5)]
+
+
+def test_a_handle_is_given_again() -> None:
+    link = Link()
+    link.connect()
+    link.ask()
+    link.rfcomm(True, voltage(1))
+    link.rfcomm(True, voltage(2)[:6])
+    link.acl(False, struct.pack("<HH", 100, link.OURS) + b"half")
+    link.disconnect()
+    link.connect("0b000053 1600")
+    link.rfcomm(True, voltage(3))  # its L2CAP channel was not captured
+    link.rfcomm(False, volts(1))
+    events, _ = link_events(link)
+    assert [frame for frame, _ in frames(events)] == [voltage(1), voltage(3), volts(1)]
+    peers = [event.peer for event in events if isinstance(event, Record)]
+    assert peers == ["00:16:53:00:00:0a", "00:16:53:00:00:0b", "00:16:53:00:00:0b"]
+    sentence = "the stream ends inside a frame, of which 6 bytes came and 4 are missing"
+    assert complaints(events) == [(voltage(2)[:6], 0, 6, sentence)]
+    assert [type(event) for event in events] == [Record, Skipped, Record, Record]
+    assert [event for event in events if isinstance(event, Record)][2].request is None
+
+
+def test_a_connection_that_could_not_be_closed_goes_on() -> None:
+    link = Link()
+    link.connect()
+    link.ask()
+    link.rfcomm(True, voltage(1)[:6])
+    link.event("05 0c 0b00 13")
+    link.rfcomm(True, voltage(1)[6:])
+    events, _ = link_events(link)
+    assert [frame for frame, _ in frames(events)] == [voltage(1)]
+
+
+def test_a_port_that_is_opened_again_starts_anew() -> None:
+    for kind in (0x3F, 0x53):
+        link = Link()
+        link.rfcomm(True, voltage(1) + voltage(2)[:6])
+        link.rfcomm(True, b"", kind=kind)
+        link.rfcomm(True, voltage(3))
+        events, _ = link_events(link)
+        assert [frame for frame, _ in frames(events)] == [voltage(1), voltage(3)]
+        assert [data for data, *_ in complaints(events)] == [voltage(2)[:6]]
+
+
+def test_bluetooth_packets_cut_by_the_capture() -> None:
+    """What is missing of a stream is told, and the next frame is found."""
+    link = Link()
+    link.ask()
+    link.rfcomm(True, voltage(1))
+    link.rfcomm(True, voltage(2) + voltage(3))
+    link.rfcomm(True, voltage(4))
+    packets = timed(link.packets)
+    whole = packets[4].data
+    packets[4] = packets[4]._replace(data=whole[: whole.index(voltage(3)) + 4], size=len(whole))
+    events, _ = opened(pcap(HCI, packets))
+    assert frames(events) == [(voltage(1), (4,)), (voltage(2), (5,)), (voltage(4), (6,))]
+    assert complaints(events) == [
+        (voltage(3)[:4], 0, 5, "the rest of the frame is not in the capture"),
+        (b"", 6, 5, "6 bytes are missing in the stream: not in the capture"),
+    ]
+
+
+def test_garbage_in_a_serial_port() -> None:
+    link = Link()
+    link.rfcomm(True, voltage(1) + b"\xff\xff\xff")
+    link.rfcomm(True, voltage(2))
+    link.rfcomm(True, b"\xff" * 120)
+    link.rfcomm(True, voltage(3))
+    events, capture = link_events(link)
+    assert [frame for frame, _ in frames(events)] == [voltage(1), voltage(2), voltage(3)]
+    assert capture.account.skipped == 123
+
+
+def test_connections_of_bluetooth_without_end() -> None:
+    """Handles given again and again, channels asked for without end, events that nobody needs: memory stays flat."""
+
+    def packets() -> Iterator[bytes]:
+        for number in range(4000):
+            link = Link(handle=number % 5000)
+            link.connect()
+            link.l2cap(True, 1, struct.pack("<BBHHH", 2, number % 256, 4, 3, 0x40 + number % 60_000))
+            link.rfcomm(True, voltage(1) + voltage(2)[:6])
+            link.acl(True, struct.pack("<HH", 1000, 0x41) + bytes(50))
+            yield from link.packets
+            link.disconnect()
+            yield link.packets[-1]
+
+    data = pcap(HCI, timed(list(packets())))
+    tracemalloc.start()
+    capture = read(io.BytesIO(data))
+    records = sum(isinstance(event, Record) for event in capture.events())
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert (records, capture.account.balance, capture.account.skipped) == (4000, 0, 4000 * 6)
+    assert peak < 3_000_000
+
+
+def test_direction_is_guessed_where_the_file_does_not_tell() -> None:
+    """H4 alone has none; RFCOMM says who opened the connection, which a brick does not."""
+    link = Link()
+    link.rfcomm(True, voltage(1))
+    link.rfcomm(False, volts(1))
+    link.rfcomm(True, voltage(2)[:5])
+    link.rfcomm(False, volts(2)[:5])
+    link.rfcomm(True, voltage(2)[5:])
+    link.rfcomm(False, volts(2)[5:])
+    events, _ = opened(pcap(187, timed([packet[4:] for packet in link.packets])))
+    assert [event.direction for event in events if isinstance(event, Record)] == ["sent", "received"] * 2
+    flags = [packet[3] for packet in link.packets]
+    events, _ = opened(btsnoop(1002, timed([packet[4:] for packet in link.packets]), flags))
+    assert [event.direction for event in events if isinstance(event, Record)] == ["sent", "received"] * 2
+
+
+def test_the_same_port_made_by_others() -> None:
+    """`packets.py` builds the same bytes for Wireshark, which has its own opinion of them."""
+    packets = Packets(HCI)
+    port = SerialPort(packets)
+    port.send(voltage(1))
+    link = Link()
+    link.rfcomm(True, voltage(1))
+    assert list(packets_of(packets.data()))[2] == link.packets[0]
+
+
+def directions() -> list[Any]:
+    return list(product((True, False), repeat=3))
+
+
+@pytest.mark.parametrize("ways", directions())
+def test_streams_of_both_directions_do_not_mix(ways: tuple[bool, ...]) -> None:
+    link = Link()
+    link.ask()
+    expected = []
+    for number, from_host in enumerate(ways):
+        link.rfcomm(from_host, voltage(number)[:3])
+        link.rfcomm(not from_host, volts(number)[:3])
+        link.rfcomm(from_host, voltage(number)[3:])
+        link.rfcomm(not from_host, volts(number)[3:])
+        expected += [voltage(number), volts(number)]
+    events, _ = link_events(link)
+    assert [frame for frame, _ in frames(events)] == expected

@@ -16,7 +16,7 @@ from ev3proto.errors import DecodeError
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import HEADER_SIZE, FrameSchema
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, MessageType
 
 MOST_TRIALS = 256
 """Places in one piece of a stream where a whole frame is tried, before the piece is given up."""
@@ -90,14 +90,21 @@ class Cutter:
 
     def feed(self, data: bytes, number: int) -> list[Piece]:
         """The pieces that are complete with the next bytes of the stream, which came in that packet."""
-        if not self._buffer and self._in_step and len(data) >= HEADER_SIZE:
-            length = data[0] | data[1] << 8
-            if length + LENGTH_FIELD == len(data) and length <= MAX_LENGTH:
-                self._after_text = None
-                return [Piece(Kind.FRAME, data, (number,))]
+        if self.takes_whole(data):
+            return [Piece(Kind.FRAME, data, (number,))]
         self._marks.append((len(self._buffer), number))
         self._buffer += data
         return self._cut()
+
+    def takes_whole(self, data: bytes) -> bool:
+        """Whether the next bytes of the stream are one frame and nothing else. If so, they are taken with this."""
+        size = len(data)
+        if self._buffer or not self._in_step or size < HEADER_SIZE or size > MAX_FRAME:
+            return False
+        if (data[0] | data[1] << 8) + LENGTH_FIELD != size:
+            return False
+        self._after_text = None
+        return True
 
     @property
     def is_claimed(self) -> bool:

@@ -1,0 +1,184 @@
+"""What subcommands that take frames are given: frames themselves, texts that have some, captures, standard input."""
+
+from __future__ import annotations
+
+import codecs
+import io
+import re
+import sys
+import zlib
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ev3proto.cli.captures import BUILTIN, CaptureOptions
+from ev3proto.cli.output import complain
+from ev3proto.text.notation import MAX_LINE, Pasted, read_argument, read_text
+from ev3proto.text.split import Piece, split
+
+if TYPE_CHECKING:
+    from ev3proto.capture.formats import CaptureFile
+
+_START = 8
+
+_GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """One thing that was named on the command line: a file, standard input, or a frame itself."""
+
+    name: str
+    is_frame: bool
+
+    @property
+    def label(self) -> str:
+        """How people call it."""
+        return "standard input" if self.name == "-" else self.name
+
+    def open(self) -> io.BufferedReader:
+        """The bytes of a file or of standard input. Raises OSError when there are none to read."""
+        if self.name != "-":
+            return Path(self.name).open("rb")
+        if sys.stdin is None:
+            raise OSError("standard input is closed")
+        assert isinstance(sys.stdin.buffer, io.BufferedReader)
+        return sys.stdin.buffer
+
+    def where(self, pasted: Pasted) -> str:
+        """How a complaint about it starts."""
+        if self.is_frame:
+            return f"{self.name[:60]!r}" + ("" if pasted.data else " is no file and no frame")
+        return f"{self.label}, line {pasted.line}"
+
+
+def sources(names: tuple[str, ...]) -> list[Source]:
+    """What was named; bytes that were typed without quotes around them are one frame."""
+    if len(names) > 1 and all(_GROUP.fullmatch(name) for name in names):
+        return [Source(" ".join(names), is_frame=True)]
+    return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
+
+
+def packets(count: int) -> str:
+    """`1 packet`, `2 packets`."""
+    return f"{count} packet{'s' * (count != 1)}"
+
+
+def _exists(name: str) -> bool:
+    try:
+        return Path(name).exists()
+    except (OSError, ValueError):
+        return False
+
+
+class SourceReader(ABC):
+    """Reads sources one after the other, and remembers whether any was at fault.
+
+    A subclass says what becomes of the pieces of a text and of a capture. What cannot be read is complained about.
+    """
+
+    def __init__(self, reading: CaptureOptions) -> None:
+        self.reading = reading
+        self.at_fault = False
+
+    @abstractmethod
+    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
+        """One frame of a text."""
+
+    @abstractmethod
+    def capture(self, source: Source, file: CaptureFile) -> None:
+        """A capture."""
+
+    @abstractmethod
+    def refuse_text(self, source: Source) -> None:
+        """Called in front of every text. Raises click.UsageError where the options are for captures only."""
+
+    def read(self, source: Source) -> None:
+        """Everything in a source; a sentence where it cannot be read."""
+        if source.is_frame:
+            self.refuse_text(source)
+            self._pasted(read_argument(source.name), source)
+            return
+        file = self._opened(source)
+        if file is None:
+            return
+        with file:
+            if self.reading.engine != BUILTIN or self._is_capture(source, file):
+                self.capture(source, file)
+                return
+            self.refuse_text(source)
+            start = file.contents.peek(_START)[:_START]
+            if _is_binary(start):
+                self.complain(
+                    f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()}; captures"
+                    " are pcap, pcapng or btsnoop files, packed with gzip or not"
+                )
+                return
+            for pasted in self._readable(source, read_text(_lines(file.contents))):
+                self._pasted(pasted, source)
+
+    def complain(self, sentence: str) -> None:
+        """A sentence to standard error, about input that is at fault."""
+        complain(sentence)
+        self.at_fault = True
+
+    def _opened(self, source: Source) -> CaptureFile | None:
+        from ev3proto.capture.formats import CaptureFile
+
+        try:
+            return CaptureFile(source.open(), is_ours=source.name != "-")
+        except OSError as error:
+            self._unreadable(source, error)
+            return None
+
+    def _is_capture(self, source: Source, file: CaptureFile) -> bool:
+        """Whether it is a capture; a damaged gzip is told as one."""
+        from ev3proto.capture import CaptureError
+
+        try:
+            return file.is_capture
+        except CaptureError:
+            return True
+        except OSError as error:
+            self._unreadable(source, error)
+            return False
+
+    def _readable(self, source: Source, pasted: Iterator[Pasted]) -> Iterator[Pasted]:
+        try:
+            yield from pasted
+        except (OSError, EOFError, zlib.error) as error:
+            self._unreadable(source, error)
+
+    def _unreadable(self, source: Source, error: Exception) -> None:
+        self.complain(f"{source.label}: cannot be read: {getattr(error, 'strerror', None) or error}")
+
+    def _pasted(self, pasted: Pasted, source: Source) -> None:
+        """Everything in one piece of pasted text."""
+        if pasted.problem is not None:
+            self.complain(f"{source.where(pasted)}: {pasted.problem}")
+        if pasted.data:
+            for piece in split(pasted.data, dialect=self.reading.dialect):
+                self.piece(piece, pasted, source)
+
+
+def _lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
+    """The lines of a file, those that are too long only as far as it takes to see that.
+
+    Text is UTF-8, or UTF-16 where the file starts with that mark, as PowerShell writes it.
+    """
+    start = stream.peek(2)[:2]
+    encoding = "utf-16" if start in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig"
+    text = io.TextIOWrapper(stream, encoding, "replace")
+    while line := text.readline(MAX_LINE + 1):
+        yield line
+        while len(line) > MAX_LINE and not line.endswith("\n"):
+            line = text.readline(MAX_LINE + 1)
+
+
+def _is_binary(start: bytes) -> bool:
+    """Whether bytes are no text: it has no control characters but those that break lines, or is UTF-16."""
+    if start.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return False
+    return any(byte < ord(" ") and byte not in b"\t\n\r\f\x1b" for byte in start)

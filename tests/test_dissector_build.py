@@ -269,7 +269,7 @@ def test_every_name_in_the_readme(tshark: Tshark, fields: dict[str, Field]) -> N
 
 def test_the_preferences_in_the_readme(tshark: Tshark) -> None:
     words = [word for option in re.findall(r"`-o (ev3\.\S+?)`", README) for word in ("-o", option)]
-    assert len(words) == 4
+    assert len(words) == 6
     assert tshark.run(CAPTURES / "wifi.pcapng", *words, "-Y", "ev3.sound.tone.volume").count("\n") == 1
 
 

@@ -54,6 +54,11 @@ class BuildError(ConstructError, ValueError):  # type: ignore[misc]
     """Values that no frame can carry; the sentence names the parameter, the value and what would be right."""
 
 
+def counted(count: int, noun: str) -> str:
+    """`1 byte`, `2 bytes`: a number of things whose plural ends in s."""
+    return f"{count} {noun}{'s' * (count != 1)}"
+
+
 def near_misses(name: str, known: Iterable[str]) -> str:
     """`: did you mean SOUND.TONE?` for a name that nearly is a known one (or its part behind the dot); or nothing."""
     import difflib  # it takes a millisecond, which only a misspelt name should cost

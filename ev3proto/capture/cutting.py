@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from enum import Enum, auto
 from typing import NamedTuple
 
-from ev3proto.errors import DecodeError
+from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import HEADER_SIZE, FrameSchema
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
@@ -123,7 +123,9 @@ class Cutter:
         waiting += self._take_all(f"the rest of the {what} is not in the capture")
         self._in_step = False
         self._after_text = None
-        self._reason = f"bytes of a frame whose start is missing with {bytes_of(missing)}" if missing else _BEGUN_INSIDE
+        self._reason = (
+            f"bytes of a frame whose start is missing with {counted(missing, 'byte')}" if missing else _BEGUN_INSIDE
+        )
         return waiting
 
     def end(self) -> list[Piece]:
@@ -131,7 +133,9 @@ class Cutter:
         found = self._give_up()
         buffer = self._buffer
         is_text = self._is_in_text()
-        reason = f"the stream ends inside a {'text' if is_text else 'frame'}, of which {bytes_of(len(buffer))} came"
+        reason = (
+            f"the stream ends inside a {'text' if is_text else 'frame'}, of which {counted(len(buffer), 'byte')} came"
+        )
         if self._in_step and self._is_claimed and len(buffer) >= LENGTH_FIELD and not is_text:
             reason += f" and {(buffer[0] | buffer[1] << 8) + LENGTH_FIELD - len(buffer)} are missing"
         return found + self._take_all(reason)
@@ -333,8 +337,3 @@ class Cutter:
             return False
         end = at + LENGTH_FIELD + (buffer[at] | buffer[at + 1] << 8)
         return end <= len(buffer) and self._is_flawless(buffer[at:end])
-
-
-def bytes_of(count: int) -> str:
-    """`1 byte`, `2 bytes`."""
-    return f"{count} byte{'s' * (count != 1)}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ev3proto.dialogue import Exchange
+from ev3proto.errors import counted
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectReply, SystemCommand, SystemReply
 from ev3proto.text.spans import Line, Role
 
@@ -51,20 +52,16 @@ def heading(exchange: Exchange, seen: Seen) -> Line:
     line = origin(seen)
     size = len(message.build())
     if message.type is None:
-        line.append((f"no EV3 message, {_bytes(size)}", Role.HEADING))
+        line.append((f"no EV3 message, {counted(size, 'byte')}", Role.HEADING))
     else:
         line.append((message.type.name, Role.HEADING))
-        line.append((f", counter {message.counter}, {_bytes(size)}", Role.PLAIN))
+        line.append((f", counter {message.counter}, {counted(size, 'byte')}", Role.PLAIN))
     if seen.cut and message.stated_length is not None:
         line.append((f" of {message.stated_length + 2}: the text is cut here", Role.MEANING))
     line += _what(exchange)
     if seen.latency is not None:
         line.append((f" ({seen.latency * 1000:.3f} ms after #{seen.answers})", Role.ASIDE))
     return line
-
-
-def _bytes(count: int) -> str:
-    return f"{count} byte{'s' * (count != 1)}"
 
 
 def _what(exchange: Exchange) -> Line:

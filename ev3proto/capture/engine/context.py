@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 from ev3proto.capture.account import Account
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.cutting import Cutter, Kind, Piece, bytes_of
+from ev3proto.capture.cutting import Cutter, Kind, Piece
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
+from ev3proto.errors import counted
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameSchema
 
@@ -62,7 +63,9 @@ class Stream:
         self._times.clear()
         if not self.cutter.is_claimed:
             return events
-        reason = f"{bytes_of(missing)} {'is' if missing == 1 else 'are'} missing in the stream: not in the capture"
+        reason = (
+            f"{counted(missing, 'byte')} {'is' if missing == 1 else 'are'} missing in the stream: not in the capture"
+        )
         if not missing:
             reason = "the stream goes on at quite another place: what is in between is not in the capture"
         return [*events, Skipped(b"", missing, reason, self.number, self.time_ns, self.route)]

@@ -10,11 +10,11 @@ from dpkt.tcp import TH_ACK, TH_RST, TH_SYN
 from ev3proto.capture.carriers.internet import Transport, place, transport
 from ev3proto.capture.carriers.tcp import Hole, Late, Reassembly, Segment
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.cutting import Cutter, bytes_of
+from ev3proto.capture.cutting import Cutter
 from ev3proto.capture.engine.context import Context, Stream
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Route, Said
-from ev3proto.errors import DecodeError
+from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.discovery import BEACON_LINES, BEACON_PORT
 
@@ -131,7 +131,7 @@ class WiFi:
         if type(piece) is Hole:
             return stream.leave_hole(piece.missing)
         assert type(piece) is Late
-        return [stream.skip(piece.data, f"{bytes_of(len(piece.data))} came too late to be put in order")]
+        return [stream.skip(piece.data, f"{counted(len(piece.data), 'byte')} came too late to be put in order")]
 
     def _open(self, packet: Packet, key: Key, start: int | None, events: list[Event]) -> _Half:
         source, source_port, target, target_port = key

@@ -13,7 +13,7 @@ from ev3proto.capture.engine.reports import HOST, OVERWRITTEN
 from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Route, Said, Skipped
 from ev3proto.capture.wireshark.ledger import MOST_WAITING, Ledger, Place
 from ev3proto.capture.wireshark.row import Row
-from ev3proto.errors import DecodeError
+from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.schema.frame import HEADER_SIZE, frame_schema
 from ev3proto.tables.discovery import ACCEPT, BEACON_LINES, UNLOCK_REQUEST
@@ -86,7 +86,7 @@ class Teller:
             yield from self._lost(segments)
         for parts in self._parts.values():
             self._move("skipped", len(parts.data))
-            reason = f"the stream ends inside a frame, of which {_bytes(len(parts.data))} came"
+            reason = f"the stream ends inside a frame, of which {counted(len(parts.data), 'byte')} came"
             yield Skipped(parts.data, 0, reason, parts.number, parts.time_ns, parts.route)
         self._segments.clear()
         self._parts.clear()
@@ -131,8 +131,8 @@ class Teller:
         self._move("skipped", size)
         named = ", ".join(map(str, numbers[:_MOST_NAMED])) + ", ..." * (len(numbers) > _MOST_NAMED)
         reason = (
-            f"{_bytes(size)} in packet{'s' * (len(numbers) != 1)} {named} are in no frame: the rest of a frame is"
-            " missing, or what came before them"
+            f"{counted(size, 'byte')} in packet{'s' * (len(numbers) != 1)} {named} are in no frame: the rest of a"
+            " frame is missing, or what came before them"
         )
         yield Skipped(b"", 0, reason, numbers[0], time_ns, segments.route)
 
@@ -219,7 +219,7 @@ class Teller:
         missing = 0
         if len(data) < LENGTH_FIELD or _has_length(data):
             missing = max(_size(data) - len(data), 0) if len(data) >= LENGTH_FIELD else 0
-            reason = f"a frame is cut off: {_bytes(len(data))} of it were captured"
+            reason = f"a frame is cut off: {counted(len(data), 'byte')} of it were captured"
         else:
             reason = (
                 f"no frame can start here: its length field would say {_size(data) - LENGTH_FIELD}, a frame has"
@@ -283,7 +283,3 @@ def _is_from_host(row: Row) -> bool | None:
         return _MONITOR_DIRECTIONS.get(kind)
     direction = row.number("usb.endpoint_address.direction")
     return None if direction is None else direction == 0
-
-
-def _bytes(count: int) -> str:
-    return f"{count} byte{'s' * (count != 1)}"

@@ -36,7 +36,10 @@ from ev3proto.tables.system import SystemStatus
 from ev3proto.version import VERSION
 
 if TYPE_CHECKING:
-    from ev3proto import capture
+    from ev3proto import capture, enums, ops, system
+    from ev3proto.checking.checking import check
+    from ev3proto.checking.report import Finding, Report, Severity
+    from ev3proto.composing import Draft, Global, Local, command
     from ev3proto.dialogue import Dialogue, Exchange, Transfer, Value
     from ev3proto.names import ADR, GVX, HND, LAB1, LC0, LC1, LC2, LC4, LCF, LCS, LCX, LVX
     from ev3proto.schema.discovery import Beacon, Unlock
@@ -45,12 +48,18 @@ if TYPE_CHECKING:
 __version__ = VERSION
 
 _LATER = {
+    "ev3proto.checking.checking": ("check",),
+    "ev3proto.checking.report": ("Finding", "Report", "Severity"),
+    "ev3proto.composing": ("Draft", "Global", "Local", "command"),
     "ev3proto.dialogue": ("Dialogue", "Exchange", "Transfer", "Value"),
     "ev3proto.names": ("ADR", "GVX", "HND", "LAB1", "LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCX", "LVX"),
     "ev3proto.schema.discovery": ("Beacon", "Unlock"),
     "ev3proto.stream": ("Decoder", "StreamError"),
 }
 """What is imported when it is first asked for: a program that only parses frames starts sooner without it."""
+
+_MODULES = ("capture", "enums", "ops", "system")
+"""Parts that are modules, imported when they are first asked for, too."""
 
 _HOME = {name: module for module, names in _LATER.items() for name in names}
 
@@ -79,12 +88,18 @@ __all__ = [
     "Dialogue",
     "DirectCommand",
     "DirectReply",
+    "Draft",
     "Exchange",
     "Fault",
+    "Finding",
+    "Global",
+    "Local",
     "Message",
     "MessageType",
     "Operation",
+    "Report",
     "SensorReport",
+    "Severity",
     "StreamError",
     "SystemCommand",
     "SystemReply",
@@ -94,10 +109,15 @@ __all__ = [
     "Value",
     "Variable",
     "capture",
+    "check",
+    "command",
     "direct_command",
     "direct_reply",
+    "enums",
     "operation",
+    "ops",
     "parse",
+    "system",
     "system_command",
     "system_reply",
 ]
@@ -105,8 +125,8 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     """What is imported late, and the constants of the instruction set: `opSound`, `TONE`, `LED_RED`, `PORT_A`, ..."""
-    if name == "capture":
-        return import_module("ev3proto.capture")
+    if name in _MODULES:
+        return import_module(f"ev3proto.{name}")
     if name in _HOME:
         value = globals()[name] = getattr(import_module(_HOME[name]), name)
         return value

@@ -10,7 +10,9 @@ What is made of values (`operations`, `direct_commands`, ...) is built by ev3pro
 (`encoded_arguments`, `raw_operations`) is put together here, from the identification bytes alone, because ev3proto
 itself only ever builds the shortest encodings and a decoder has to read all of them.
 
-Nothing else in the project imports this module: it needs hypothesis, which users of ev3proto need not have.
+`frames` and `mutated_frames` take a `Choice`: only some operations, areas or message types.
+
+Of the project only `ev3proto sample` imports this module: it needs hypothesis, which users of ev3proto need not have.
 """
 
 from __future__ import annotations
@@ -18,8 +20,9 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterable, Mapping
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
+from ev3proto.errors import near_misses
 from ev3proto.messages import (
     DaisyCommand,
     DaisyReply,
@@ -36,13 +39,13 @@ from ev3proto.schema import make
 from ev3proto.schema.frame import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE, parse
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.instructions import operation
-from ev3proto.tables import daisy
+from ev3proto.tables import AREAS, area_of, daisy
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, NAN_FLOAT, RANGES, STRING_CODING, TEXT
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
-from ev3proto.tables.system import SYSTEM, Field, Kind, SystemStatus
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
 
 try:
     from hypothesis import strategies as st
@@ -53,6 +56,8 @@ except ImportError as error:
     ) from error
 
 __all__ = [
+    "Choice",
+    "choice",
     "daisy_messages",
     "direct_commands",
     "direct_replies",
@@ -159,15 +164,21 @@ def _most(element: Parameter) -> int:
     return 1 if element.type is Type.STRING else MOST_ELEMENTS
 
 
+Names = str | tuple[str, ...] | None
+"""One operation by name, some, or all of a dialect."""
+
+
 @cache
-def _declarations(dialect: str, name: str | None) -> SearchStrategy[Declaration]:
+def _declarations(dialect: str, names: Names) -> SearchStrategy[Declaration]:
     found = operations_of(dialect)
-    return st.sampled_from(list(found.values())) if name is None else st.just(found[name])
+    if isinstance(names, str):
+        return st.just(found[names])
+    return st.sampled_from(list(found.values()) if names is None else [found[name] for name in names])
 
 
 @st.composite
-def _operations(draw: DrawFn, dialect: str, name: str | None) -> Operation:
-    declaration = draw(_declarations(dialect, name))
+def _operations(draw: DrawFn, dialect: str, names: Names) -> Operation:
+    declaration = draw(_declarations(dialect, names))
     values: list[OperationValue] = []
     announced: Type | None = None
     for parameter in declaration.parameters:
@@ -185,11 +196,11 @@ def _operations(draw: DrawFn, dialect: str, name: str | None) -> Operation:
 
 
 @cache
-def operations(dialect: str = "official", name: str | None = None) -> SearchStrategy[Operation]:
+def operations(dialect: str = "official", name: Names = None) -> SearchStrategy[Operation]:
     """Operations built from values, each argument in its shortest encoding.
 
     dialect  the firmware whose operations
-    name     one operation (`SOUND.TONE`); without it all of the dialect, each as often as any other
+    name     one operation (`SOUND.TONE`), or several; without it all of the dialect, each as often as any other
     """
     return _operations(dialect, name)
 
@@ -280,8 +291,8 @@ def encoded_arguments(parameter: Parameter) -> SearchStrategy[bytes]:
 
 
 @st.composite
-def _raw_operations(draw: DrawFn, dialect: str, name: str | None) -> bytes:
-    declaration = draw(_declarations(dialect, name))
+def _raw_operations(draw: DrawFn, dialect: str, names: Names) -> bytes:
+    declaration = draw(_declarations(dialect, names))
     pieces = [bytes((declaration.opcode.number,))]
     if declaration.command is not None:
         pieces.append(draw(_forms(CONSTANT, declaration.command.number, signed=True, plain=True)))
@@ -305,7 +316,7 @@ def _raw_operations(draw: DrawFn, dialect: str, name: str | None) -> bytes:
 
 
 @cache
-def raw_operations(dialect: str = "official", name: str | None = None) -> SearchStrategy[bytes]:
+def raw_operations(dialect: str = "official", name: Names = None) -> SearchStrategy[bytes]:
     """The bytes of operations, arguments, CMD and counts in any encoding; parameters as for `operations`."""
     return _raw_operations(dialect, name)
 
@@ -330,28 +341,135 @@ def _that_fit(pieces: Iterable[Any], room: int) -> list[Any]:
     return fitting
 
 
+class Choice(NamedTuple):
+    """What frames are to be about; `choice` makes one from what people say.
+
+    types            of messages
+    operations       their names; None for all of a dialect, with commands that have none
+    system_commands  their numbers
+    """
+
+    types: tuple[MessageType, ...] = tuple(MessageType)
+    operations: tuple[str, ...] | None = None
+    system_commands: tuple[int, ...] = tuple(SYSTEM_BY_NUMBER)
+
+    def of(self, *types: MessageType) -> list[MessageType]:
+        """Those of some types that were chosen."""
+        return [member for member in types if member in self.types]
+
+
+ALL = Choice()
+"""Everything."""
+
+SYSTEM_AREA = "system"
+"""What `choice` calls all system commands, which are in no area of the firmware."""
+
+_DIRECT_COMMANDS = (MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)
+_DIRECT_REPLIES = (MessageType.DIRECT_REPLY, MessageType.DIRECT_REPLY_ERROR)
+_SYSTEM_COMMANDS = (MessageType.SYSTEM_COMMAND_REPLY, MessageType.SYSTEM_COMMAND_NO_REPLY)
+_SYSTEM_REPLIES = (MessageType.SYSTEM_REPLY, MessageType.SYSTEM_REPLY_ERROR)
+_DAISY_COMMANDS = (MessageType.DAISY_COMMAND_REPLY, MessageType.DAISY_COMMAND_NO_REPLY)
+_DAISY_REPLIES = (MessageType.DAISY_REPLY, MessageType.DAISY_REPLY_ERROR)
+
+
+def choice(
+    *, names: Iterable[str] = (), areas: Iterable[str] = (), types: Iterable[str] = (), dialect: str = "official"
+) -> Choice:
+    """Frames about some operations or system commands, of some types.
+
+    names    of operations (`SOUND.TONE`), of families (`SOUND`), of system commands (`LIST_FILES`), in any case
+    areas    of the firmware (`sound`), or `system`
+    types    of messages (`DIRECT_REPLY`), or kinds of them (`direct-command`), in any case; without any, all that can
+             be about what was chosen: direct commands for operations, commands and replies for system commands
+    dialect  the firmware whose operations
+
+    Raises ValueError for what is not known, and where no type of message is left.
+    """
+    operations, system = _chosen([*names], [*areas], dialect)
+    if operations is None:
+        possible = tuple(MessageType)
+    else:
+        possible = (*_DIRECT_COMMANDS * bool(operations), *(_SYSTEM_COMMANDS + _SYSTEM_REPLIES) * bool(system))
+    wanted = [member for each in types for member in _types(each)]
+    if operations and not system:
+        # Commands from brick to brick carry operations, too; they are drawn where somebody asks for them.
+        possible += tuple(member for member in _DAISY_COMMANDS if member in wanted)
+    left = tuple(member for member in possible if not wanted or member in wanted)
+    if not left:
+        raise ValueError(
+            f"no {' or '.join(member.name for member in wanted)} is about what was chosen: there are"
+            f" {', '.join(member.name for member in possible)}"
+        )
+    return Choice(left, operations, system)
+
+
+def _chosen(names: list[str], areas: list[str], dialect: str) -> tuple[tuple[str, ...] | None, tuple[int, ...]]:
+    """Operations and system commands by what people say; all of them where nobody says anything."""
+    known = operations_of(dialect)
+    if not names and not areas:
+        return None, ALL.system_commands
+    operations: dict[str, None] = {}
+    system: dict[int, None] = {}
+    for name in names:
+        upper = name.upper()
+        found = [full for full, entry in known.items() if upper in (full, entry.opcode.name)]
+        numbers = [entry.number for entry in SYSTEM if entry.name == upper]
+        if not found and not numbers:
+            families = (entry.opcode.name for entry in known.values())
+            hint = near_misses(name, [*families, *known, *(entry.name for entry in SYSTEM)])
+            raise ValueError(f"the {dialect} firmware has no operation or system command {name}{hint}")
+        operations |= dict.fromkeys(found)
+        system |= dict.fromkeys(numbers)
+    for area in areas:
+        if area not in (*AREAS, SYSTEM_AREA):
+            raise ValueError(f"there is no area {area}: it is one of {', '.join(AREAS)} or {SYSTEM_AREA}")
+        operations |= dict.fromkeys(full for full, entry in known.items() if area_of(entry.opcode) == area)
+        system |= dict.fromkeys(ALL.system_commands if area == SYSTEM_AREA else ())
+    return tuple(operations), tuple(system)
+
+
+def _types(name: str) -> list[MessageType]:
+    """The types of messages that a name stands for. Raises ValueError."""
+    found = [member for member in MessageType if name.upper() == member.name or name.lower() == member.kind]
+    if not found:
+        kinds = dict.fromkeys(member.kind for member in MessageType)
+        hint = near_misses(name, [member.name for member in MessageType]) or f": kinds are {', '.join(kinds)}"
+        raise ValueError(f"there is no type of message {name}{hint}")
+    return found
+
+
 @cache
-def direct_commands(dialect: str = "official") -> SearchStrategy[DirectCommand]:
+def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[DirectCommand]:
     """Direct commands of a few operations, built from values."""
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
     return st.builds(
         lambda found, counter, reply, sizes: make.direct_command(
             *_that_fit(found, room), counter=counter, reply=reply, **sizes
         ),
-        st.lists(operations(dialect), max_size=MOST_OPERATIONS),
+        _several(operations(dialect, chosen.operations), chosen),
         _counters,
-        st.booleans(),
+        _flags(chosen.of(*_DIRECT_COMMANDS), "wants_reply"),
         _memory_sizes,
     )
 
 
-def direct_replies() -> SearchStrategy[DirectReply]:
+def _several(operation: SearchStrategy[Any], chosen: Choice) -> SearchStrategy[list[Any]]:
+    """A few operations; at least one where somebody has chosen which."""
+    return st.lists(operation, min_size=chosen.operations is not None, max_size=MOST_OPERATIONS)
+
+
+def _flags(members: Iterable[MessageType], name: str) -> SearchStrategy[bool]:
+    """What a flag can be for messages of these types."""
+    return st.sampled_from([getattr(member, name) for member in members])
+
+
+def direct_replies(chosen: Choice = ALL) -> SearchStrategy[DirectReply]:
     """Replies to direct commands, with memory of any size that a frame has room for."""
     return st.builds(
         make.direct_reply,
         st.binary(max_size=MAX_FRAME - HEADER_SIZE),
         counter=_counters,
-        error=st.booleans(),
+        error=_flags(chosen.of(*_DIRECT_REPLIES), "is_error"),
     )
 
 
@@ -395,18 +513,19 @@ def _fields(draw: DrawFn, declared: tuple[Field, ...]) -> dict[str, FieldValue]:
 
 
 @st.composite
-def system_commands(draw: DrawFn) -> SystemCommand:
+def system_commands(draw: DrawFn, chosen: Choice = ALL) -> SystemCommand:
     """System commands, those of the bootloader included."""
-    entry = draw(st.sampled_from(SYSTEM))
+    entry = SYSTEM_BY_NUMBER[draw(st.sampled_from(chosen.system_commands))]
     fields = draw(_fields(entry.request))
-    return make.system_command(entry.number, counter=draw(_counters), reply=draw(st.booleans()), **fields)
+    reply = draw(_flags(chosen.of(*_SYSTEM_COMMANDS), "wants_reply"))
+    return make.system_command(entry.number, counter=draw(_counters), reply=reply, **fields)
 
 
 @st.composite
-def system_replies(draw: DrawFn) -> SystemReply:
+def system_replies(draw: DrawFn, chosen: Choice = ALL) -> SystemReply:
     """Replies to system commands with any status; failed ones end in front of any of their fields."""
-    entry = draw(st.sampled_from(SYSTEM))
-    error = draw(st.booleans())
+    entry = SYSTEM_BY_NUMBER[draw(st.sampled_from(chosen.system_commands))]
+    error = draw(_flags(chosen.of(*_SYSTEM_REPLIES), "is_error"))
     status = draw(st.just(0) | st.sampled_from(list(SystemStatus)).map(int) | st.integers(0, 0xFF))
     fields = draw(_fields(entry.reply))
     if status or error:
@@ -421,25 +540,26 @@ def _frame(member: MessageType, counter: int, body: bytes) -> bytes:
 
 
 @st.composite
-def _daisy_commands(draw: DrawFn, dialect: str) -> bytes:
-    command = draw(st.sampled_from(daisy.DaisyCommand))
+def _daisy_commands(draw: DrawFn, dialect: str, chosen: Choice) -> bytes:
+    kinds = [kind for kind in daisy.DaisyCommand if chosen.operations is None or kind.carries_operations]
+    command = draw(st.sampled_from(kinds))
     payload = draw(st.binary(max_size=56))
     if command.carries_operations:
-        payload = b"".join(_that_fit(draw(st.lists(raw_operations(dialect), max_size=3)), 56))
-    member = draw(st.sampled_from((MessageType.DAISY_COMMAND_REPLY, MessageType.DAISY_COMMAND_NO_REPLY)))
+        payload = b"".join(_that_fit(draw(st.lists(raw_operations(dialect, chosen.operations), max_size=3)), 56))
+    member = draw(st.sampled_from(chosen.of(*_DAISY_COMMANDS)))
     return _frame(member, draw(_counters), bytes((command, draw(_layers), draw(_layers))) + payload)
 
 
 @st.composite
-def _daisy_replies(draw: DrawFn) -> bytes:
+def _daisy_replies(draw: DrawFn, chosen: Choice) -> bytes:
     # Layer, port, status, type, mode, 32 bytes of data, checksum, busy flags; or something shorter that is no report.
     report = st.binary(min_size=6 + daisy.SENSOR_DATA_SIZE, max_size=6 + daisy.SENSOR_DATA_SIZE + 4)
     payload = draw(report | st.binary(max_size=20))
-    member = draw(st.sampled_from((MessageType.DAISY_REPLY, MessageType.DAISY_REPLY_ERROR)))
+    member = draw(st.sampled_from(chosen.of(*_DAISY_REPLIES)))
     return _frame(member, draw(_counters), bytes((draw(_layers), draw(_layers))) + payload)
 
 
-def daisy_messages(dialect: str = "official") -> SearchStrategy[DaisyCommand | DaisyReply]:
+def daisy_messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[DaisyCommand | DaisyReply]:
     """Messages from brick to brick, both ways: operations, sensor reports, and payloads that are neither."""
 
     def parsed(frame: bytes) -> DaisyCommand | DaisyReply:
@@ -447,20 +567,31 @@ def daisy_messages(dialect: str = "official") -> SearchStrategy[DaisyCommand | D
         assert isinstance(message, DaisyCommand | DaisyReply)
         return message
 
-    return (_daisy_commands(dialect) | _daisy_replies()).map(parsed)
+    ways = [_daisy_commands(dialect, chosen)] * bool(chosen.of(*_DAISY_COMMANDS))
+    ways += [_daisy_replies(chosen)] * bool(chosen.of(*_DAISY_REPLIES))
+    return st.one_of(ways).map(parsed)
 
 
-def messages(dialect: str = "official") -> SearchStrategy[Message]:
-    """Messages of every type."""
-    return st.one_of(
-        direct_commands(dialect), direct_replies(), system_commands(), system_replies(), daisy_messages(dialect)
-    )
+def messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[Message]:
+    """Messages of every type, or of those that were chosen."""
+    ways: list[SearchStrategy[Message]] = []
+    if chosen.of(*_DIRECT_COMMANDS):
+        ways.append(direct_commands(dialect, chosen))
+    if chosen.of(*_DIRECT_REPLIES):
+        ways.append(direct_replies(chosen))
+    if chosen.of(*_SYSTEM_COMMANDS):
+        ways.append(system_commands(chosen))
+    if chosen.of(*_SYSTEM_REPLIES):
+        ways.append(system_replies(chosen))
+    if chosen.of(*_DAISY_COMMANDS, *_DAISY_REPLIES):
+        ways.append(daisy_messages(dialect, chosen))
+    return st.one_of(ways)
 
 
 # Frames
 
 
-def _raw_direct_commands(dialect: str) -> SearchStrategy[bytes]:
+def _raw_direct_commands(dialect: str, chosen: Choice) -> SearchStrategy[bytes]:
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
 
     def frame(member: MessageType, counter: int, sizes: Mapping[str, int], found: list[bytes]) -> bytes:
@@ -469,25 +600,31 @@ def _raw_direct_commands(dialect: str) -> SearchStrategy[bytes]:
 
     return st.builds(
         frame,
-        st.sampled_from((MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)),
+        st.sampled_from(chosen.of(*_DIRECT_COMMANDS)),
         _counters,
         _memory_sizes,
-        st.lists(raw_operations(dialect), max_size=MOST_OPERATIONS),
+        _several(raw_operations(dialect, chosen.operations), chosen),
     )
 
 
-def frames(dialect: str = "official") -> SearchStrategy[bytes]:
-    """Frames that are right, of every type and at most 1024 bytes; arguments in any encoding."""
-    return messages(dialect).map(lambda message: message.build()) | _raw_direct_commands(dialect)
+def frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[bytes]:
+    """Frames that are right, of every type and at most 1024 bytes; arguments in any encoding.
+
+    dialect  the firmware whose operations
+    chosen   which of them: `choice(names=["SOUND.TONE"])`, `choice(types=["direct-command"])`
+    """
+    built = messages(dialect, chosen).map(lambda message: message.build())
+    return built | _raw_direct_commands(dialect, chosen) if chosen.of(*_DIRECT_COMMANDS) else built
 
 
 @st.composite
-def mutated_frames(draw: DrawFn, dialect: str = "official") -> bytes:
+def mutated_frames(draw: DrawFn, dialect: str = "official", chosen: Choice = ALL) -> bytes:
     """Frames that were right until a few of their bytes were changed, added or lost, or their length field was.
 
+    Parameters as for `frames`.
     Half of them get a length field that fits again, so that the fault is somewhere behind it. A few are still right.
     """
-    frame = bytearray(draw(frames(dialect)))
+    frame = bytearray(draw(frames(dialect, chosen)))
     for edit in draw(st.lists(st.sampled_from(("change", "insert", "delete", "length")), min_size=1, max_size=3)):
         at = draw(st.integers(0, len(frame)))
         if edit == "change" and at < len(frame):

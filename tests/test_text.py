@@ -134,7 +134,7 @@ def test_assembly_of_a_message() -> None:
     exchange = Dialogue().follow(parse(NAME))
     assert list(assembly(exchange, plain_text(heading(exchange, Seen())))) == [
         "// DIRECT_COMMAND_REPLY, counter 42, 16 bytes",
-        "// memory: 0 bytes global, 0 bytes local",
+        "message DIRECT_COMMAND_REPLY counter 42 globals 0 locals 0",
         'opCOM_SET, LC0(SET_BRICKNAME), LCS("myEV3")',
     ]
 

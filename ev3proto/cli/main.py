@@ -6,12 +6,16 @@ import sys
 
 import click
 
+from ev3proto.cli.check import check
 from ev3proto.cli.decode import decode
 from ev3proto.cli.dissector import dissector
+from ev3proto.cli.encode import encode
+from ev3proto.cli.export import export
 from ev3proto.cli.files import files
 from ev3proto.cli.live import live
 from ev3proto.cli.ops import ops
 from ev3proto.cli.output import complain
+from ev3proto.cli.sample import sample
 from ev3proto.cli.stats import stats
 from ev3proto.cli.timeline import timeline
 from ev3proto.version import VERSION
@@ -26,11 +30,15 @@ def cli() -> None:
     """
 
 
+cli.add_command(check)
 cli.add_command(decode)
 cli.add_command(dissector)
+cli.add_command(encode)
+cli.add_command(export)
 cli.add_command(files)
 cli.add_command(live)
 cli.add_command(ops)
+cli.add_command(sample)
 cli.add_command(stats)
 cli.add_command(timeline)
 

@@ -55,7 +55,7 @@ class Show:
         answers = None if record.request is None else record.request.number
         self.exchange(record.exchange, _seen(record, start_ns, answers))
         if record.note is not None:
-            self._printer.lines([[(f"  note: {record.note}", Role.MEANING)]])
+            self._aside([(f"  note: {record.note}", Role.MEANING)])
 
     def announcement(self, announcement: Announcement, start_ns: int) -> None:
         """A text of a capture that began then."""
@@ -75,7 +75,7 @@ class Show:
         line = origin(_seen(announcement, start_ns))
         line.append((str(announcement.said), Role.HEADING))
         told = ", ".join(f"{name} {value}" for name, value in facts.items())
-        self._printer.lines([[*line, (f": {told}" if told else "", Role.VALUE)]])
+        self._aside([*line, (f": {told}" if told else "", Role.VALUE)])
 
     def dialogue(self, spoken: Spoken, start_ns: int) -> None:
         """A command with its reply, on one line."""
@@ -102,6 +102,13 @@ class Show:
             None if reply is None else reply.latency,
         )
         self._printer.lines([line])
+
+    def _aside(self, line: Line) -> None:
+        """A line that is no message: in assembly, which can be read back, a comment."""
+        if self._style == "asm":
+            self._printer.text(f"// {plain_text(line).lstrip()}")
+        else:
+            self._printer.lines([line])
 
     def _count(self) -> None:
         if self.count and self._style == "table":

@@ -110,13 +110,13 @@ class SourceReader(ABC):
                 return
             self.refuse_text(source)
             start = file.contents.peek(_START)[:_START]
-            if _is_binary(start):
+            if is_binary(start):
                 self.complain(
                     f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()}; captures"
                     " are pcap, pcapng or btsnoop files, packed with gzip or not"
                 )
                 return
-            for pasted in self._readable(source, read_text(_lines(file.contents))):
+            for pasted in self._readable(source, read_text(text_lines(file.contents))):
                 self._pasted(pasted, source)
 
     def complain(self, sentence: str) -> None:
@@ -163,7 +163,7 @@ class SourceReader(ABC):
                 self.piece(piece, pasted, source)
 
 
-def _lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
+def text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
     """The lines of a file, those that are too long only as far as it takes to see that.
 
     Text is UTF-8, or UTF-16 where the file starts with that mark, as PowerShell writes it.
@@ -177,7 +177,7 @@ def _lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
             line = text.readline(MAX_LINE + 1)
 
 
-def _is_binary(start: bytes) -> bool:
+def is_binary(start: bytes) -> bool:
     """Whether bytes are no text: it has no control characters but those that break lines, or is UTF-16."""
     if start.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return False

@@ -1,1 +1,1 @@
-"""Other tools' forms of the tables: what the command line writes for Wireshark. Reads tables, not frames."""
+"""Other tools' forms: the dissector, headers and descriptions drawn from the tables, and captures made of frames."""

@@ -305,7 +305,7 @@ COM = (
                 8,
                 "SET_BRICKNAME",
                 "Renames the brick",
-                (In("NAME", STRING, "new name, at most 118 characters, else refused"),),
+                (In("NAME", STRING, "new name, at most 118 characters, else refused", most=119),),
             ),
             Command(9, "SET_MOVEUP", "Moves a network up in the list, WiFi only", (HARDWARE, ITEM)),
             Command(10, "SET_MOVEDOWN", "Moves a network down in the list, WiFi only", (HARDWARE, ITEM)),
@@ -361,7 +361,7 @@ COM = (
         "Opens a mailbox on this brick, at most 250 bytes of content",
         (
             BOX_NO,
-            In("BOXNAME", STRING, "name of the mailbox, at most 49 characters", note=FIRST_BYTE),
+            In("BOXNAME", STRING, "name of the mailbox, at most 49 characters", note=FIRST_BYTE, most=50),
             In("TYPES", DATA8, "type of its values", enum=DATA_FORMAT),
             In("FIFOSIZE", DATA8, "depth of the queue, ignored by the firmware"),
             In("VALUES", DATA8, "number of values, ignored by the firmware"),

@@ -108,6 +108,7 @@ class Parameter(NamedTuple):
     element    for counts and value lists: the type of what follows, or the name of the parameter that tells the type
     elements   for counts: the direction of what follows
     validated  the type the firmware's validator checks it as, where that is not the type it has
+    most       for texts: largest number of bytes, the zero included, where the firmware has a limit
     note       why the entry differs from other published tables, where it does
     """
 
@@ -124,6 +125,7 @@ class Parameter(NamedTuple):
     elements: Direction = Direction.IN
     validated: Type | None = None
     note: str = ""
+    most: int | None = None
 
     @property
     def is_output(self) -> bool:

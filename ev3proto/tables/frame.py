@@ -24,6 +24,9 @@ GLOBAL_BITS = 10
 MAX_GLOBALS = (1 << GLOBAL_BITS) - 1
 """Most bytes of global memory that a header can ask for (the firmware grants at most 1021, a reply carries 1019)."""
 
+GRANTED_GLOBALS = 1021
+"""Most bytes of global memory that the firmware grants; it refuses a command that asks for more."""
+
 LOCAL_BITS = 6
 MAX_LOCALS = (1 << LOCAL_BITS) - 1
 """Most bytes of local memory that a header can ask for."""

@@ -4,6 +4,7 @@ A handle is a number that one program slot gave to an open file, an array or a b
 nothing without the slot.
 """
 
+from ev3proto.tables import paths
 from ev3proto.tables.declaration import (
     ARRAY_TYPED,
     DATA8,
@@ -31,8 +32,8 @@ OBJECT = In("OBJID", DATA16, "object whose local memory is meant", special={0: "
 OFFSET = In("OFFSET", DATA32, "first byte in that memory", range=NOT_NEGATIVE, unit="bytes")
 MEMORY_SIZE = In("SIZE", DATA32, "how many bytes", range=NOT_NEGATIVE, unit="bytes")
 
-FILE_NAME = In("NAME", STRING, "path of the file; a bare name is taken from the program's own folder")
-FOLDER_NAME = In("NAME", STRING, "path of the folder with its closing slash, such as ../prjs/")
+FILE_NAME = In("NAME", STRING, "path of the file; a bare name is taken from the program's own folder", most=paths.WHOLE)
+FOLDER_NAME = In("NAME", STRING, "path of the folder with its closing slash, such as ../prjs/", most=paths.WHOLE)
 FILE_HANDLE = In("HANDLE", HANDLE, "the open file")
 NEW_FILE = Out("HANDLE", HANDLE, "what names the file from now on")
 LOG_HANDLE = In("HANDLE", HANDLE, "the open data log")
@@ -197,7 +198,12 @@ MEMORY = (
                 "Loads a program file into a stopped slot, for PROGRAM_START to run",
                 (
                     In("PRGID", DATA16, "slot to load it into", range=(0, 4), enum=SLOT),
-                    In("NAME", STRING, "path of the program, relative to /home/root/lms2012/sys; .rbf may be left out"),
+                    In(
+                        "NAME",
+                        STRING,
+                        "path of the program, relative to /home/root/lms2012/sys; .rbf may be left out",
+                        most=paths.WHOLE,
+                    ),
                     Out("SIZE", DATA32, "size of the program", unit="bytes", special={0: "not loaded"}),
                     IMAGE_ADDRESS,
                 ),
@@ -217,7 +223,7 @@ MEMORY = (
                 "MAKE_FOLDER",
                 "Creates a folder unless it is there",
                 (
-                    In("NAME", STRING, "path of the folder, relative to /home/root/lms2012/sys"),
+                    In("NAME", STRING, "path of the folder, relative to /home/root/lms2012/sys", most=paths.WHOLE),
                     Out("SUCCESS", DATA8, "whether the folder is there now", special=NO_YES),
                 ),
             ),

@@ -1,9 +1,15 @@
 """The speaker: tones, sound files and waiting for their end. One sound at a time: the next one cuts it off."""
 
+from ev3proto.tables import paths
 from ev3proto.tables.declaration import DATA8, DATA16, STRING, Command, In, Opcode, Out
 
 VOLUME = In("VOLUME", DATA8, "how loud", range=(0, 100), unit="%", special={0: "silent"})
-NAME = In("NAME", STRING, "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys")
+NAME = In(
+    "NAME",
+    STRING,
+    "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
+    most=paths.WHOLE,
+)
 
 SOUND = (
     Opcode(

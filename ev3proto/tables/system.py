@@ -44,6 +44,7 @@ class SystemCommand(NamedTuple):
     answered    False for the ones that the brick never replies to
     bootloader  True for those that only the brick's firmware updater knows (USB only)
     transfer    the part it plays in moving a file: `begin`, `continue` or `close`; None for the others
+    usb_only    True for those that the firmware takes by USB only
     """
 
     number: int
@@ -54,6 +55,7 @@ class SystemCommand(NamedTuple):
     answered: bool = True
     bootloader: bool = False
     transfer: str | None = None
+    usb_only: bool = False
 
 
 class SystemStatus(IntEnum):
@@ -191,7 +193,9 @@ SYSTEM = (
         ),
         answered=False,
     ),
-    SystemCommand(0x9F, "BLUETOOTHPIN", "Hands over the PIN for a Bluetooth device (USB only)", _PIN, _PIN),
+    SystemCommand(
+        0x9F, "BLUETOOTHPIN", "Hands over the PIN for a Bluetooth device (USB only)", _PIN, _PIN, usb_only=True
+    ),
     SystemCommand(0xA0, "ENTERFWUPDATE", "Restarts the brick into its firmware updater", answered=False),
     SystemCommand(
         0xA1,

@@ -4,6 +4,7 @@ Drawing goes to a canvas that UI_DRAW UPDATE makes visible. Dialogues (NOTIFICAT
 TEXTBOX, ...) keep the program or direct command waiting until somebody presses a button.
 """
 
+from ev3proto.tables import paths
 from ev3proto.tables.declaration import (
     DATA8,
     DATA16,
@@ -784,7 +785,12 @@ UI = (
                     ),
                     X0,
                     Y0,
-                    In("NAME", STRING, "file with extension .rgf, absolute or relative to /home/root/lms2012/sys"),
+                    In(
+                        "NAME",
+                        STRING,
+                        "file with extension .rgf, absolute or relative to /home/root/lms2012/sys",
+                        most=paths.WHOLE,
+                    ),
                 ),
             ),
             Command(

@@ -1,0 +1,101 @@
+"""`check`: what the brick will say to a frame, and everything in it that a careful sender would change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.checking.rules.effects import check_effects
+from ev3proto.checking.rules.encodings import check_encodings
+from ev3proto.checking.rules.flow import check_flow
+from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_envelope
+from ev3proto.checking.rules.lists import check_lists
+from ev3proto.checking.rules.memory import check_memory
+from ev3proto.checking.rules.refusals import check_refusals
+from ev3proto.checking.rules.system import check_daisy, check_system
+from ev3proto.checking.rules.values import check_values
+from ev3proto.checking.subject import Subject, step_of
+from ev3proto.checking.verdict import verdict
+from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
+from ev3proto.schema.frame import HEADER_SIZE, frame_schema
+from ev3proto.tables.frame import LENGTH_FIELD
+
+CARRIERS = ("usb", "bluetooth", "wifi")
+"""What can carry a frame."""
+
+
+def check(frame: bytes | bytearray | memoryview, *, dialect: str = "official", carrier: str | None = None) -> Report:
+    """What is wrong with a frame, and whether the brick takes it. Never raises for what is in a frame.
+
+    frame    from its length field to its last byte
+    dialect  "official", "xtended" or "compat": the firmware whose instruction set to read by
+    carrier  "usb", "bluetooth" or "wifi": what is to carry it; None where that does not matter
+
+    ValueError for an unknown dialect or carrier.
+    """
+    if carrier is not None and carrier not in CARRIERS:
+        raise ValueError(f"carrier {carrier!r} is not known: it is one of {', '.join(CARRIERS)}")
+    if type(frame) is not bytes:
+        frame = bytes(memoryview(frame))
+    subject = _subject(frame, dialect, carrier)
+    findings = sorted(_without_echoes(list(_findings(subject))), key=_order)
+    accepted, rejected_at = _answer(subject, findings)
+    return Report(frame, accepted, rejected_at, tuple(findings))
+
+
+def _without_echoes(findings: list[Finding]) -> list[Finding]:
+    """The findings without hints on bytes that have to be changed in any case."""
+    wrong = {finding.offset for finding in findings if finding.severity is Severity.ERROR}
+    if not wrong:
+        return findings
+    return [it for it in findings if it.severity is not Severity.HINT or it.offset not in wrong]
+
+
+_RANKS = {severity: rank for rank, severity in enumerate(Severity)}
+
+
+def _order(finding: Finding) -> tuple[int, int]:
+    return finding.offset, _RANKS[finding.severity]
+
+
+def _subject(frame: bytes, dialect: str, carrier: str | None) -> Subject:
+    """The frame with its length field made right, so that the rules see what is wrong inside."""
+    size = end = len(frame)
+    content = frame
+    if size >= HEADER_SIZE:
+        stated = (frame[0] | frame[1] << 8) + LENGTH_FIELD
+        if stated != size:
+            end = min(max(stated, HEADER_SIZE), size)
+            content = (end - LENGTH_FIELD & 0xFFFF).to_bytes(LENGTH_FIELD, "little") + frame[LENGTH_FIELD:end]
+    message = frame_schema(dialect).read_leniently(content)
+    steps = tuple(map(step_of, message.operations)) if isinstance(message, DirectCommand) else ()
+    return Subject(frame, end, message, verdict(frame, dialect), steps, dialect, carrier)
+
+
+def _findings(subject: Subject) -> Iterator[Finding]:
+    yield from check_envelope(subject)
+    message = subject.message
+    if isinstance(message, DirectCommand):
+        yield from check_command_header(subject, message)
+        yield from check_refusals(subject)
+        yield from check_values(subject.steps)
+        yield from check_encodings(subject.frame, subject.steps)
+        yield from check_lists(subject.steps)
+        yield from check_memory(subject, message)
+        yield from check_flow(subject)
+        yield from check_effects(subject)
+    elif isinstance(message, SystemCommand):
+        yield from check_system(subject, message)
+    elif isinstance(message, DaisyCommand):
+        yield from check_daisy(subject, message)
+
+
+def _answer(subject: Subject, findings: list[Finding]) -> tuple[bool, int | None]:
+    """Whether the brick takes it, and where it stops if not."""
+    message = subject.message
+    if isinstance(message, DirectCommand):
+        return subject.verdict.accepted, subject.verdict.rejected_at
+    first = next((finding.offset for finding in findings if finding.severity is Severity.ERROR), None)
+    if first is None and (message.type is None or not message.type.is_command):
+        first = TYPE_OFFSET
+    return first is None, first

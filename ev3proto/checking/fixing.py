@@ -1,0 +1,472 @@
+"""Frames mended where only one mend can be meant: the length field, memory sizes, the type, alignment, encodings.
+
+What a program computes is left alone: no constant gets another value, no operation another place. A variable may get
+another index, everywhere at once. Whatever cannot be mended with certainty is said, and stays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from ev3proto.checking.checking import check
+from ev3proto.checking.places import Place, places_of
+from ev3proto.checking.report import Report
+from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
+from ev3proto.checking.subject import step_of
+from ev3proto.errors import BuildError
+from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
+from ev3proto.schema.argument import encode_as, encode_integer, encode_variable
+from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, parse
+from ev3proto.tables.branch import OFFSET
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
+from ev3proto.tables.frame import GLOBAL_BITS, GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
+
+_WIDEST = 4
+"""The largest alignment; all others divide it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One thing that was mended.
+
+    what    `length field`, `global memory`, `FREQUENCY of SOUND.TONE at offset 10`
+    before  what stood there
+    after   what stands there now
+    why     half a sentence
+    """
+
+    what: str
+    before: str
+    after: str
+    why: str
+
+    def __str__(self) -> str:
+        return f"{self.what}: {self.before} -> {self.after} ({self.why})"
+
+    def as_dict(self) -> dict[str, str]:
+        """The same for other tools."""
+        return {name: getattr(self, name) for name in self.__slots__}
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """A frame and what was mended in it.
+
+    frame     the mended bytes; those that were given where nothing was mended
+    changes   what was mended, in the order in which it was done
+    unmended  sentences: what looked mendable and was left, and why
+    report    what a check says of the mended bytes
+    """
+
+    frame: bytes
+    changes: tuple[Change, ...]
+    unmended: tuple[str, ...]
+    report: Report
+
+    def as_dict(self) -> dict[str, Any]:
+        """The same for other tools; `hex` is the mended frame."""
+        return {
+            **self.report.as_dict(),
+            "changes": [change.as_dict() for change in self.changes],
+            "unmended": list(self.unmended),
+        }
+
+
+def fix(frame: bytes | bytearray | memoryview, *, dialect: str = "official", carrier: str | None = None) -> Fix:
+    """The frame with everything mended that can be mended with certainty. Never raises for what is in a frame.
+
+    dialect  the firmware whose instruction set to read by; ValueError for an unknown one
+    carrier  what is to carry it, None where that does not matter
+    """
+    given = bytes(frame)
+    report = check(given, dialect=dialect, carrier=carrier)
+    if not report.findings:
+        return Fix(given, (), (), report)
+    mending = _Mending(given, dialect)
+    mending.run()
+    if mending.frame != given:
+        report = check(mending.frame, dialect=dialect, carrier=carrier)
+    return Fix(mending.frame, tuple(mending.changes), tuple(mending.unmended), report)
+
+
+class _Mending:
+    """One frame on its way from what was given to what is meant."""
+
+    def __init__(self, frame: bytes, dialect: str) -> None:
+        self.frame = frame
+        self.changes: list[Change] = []
+        self.unmended: list[str] = []
+        self._dialect = dialect
+
+    def run(self) -> None:
+        """Every mend in turn, each on what the one before made."""
+        self._length_field()
+        message = self._parsed(self.frame)
+        if not isinstance(message, DirectCommand):
+            return
+        if message.fault is not None:
+            if not self.unmended:
+                at = message.fault.offset
+                self.unmended.append(f"nobody can read on at offset {at}, so nothing is certain of what follows")
+            return
+        self._move_variables()
+        self._reply_type()
+        self._memory()
+        self._shorten()
+
+    def _command(self) -> DirectCommand:
+        """The frame as it is by now."""
+        message = self._parsed(self.frame)
+        assert isinstance(message, DirectCommand)
+        return message
+
+    def _parsed(self, frame: bytes) -> Message:
+        return parse(frame, strict=False, dialect=self._dialect)
+
+    def _length_field(self) -> None:
+        size = len(self.frame) - LENGTH_FIELD
+        stated = int.from_bytes(self.frame[:LENGTH_FIELD], "little")
+        if not HEADER_SIZE <= len(self.frame) <= MAX_FRAME or stated == size:
+            return
+        mended = size.to_bytes(LENGTH_FIELD, "little") + self.frame[LENGTH_FIELD:]
+        whole = self._parsed(mended)
+        what = f"the length field says {stated}, and {size} bytes follow it"
+        if whole.type is None or not whole.type.is_command or whole.fault is not None:
+            self.unmended.append(f"{what}; they cannot be read to their end either, so either may be wrong")
+        elif self._is_padded(stated):
+            self.unmended.append(f"{what}, zeros at the end: they look like padding of a USB report")
+        else:
+            self.frame = mended
+            self._changed("length field", str(stated), str(size), "the bytes that follow it, which read to their end")
+
+    def _is_padded(self, stated: int) -> bool:
+        """Whether the frame is whole as far as its length field says, and zeros follow."""
+        end = stated + LENGTH_FIELD
+        return not any(self.frame[end:]) and self._parsed(self.frame[:end]).fault is None
+
+    def _changed(self, what: str, before: str, after: str, why: str) -> None:
+        self.changes.append(Change(what, before, after, why))
+
+    def _move_variables(self) -> None:
+        command = self._command()
+        keeps_size = _spanned(command)
+        pieces: dict[int, tuple[Argument, bytes]] = {}
+        moved: list[tuple[Place, int]] = []
+        for scope, size in ((GLOBAL, command.global_size), (LOCAL, command.local_size)):
+            found = [place for place in _places(command) if place.argument.kind == scope]
+            rigid = {place.argument.offset for place in found if keeps_size[place.argument.offset]}
+            # No variable moves where a reply would not carry it: it may still turn out that one is wanted.
+            layout = _Layout(found, size, MOST_IN_REPLY if scope == GLOBAL else MAX_LOCALS, rigid)
+            for block, shift in layout.moves():
+                pieces |= {place.argument.offset: (place.argument, _moved(place, shift)) for place in block}
+                moved += [(place, shift) for place in block]
+            self.unmended += [_left(block, why) for block, why in layout.left]
+        frame = _replaced(self.frame, pieces)
+        if len(frame) > MAX_FRAME:
+            self.unmended.append("moving the misaligned variables would make the frame longer than any can be")
+            return
+        self.frame = frame
+        self._tell_moves(moved)
+
+    def _tell_moves(self, moved: list[tuple[Place, int]]) -> None:
+        """One line a variable, however often it is used."""
+        told: dict[tuple[str, int], tuple[Place, int]] = {}
+        for place, shift in moved:
+            found = told.get((place.argument.kind, place.start))
+            if found is None or _multiple(place) > _multiple(found[0]):
+                told[place.argument.kind, place.start] = place, shift
+        for place, shift in told.values():
+            why = (
+                f"{_name(place)} needs a multiple of {_multiple(place)}"
+                if place.start % _multiple(place)
+                else "it lies within one that moves"
+            )
+            if place.argument.kind == GLOBAL and place.argument.parameter.is_output:
+                why += f"; in the reply it is at offset {HEADER_SIZE + place.start + shift} now"
+            self._changed("variable", str(_variable(place)), str(_variable(place, shift)), why)
+
+    def _reply_type(self) -> None:
+        command = self._command()
+        if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:
+            return
+        found = _places(command)
+        read = [place for place in found if place.argument.kind == GLOBAL and place.is_read]
+        for place in found:
+            is_result = place.argument.kind == GLOBAL and place.is_written and place.end <= MOST_IN_REPLY
+            if not is_result or any(place.start < other.end and other.start < place.end for other in read):
+                continue
+            member = MessageType.DIRECT_COMMAND_REPLY
+            self._set(TYPE_OFFSET, bytes((member,)))
+            why = f"{place.step.name} writes {_variable(place)}, which only a reply brings"
+            self._changed("type", command.type.name, member.name, why)
+            return
+
+    def _memory(self) -> None:
+        command = self._command()
+        sizes = {GLOBAL: command.global_size, LOCAL: command.local_size}
+        for scope, stated in sizes.items():
+            most = _most(command, scope)
+            beyond = [place for place in _places(command) if place.argument.kind == scope and place.end > stated]
+            if not beyond:
+                self._cut_to_limit(command, scope, sizes)
+                continue
+            certain = [place for place in beyond if not place.is_open and place.end <= most]
+            if certain:
+                widest = max(certain, key=lambda place: place.end)
+                sizes[scope] = widest.end
+                why = f"{_name(widest)} takes them up to there"
+                self._changed(f"{scope} memory", f"{stated} bytes", f"{widest.end} bytes", why)
+            self.unmended += dict.fromkeys(
+                f"{_name(place)} would need {place.end} bytes of {scope} memory, and there are {most} at most"
+                if place.end > most
+                else f"nobody can tell how many bytes of {scope} memory {_name(place)} takes, so none were added for it"
+                for place in beyond
+                if place.end > sizes[scope]
+            )
+        memory = sizes[LOCAL] << GLOBAL_BITS | sizes[GLOBAL]
+        self._set(HEADER_SIZE, memory.to_bytes(COMMAND_HEADER_SIZE - HEADER_SIZE, "little"))
+
+    def _cut_to_limit(self, command: DirectCommand, scope: str, sizes: dict[str, int]) -> None:
+        """Asks for as much as there is where more was asked for than anything places."""
+        stated, most = sizes[scope], _most(command, scope)
+        if stated > most and all(place.end <= most for place in _places(command) if place.argument.kind == scope):
+            sizes[scope] = most
+            why = "the most that a reply carries" if command.wants_reply else "the most that the firmware grants"
+            self._changed(f"{scope} memory", f"{stated} bytes", f"{most} bytes", why)
+
+    def _shorten(self) -> None:
+        command = self._command()
+        keeps_size = _spanned(command)
+        pieces: dict[int, tuple[Argument, bytes]] = {}
+        spanned = 0
+        for operation in command.operations:
+            for argument in _encoded(operation):
+                shorter = _shortest(argument)
+                saved = argument.length - len(shorter)
+                if saved > 0 and keeps_size[argument.offset]:
+                    spanned += 1
+                elif saved > 0:
+                    pieces[argument.offset] = argument, shorter
+                    what = f"{argument.name} of {operation.full_name} at offset {argument.offset}"
+                    before, after = argument.raw.hex(":").upper(), shorter.hex(":").upper()
+                    self._changed(what, before, after, f"the same in {saved} byte{'s' * (saved > 1)} less")
+        if spanned:
+            are = "longer encodings stay" if spanned > 1 else "longer encoding stays"
+            self.unmended.append(f"{spanned} {are}: a jump counts {'their' if spanned > 1 else 'its'} bytes")
+        self.frame = _replaced(self.frame, pieces)
+
+    def _set(self, offset: int, data: bytes) -> None:
+        self.frame = self.frame[:offset] + data + self.frame[offset + len(data) :]
+
+
+def _most(command: DirectCommand, scope: str) -> int:
+    """Bytes of a memory that a command can ask for."""
+    if scope == LOCAL:
+        return MAX_LOCALS
+    return MOST_IN_REPLY if command.wants_reply else GRANTED_GLOBALS
+
+
+def _places(command: DirectCommand) -> list[Place]:
+    """The variables that a command's operations name, in their order."""
+    return places_of(tuple(step_of(operation) for operation in command.operations))
+
+
+def _multiple(place: Place) -> int:
+    """What the index of a variable has to be a multiple of: 1, 2 or 4."""
+    return max(place.noticed, place.wanted)
+
+
+def _variable(place: Place, shift: int = 0) -> Variable:
+    return Variable(place.argument.kind, place.start + shift)
+
+
+def _name(place: Place) -> str:
+    """`VALUE of UI_READ.GET_VBATT`."""
+    return f"{place.argument.name} of {place.step.name}"
+
+
+class _Layout:
+    """The variables of one memory, and how to move those that are misaligned.
+
+    left  blocks that cannot be moved, and why not
+    """
+
+    def __init__(self, found: list[Place], stated: int, most: int, rigid: set[int]) -> None:
+        """`stated` bytes were asked for, `most` can be used; `rigid` arguments (by offset) keep their length."""
+        self.left: list[tuple[tuple[Place, ...], str]] = []
+        self._most = most
+        self._rigid = rigid
+        self._blocks = _blocks([place for place in found if place.end <= most], min(stated, most))
+        for place in found:
+            if place.end > most and place.start % _multiple(place):
+                self.left.append(((place,), f"it reaches beyond the {most} bytes that there are"))
+
+    def moves(self) -> Iterator[tuple[tuple[Place, ...], int]]:
+        """Blocks of variables that have to move, and by how many bytes; all others stay where they are."""
+        taken = [_mask(block.start, block.end) for block in self._blocks]
+        waiting = [number for number, block in enumerate(self._blocks) if not _is_aligned(block.places, 0)]
+        before = -1
+        # A block that moves may make room for one that had none.
+        while waiting and len(waiting) != before:
+            before = len(waiting)
+            for number in tuple(waiting):
+                block = self._blocks[number]
+                occupied = 0
+                for other, mask in enumerate(taken):
+                    occupied |= mask if other != number else 0
+                shift = self._shift(block, occupied)
+                if shift is not None:
+                    taken[number] = _mask(block.start + shift, block.end + shift)
+                    waiting.remove(number)
+                    yield block.places, shift
+        for number in waiting:
+            block = self._blocks[number]
+            self.left.append((block.places, self._obstacle(block)))
+
+    def _shift(self, block: _Block, occupied: int) -> int | None:
+        """The shortest way to a place that is free and aligned; up rather than down."""
+        if block.is_open:
+            return None
+        aligned = [way for way in range(_WIDEST) if _is_aligned(block.places, way)]
+        for distance in range(1, self._most):
+            for way in (distance, -distance):
+                start, end = block.start + way, block.end + way
+                is_free = start >= 0 and end <= self._most and not _mask(start, end) & occupied
+                if way % _WIDEST in aligned and is_free and self._keeps_lengths(block, way):
+                    return way
+        return None
+
+    def _keeps_lengths(self, block: _Block, way: int) -> bool:
+        rigid = [place for place in block.places if place.argument.offset in self._rigid]
+        return all(len(_moved(place, way)) == place.argument.length for place in rigid)
+
+    def _obstacle(self, block: _Block) -> str:
+        """Why a block has no other place."""
+        if not any(_is_aligned(block.places, way) for way in range(_WIDEST)):
+            return "what shares its bytes wants another place"
+        if block.is_open:
+            return "nobody can tell how many bytes it takes"
+        if any(place.argument.offset in self._rigid for place in block.places):
+            return "elsewhere it would need a longer encoding, and a jump counts these bytes"
+        return "there is no room elsewhere"
+
+
+@dataclass(frozen=True, slots=True)
+class _Block:
+    """Variables that have to stay together: the bytes from `start` to `end`, and all that is used of them."""
+
+    start: int
+    end: int
+    places: tuple[Place, ...]
+
+    @property
+    def is_open(self) -> bool:
+        """Whether nobody can tell where it ends."""
+        return any(place.is_open for place in self.places)
+
+    @property
+    def is_shared(self) -> bool:
+        """Whether other variables may lie within it on purpose: it is an array, or something is read from it."""
+        return any(place.is_array or place.is_read for place in self.places)
+
+    def belongs_to(self, other: _Block) -> bool:
+        """Whether one lies within the other on purpose. Results that share bytes do so by mistake, and may part."""
+        is_within = self.start >= other.start and self.end <= other.end
+        is_around = other.start >= self.start and other.end <= self.end
+        is_meant = self.start == other.start or self.is_shared or other.is_shared
+        return (is_within or is_around) and is_meant
+
+
+def _blocks(found: list[Place], stated: int) -> list[_Block]:
+    """What has to stay together, in the order of the first bytes."""
+    starts = sorted({place.start for place in found})
+    following = dict(pairwise([*starts, stated]))
+    together: dict[tuple[int, int], list[Place]] = {}
+    for place in found:
+        # Of an array of unknown length it is assumed that the sender left room for it, up to the next variable.
+        end = max(place.end, following[place.start]) if place.is_open else place.end
+        together.setdefault((place.start, end), []).append(place)
+    blocks: list[_Block] = []
+    for (start, end), block_uses in sorted(together.items()):
+        whole = _Block(start, end, tuple(block_uses))
+        while parts := [block for block in blocks if whole.belongs_to(block)]:
+            blocks = [block for block in blocks if not whole.belongs_to(block)]
+            for part in parts:
+                whole = _Block(min(part.start, whole.start), max(part.end, whole.end), part.places + whole.places)
+        blocks.append(whole)
+    return blocks
+
+
+def _mask(start: int, end: int) -> int:
+    """Bytes of memory as the bits of a number."""
+    return ((1 << end - start) - 1) << start
+
+
+def _is_aligned(block: Iterable[Place], shift: int) -> bool:
+    return all((place.start + shift) % _multiple(place) == 0 for place in block)
+
+
+def _left(block: Iterable[Place], why: str) -> str:
+    place = next(place for place in block if place.start % _multiple(place))
+    return f"{_variable(place)} is no multiple of {_multiple(place)}, as {_name(place)} needs it, but stays: {why}"
+
+
+def _moved(place: Place, shift: int) -> bytes:
+    """The argument with another index, in the encoding that it has where that can hold it."""
+    argument, index = place.argument, place.start + shift
+    form = argument.form
+    if form.width:
+        try:
+            plain = encode_as(argument.encoding, index)
+            return argument.raw[:1] + plain[1:]
+        except BuildError:
+            pass
+    return encode_variable(Variable(place.argument.kind, index, form.handle, form.address))
+
+
+def _encoded(operation: Operation) -> Iterator[Argument]:
+    """CMD and the arguments."""
+    if operation.cmd is not None:
+        yield operation.cmd
+    yield from operation.arguments
+
+
+def _shortest(argument: Argument) -> bytes:
+    """The shortest bytes that say the same."""
+    if argument.form.handle or argument.form.address or not argument.form.width:
+        return argument.raw
+    if argument.is_variable:
+        return encode_variable(Variable(argument.kind, int(argument.value)))
+    if argument.kind != CONSTANT or isinstance(argument.value, float | str):
+        return argument.raw
+    return encode_integer(argument.value)
+
+
+def _spanned(command: DirectCommand) -> bytearray:
+    """For each byte of the frame, whether it lies between a jump and where that goes: its length must stay."""
+    size = len(command.build())
+    spanned = bytearray(size)
+    for operation in command.operations:
+        for argument in operation.arguments:
+            if argument.parameter is not OFFSET:
+                continue
+            if argument.kind not in (CONSTANT, JUMP):
+                return bytearray(b"\1" * size)
+            end = operation.offset + operation.length
+            target = min(max(end + int(argument.value), 0), size)
+            first, behind = min(target, end), max(target, end)
+            spanned[first:behind] = b"\1" * (behind - first)
+    return spanned
+
+
+def _replaced(frame: bytes, pieces: Mapping[int, tuple[Argument, bytes]]) -> bytes:
+    """The frame with other bytes for some arguments, and the length field that this gives."""
+    done, at = [], LENGTH_FIELD
+    for offset, (argument, new) in sorted(pieces.items()):
+        done += [frame[at:offset], new]
+        at = offset + argument.length
+    body = b"".join((*done, frame[at:]))
+    return len(body).to_bytes(LENGTH_FIELD, "little") + body

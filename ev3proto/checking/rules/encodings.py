@@ -1,0 +1,64 @@
+"""Encodings that are longer than they need be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.checking import codes
+from ev3proto.checking.report import Finding
+from ev3proto.checking.rules.header import plural
+from ev3proto.checking.subject import Step
+from ev3proto.messages import Argument, Variable
+from ev3proto.schema.argument import SHORT, encode_integer, encode_variable
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
+
+
+def check_encodings(frame: bytes, steps: tuple[Step, ...]) -> Iterator[Finding]:
+    """The arguments of all operations, CMD included."""
+    for step in steps:
+        if step.traits.has_cmd and frame[step.start + 1] >= _SHORT_FORMS:
+            cmd = step.operation.cmd
+            assert cmd is not None
+            yield from _longer(step, cmd)
+        for argument in step.arguments:
+            form = argument.form
+            if form.width and not form.handle and not form.address:
+                yield from _longer(step, argument)
+
+
+_SHORT_FORMS = len(SHORT)
+"""Identification bytes below this one are whole arguments."""
+
+_CONSTANTS = ((-32, 31), (-0x7F, 0x7F), (-0x7FFF, 0x7FFF))
+_INDEXES = ((0, 31), (0, 0xFF), (0, 0xFFFF))
+_WIDTHS = (0, 1, 2)
+"""What a form holds whose value takes no byte, one byte or two bytes behind the identification byte."""
+
+
+def _longer(step: Step, argument: Argument) -> Iterator[Finding]:
+    _, form, value, *_ = argument
+    if form.kind == CONSTANT:
+        if not isinstance(value, int):
+            return
+        spans = _CONSTANTS
+    elif form.kind in (LOCAL, GLOBAL):
+        spans = _INDEXES
+    else:
+        return
+    assert isinstance(value, int)
+    for width, (low, high) in zip(_WIDTHS, spans, strict=True):
+        if low <= value <= high:
+            if width < form.width:  # type: ignore[operator]
+                yield _finding(step, argument, value)
+            return
+
+
+def _finding(step: Step, argument: Argument, value: int) -> Finding:
+    kind = argument.form.kind
+    shortest = encode_integer(value) if kind == CONSTANT else encode_variable(Variable(kind, value))
+    return step.finding_at(
+        codes.LONGER_FORM,
+        argument,
+        f"{argument.name} is {argument.encoding}, and its value fits {plural(len(shortest), 'byte')}",
+        f"write it as {shortest.hex(' ').upper()}",
+    )

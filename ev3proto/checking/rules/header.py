@@ -1,0 +1,125 @@
+"""The frame itself: its length, its type, the memory that its header asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.checking import codes
+from ev3proto.checking.report import Finding
+from ev3proto.checking.subject import Subject
+from ev3proto.checking.verdict import Reason
+from ev3proto.messages import DirectCommand
+from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MessageType
+
+MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
+"""Bytes of global memory that a reply has room for."""
+
+TYPE_OFFSET = HEADER_SIZE - 1
+"""Where the message type stands."""
+
+
+def plural(count: int, what: str) -> str:
+    """`1 byte`, `2 bytes`."""
+    return f"{count} {what}{'s' * (count != 1)}"
+
+
+def check_envelope(subject: Subject) -> Iterator[Finding]:
+    """Length and type."""
+    frame = subject.frame
+    size = len(frame)
+    if size < HEADER_SIZE:
+        yield codes.TOO_SHORT.finding(
+            0,
+            size,
+            f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), here are {size}",
+            "give the whole frame, from its length field on",
+        )
+        return
+    yield from _length(frame, size, subject)
+    if subject.message.type is None:
+        yield codes.UNKNOWN_TYPE.finding(
+            TYPE_OFFSET,
+            1,
+            f"0x{frame[TYPE_OFFSET]:02X} is no message type",
+            f"give 0x{MessageType.DIRECT_COMMAND_REPLY:02X} for a direct command with a reply,"
+            f" 0x{MessageType.DIRECT_COMMAND_NO_REPLY:02X} for one without,"
+            f" 0x{MessageType.SYSTEM_COMMAND_REPLY:02X} or 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X} for a system"
+            " command",
+        )
+    elif not subject.message.type.is_command:
+        yield codes.NO_COMMAND.finding(
+            TYPE_OFFSET,
+            1,
+            f"{subject.message.type.name} is what a brick sends, not what it is sent",
+            "check the command that it answers",
+        )
+
+
+def _length(frame: bytes, size: int, subject: Subject) -> Iterator[Finding]:
+    stated = frame[0] | frame[1] << 8
+    follow = size - LENGTH_FIELD
+    if size > MAX_FRAME and (stated == follow or stated > MAX_LENGTH):
+        yield codes.TOO_LONG.finding(
+            MAX_FRAME,
+            size - MAX_FRAME,
+            f"a frame has at most {MAX_FRAME} bytes, this one has {size}",
+            "send it in several frames",
+        )
+    elif stated > follow:
+        yield codes.INCOMPLETE.finding(
+            0,
+            LENGTH_FIELD,
+            f"the length field says that {plural(stated, 'byte')} follow it, and there are {follow}",
+            f"give {follow} as the length, or the bytes that are missing: {stated - follow}",
+        )
+    elif stated < follow:
+        yield _left_over(frame, stated, follow, subject)
+
+
+def _left_over(frame: bytes, stated: int, follow: int, subject: Subject) -> Finding:
+    end = subject.end
+    if subject.is_padded and subject.carrier in (None, "usb"):
+        return codes.PADDING.finding(
+            end,
+            len(frame) - end,
+            f"the frame ends here, and {plural(len(frame) - end, 'zero')} fill it up to a USB report",
+            "leave them away everywhere but on USB",
+        )
+    return codes.LEFT_OVER.finding(
+        0,
+        LENGTH_FIELD,
+        f"the length field says that {plural(stated, 'byte')} follow it, and there are {follow}",
+        f"give {follow} as the length, or leave the last {plural(follow - stated, 'byte')} away",
+    )
+
+
+def check_command_header(subject: Subject, command: DirectCommand) -> Iterator[Finding]:
+    """What the header of a direct command asks for."""
+    reason = subject.verdict.reason
+    if reason is Reason.EMPTY or subject.end < COMMAND_HEADER_SIZE:
+        if not subject.is_length_wrong:
+            yield codes.EMPTY.finding(
+                subject.end,
+                0,
+                "the command has no operation"
+                if subject.end == COMMAND_HEADER_SIZE
+                else "the command ends in front of the two bytes that ask for memory",
+                "give at least one operation; NOP (0x01) does nothing",
+            )
+        return
+    asked = command.global_size
+    if asked > GRANTED_GLOBALS:
+        yield codes.REFUSED_MEMORY.finding(
+            HEADER_SIZE,
+            MEMORY_SIZE,
+            f"the header asks for {asked} bytes of global memory, and the firmware grants {GRANTED_GLOBALS} at most",
+            f"ask for no more than {MOST_IN_REPLY} bytes, which is what a reply carries",
+        )
+    elif asked > MOST_IN_REPLY:
+        yield codes.LONG_REPLY.finding(
+            HEADER_SIZE,
+            MEMORY_SIZE,
+            f"the header asks for {asked} bytes of global memory, and a reply carries {MOST_IN_REPLY}",
+            f"ask for no more than {MOST_IN_REPLY} bytes",
+        )

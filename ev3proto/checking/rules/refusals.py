@@ -1,0 +1,229 @@
+"""Where the operations can no longer be read, or are not what the firmware's validator reads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.checking import codes
+from ev3proto.checking.report import Finding
+from ev3proto.checking.rules.header import plural
+from ev3proto.checking.subject import Step, Subject
+from ev3proto.errors import Fault
+from ev3proto.messages import Argument
+from ev3proto.schema.frame import COMMAND_HEADER_SIZE
+from ev3proto.schema.identification import ENCODINGS
+from ev3proto.schema.instructions import instruction_set
+from ev3proto.tables import OPCODES
+from ev3proto.tables.encoding import CONSTANT
+from ev3proto.tables.validation import NEWER
+
+_ERROR = "ERROR"
+
+
+def check_refusals(subject: Subject) -> Iterator[Finding]:
+    """What stops the reader of the operations, or the validator where the reader goes on."""
+    for step in subject.steps:
+        if step.name == _ERROR:
+            yield step.finding(
+                codes.UNKNOWN_OPCODE, "0x00 is ERROR, which the firmware never runs", _out_of_step(step.start)
+            )
+    if subject.dialect == "official":
+        yield from _newer(subject)
+    if subject.verdict.spins:
+        yield _spins(subject)
+        return
+    fault = subject.fault
+    # That the frame ends too early, or that its length is wrong, has been said already.
+    if fault is not None and subject.end > COMMAND_HEADER_SIZE and not (subject.is_length_wrong and fault.truncated):
+        yield _fault(subject, fault)
+
+
+def _newer(subject: Subject) -> Iterator[Finding]:
+    rejected_at = subject.verdict.rejected_at
+    for step in subject.steps:
+        if step.name not in NEWER:
+            continue
+        cmd = step.operation.cmd
+        assert cmd is not None
+        known = f"firmware of 2013 does not know {step.name} and reads its arguments as operations"
+        if rejected_at is not None and rejected_at >= step.start:
+            yield step.finding_at(
+                codes.NEWER,
+                cmd,
+                f"{known}: it refuses the command at offset {rejected_at}",
+                "send it to bricks with newer firmware only",
+            )
+            # What the validator stops at further on has the same reason.
+            rejected_at = None
+        else:
+            yield step.finding_at(codes.NEWER_ACCEPTED, cmd, known, "send it to bricks with newer firmware only")
+
+
+def _spins(subject: Subject) -> Finding:
+    verdict = subject.verdict
+    at = verdict.blamed
+    assert at is not None
+    step = next((step for step in subject.steps if step.start == verdict.rejected_at), None)
+    argument = next((it for it in step.arguments if it.offset == at), None) if step else None
+    mend = "give the number of the values that follow, 0 or more"
+    if step is not None and argument is not None:
+        counted = argument.value if argument.kind == CONSTANT else "no number"
+        told = f"{argument.name} is {counted}: the brick reads millions of values before it looks at anything else"
+        return step.finding_at(codes.SPINS, argument, told, mend)
+    told = "the brick takes this for a count of values, and reads millions of them before it looks at anything else"
+    return codes.SPINS.finding(at, max(subject.end - at, 0), told, mend)
+
+
+def _fault(subject: Subject, fault: Fault) -> Finding:
+    """What the reader stops at. What the validator makes of the bytes behind it follows from that."""
+    steps = subject.steps
+    cut = steps[-1] if steps and not steps[-1].operation.is_complete else None
+    if cut is not None:
+        return _faulty_argument(subject, cut, fault)
+    start = steps[-1].end if steps else COMMAND_HEADER_SIZE
+    family = instruction_set(subject.dialect).families[subject.frame[start]]
+    if family is None:
+        return _unknown_opcode(subject, start)
+    return _faulty_cmd(subject, start, family.opcode.name, fault)
+
+
+def _unknown_opcode(subject: Subject, start: int) -> Finding:
+    number = subject.frame[start]
+    others = [opcode for opcode in OPCODES if opcode.number == number and opcode.dialects]
+    if others:
+        message = (
+            f"0x{number:02X} is {others[0].name} for the dialects {' and '.join(others[0].dialects)}, and no opcode for"
+            f" {subject.dialect} firmware"
+        )
+    else:
+        message = f"0x{number:02X} is no opcode of the {subject.dialect} firmware"
+    return codes.UNKNOWN_OPCODE.finding(start, 1, message, _out_of_step(start))
+
+
+def _out_of_step(start: int) -> str:
+    if start == COMMAND_HEADER_SIZE:
+        return "give an opcode; the operations start behind the two bytes that ask for memory"
+    return "give an opcode, or look at the operation in front of it: one of its arguments may be too short or too long"
+
+
+def _faulty_cmd(subject: Subject, start: int, name: str, fault: Fault) -> Finding:
+    """An opcode is there, and no CMD that says what follows."""
+    at = start + 1
+    if fault.truncated:
+        return codes.CUT_OFF.finding(
+            start, subject.end - start, f"{name}: {fault.reason}", "give the bytes that are missing", name, "CMD"
+        )
+    first = subject.frame[at]
+    encoding = ENCODINGS[first]
+    if encoding is None:
+        return _undefined_form(at, first, name, "CMD")
+    family = instruction_set(subject.dialect).families[subject.frame[start]]
+    assert family is not None
+    known = ", ".join(
+        f"{number} {schema.declaration.command.name}"  # type: ignore[union-attr]
+        for number, schema in sorted(family.commands.items())[:_MOST_NAMES]
+    )
+    more = ", ..." if len(family.commands) > _MOST_NAMES else ""
+    length = _length(subject, at)
+    if encoding.kind != CONSTANT:
+        return codes.VARIABLE_CMD.finding(
+            at,
+            length,
+            f"CMD of {name} is {encoding.name}, and has to be a number in the frame itself",
+            f"give one of {known}{more}",
+            name,
+            "CMD",
+        )
+    number = _number(subject.frame, at, length)
+    return codes.UNKNOWN_CMD.finding(
+        at,
+        length,
+        f"{name} has no CMD {number}{_consequence(subject, start)}",
+        f"give one of {known}{more}",
+        name,
+        "CMD",
+    )
+
+
+_MOST_NAMES = 6
+
+
+def _number(frame: bytes, at: int, length: int) -> int:
+    """The value of a constant."""
+    if length == 1:
+        return frame[at] - 0x40 if frame[at] & 0x20 else frame[at]
+    return int.from_bytes(frame[at + 1 : at + length], "little", signed=True)
+
+
+def _consequence(subject: Subject, start: int) -> str:
+    """What the brick does where it does not stop at the fault itself."""
+    rejected_at = subject.verdict.rejected_at
+    if rejected_at is None:
+        return "; the brick does not notice, and runs what follows as operations"
+    if rejected_at > start:
+        return f"; the brick takes what follows for operations, and refuses the command at offset {rejected_at}"
+    return ""
+
+
+def _length(subject: Subject, at: int) -> int:
+    """Bytes of the argument at an offset, as far as they are there."""
+    encoding = ENCODINGS[subject.frame[at]]
+    if encoding is None:
+        return 1
+    if encoding.width is None:
+        end = subject.frame.find(0, at + 1, subject.end) + 1
+        return (end or subject.end) - at
+    return min(1 + encoding.width, subject.end - at)
+
+
+def _undefined_form(at: int, first: int, name: str, parameter: str) -> Finding:
+    return codes.UNDEFINED_FORM.finding(
+        at,
+        1,
+        f"0x{first:02X} is no identification byte: {parameter} of {name} has no encoding that the firmware defines",
+        "give the argument as LC0, LC1, LC2, LC4, LCS or a variable",
+        name,
+        parameter,
+    )
+
+
+def _faulty_argument(subject: Subject, step: Step, fault: Fault) -> Finding:
+    """The operation is known, and one of its arguments cannot be read."""
+    at = fault.offset
+    schema = instruction_set(subject.dialect)[step.name]
+    count = next((argument for argument in step.arguments if argument.offset == at), None)
+    if count is not None:
+        # An argument that can be read is no reason to stop, unless it tells how many follow.
+        return _faulty_count(subject, step, count, fault)
+    parameters = schema.declaration.parameters
+    parameter = parameters[min(len(step.arguments), len(parameters) - 1)]
+    if fault.truncated:
+        last = min(at, subject.end)
+        return codes.CUT_OFF.finding(
+            last,
+            subject.end - last,
+            f"{step.name}: {fault.reason}",
+            f"give the bytes that are missing, or the right length of what stands in front of {parameter.name}",
+            step.name,
+            parameter.name,
+        )
+    return _undefined_form(at, subject.frame[at], step.name, parameter.name)
+
+
+def _faulty_count(subject: Subject, step: Step, count: Argument, fault: Fault) -> Finding:
+    if count.kind == CONSTANT and isinstance(count.value, int) and count.value >= 0 and fault.truncated:
+        room = subject.end - count.offset - count.length
+        return step.finding_at(
+            codes.CUT_OFF,
+            count,
+            f"{count.name} says that {plural(count.value, 'value')} follow, and {plural(room, 'byte')} do",
+            "give as many values as it says, or the number that there are",
+        )
+    is_number = count.kind == CONSTANT and isinstance(count.value, int)
+    told = f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is no number"
+    return step.finding_at(
+        codes.BAD_COUNT,
+        count,
+        f"{told}{_consequence(subject, step.start)}",
+        "give the number of the values that follow as a constant",
+    )

@@ -1,0 +1,182 @@
+"""System commands, and messages from brick to brick."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.checking import codes
+from ev3proto.checking.report import Finding
+from ev3proto.checking.rules.header import TYPE_OFFSET, plural
+from ev3proto.checking.subject import Subject
+from ev3proto.messages import DaisyCommand, SystemCommand
+from ev3proto.schema.fields import NUMBERS
+from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.tables import paths
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.frame import REPORT_SIZES, MessageType
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
+from ev3proto.tables.system import SystemCommand as Entry
+
+_USB = "usb"
+_PATH = "path"
+_OPENED = "begin"
+"""Transfers begin with a path of a file, which the firmware takes apart."""
+
+
+def check_system(subject: Subject, command: SystemCommand) -> Iterator[Finding]:
+    """A system command."""
+    entry = SYSTEM_BY_NUMBER.get(command.number) if subject.end > HEADER_SIZE else None
+    if entry is None:
+        if not (subject.is_length_wrong and subject.end <= HEADER_SIZE):
+            yield _unknown(subject)
+        return
+    if subject.carrier not in (None, _USB) and (entry.bootloader or entry.usb_only):
+        yield codes.WRONG_CARRIER.finding(
+            HEADER_SIZE,
+            1,
+            f"{entry.name} reaches a brick by USB only, not by {subject.carrier}",
+            "send it by USB",
+            entry.name,
+        )
+    yield from _answer(command, entry)
+    if subject.fault is not None:
+        if not (subject.is_length_wrong and subject.fault.truncated):
+            yield _wrong_fields(subject, entry)
+        return
+    yield from _fields(command, entry)
+
+
+def _unknown(subject: Subject) -> Finding:
+    if subject.end <= HEADER_SIZE:
+        return codes.UNKNOWN_SYSTEM.finding(
+            subject.end, 0, "the frame ends where the system command should stand", "give the number of one"
+        )
+    number = subject.frame[HEADER_SIZE]
+    known = [entry for entry in SYSTEM_BY_NUMBER.values() if not entry.bootloader]
+    return codes.UNKNOWN_SYSTEM.finding(
+        HEADER_SIZE,
+        1,
+        f"0x{number:02X} is no system command",
+        f"give 0x{known[0].number:02X} to 0x{known[-1].number:02X}",
+    )
+
+
+def _answer(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
+    if command.wants_reply and not entry.answered:
+        yield codes.NEVER_ANSWERED.finding(
+            TYPE_OFFSET,
+            1,
+            f"the type asks for a reply, and the brick never replies to {entry.name}",
+            f"give the type 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X}, and do not wait",
+            entry.name,
+        )
+    elif not command.wants_reply and _is_question(entry):
+        told = "the handle for what follows" if entry.transfer == _OPENED else "what is asked for"
+        yield codes.ANSWER_NEEDED.finding(
+            TYPE_OFFSET,
+            1,
+            f"the type says that no reply is wanted, and the reply to {entry.name} brings {told}",
+            f"give the type 0x{MessageType.SYSTEM_COMMAND_REPLY:02X}",
+            entry.name,
+        )
+
+
+def _is_question(entry: Entry) -> bool:
+    return entry.transfer == _OPENED or any(field.kind in (Kind.DATA, Kind.LISTING, Kind.U32) for field in entry.reply)
+
+
+def _wrong_fields(subject: Subject, entry: Entry) -> Finding:
+    fault = subject.fault
+    assert fault is not None
+    start = min(fault.offset, subject.end)
+    expected = ", ".join(f"{field.name} ({field.kind.value})" for field in entry.request) or "nothing"
+    return codes.WRONG_FIELDS.finding(
+        start,
+        subject.end - start,
+        f"{entry.name}: {fault.reason}",
+        f"give what belongs behind the command: {expected}",
+        entry.name,
+    )
+
+
+def _fields(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
+    """Fields that can be read, and are too long."""
+    at = HEADER_SIZE + 1
+    for field in entry.request:
+        value = command.fields.get(field.name)
+        if value is None:
+            return
+        size = _size(field, value)
+        if field.most is not None and size > field.most:
+            yield codes.FIELD_TOO_LONG.finding(
+                at,
+                size,
+                f"{field.name} has {plural(size, 'byte')}, and the firmware has room for {field.most}",
+                f"shorten it by {size - field.most}",
+                entry.name,
+                field.name,
+            )
+        if field.name == _PATH and isinstance(value, str):
+            yield from _path(at, value, entry)
+        at += size
+
+
+def _size(field: Field, value: int | str | bytes) -> int:
+    """Bytes of a field in the frame."""
+    if isinstance(value, int):
+        return int(NUMBERS[field.kind].sizeof())
+    if isinstance(value, str):
+        return len(value.encode(STRING_CODING)) + 1
+    return len(value)
+
+
+def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
+    """What the firmware has no room for, or what opens nothing."""
+    if not path:
+        yield codes.REFUSED_PATH.finding(
+            at, 1, f"the path of {entry.name} is empty", "name a file or folder", entry.name, _PATH
+        )
+        return
+    folder, slash, rest = path.rpartition("/")
+    name, dot, extension = rest.partition(".")
+    if entry.transfer != _OPENED or entry.reply[0].name == "list_size":
+        # Folders have no names that are taken apart.
+        parts: tuple[tuple[str, str, int, int], ...] = (("path", path, paths.WHOLE, 0),)
+    else:
+        start = len(folder + slash)
+        parts = (
+            ("path", path, paths.WHOLE, 0),
+            ("folder", folder + slash, paths.FOLDER, 0),
+            ("name", name, paths.NAME, start),
+            ("extension", dot + extension, paths.EXTENSION, start + len(name)),
+        )
+    for what, part, room, start in parts:
+        if len(part) >= room:
+            yield codes.REFUSED_PATH.finding(
+                at + start,
+                len(part),
+                f"the {what} has {plural(len(part), 'character')}, and the firmware takes {room - 1} at most",
+                f"shorten it by {len(part) - room + 1}",
+                entry.name,
+                _PATH,
+            )
+            return
+
+
+def check_daisy(subject: Subject, command: DaisyCommand) -> Iterator[Finding]:
+    """A message from brick to brick."""
+    fault = subject.fault
+    if fault is not None and not (subject.is_length_wrong and fault.truncated):
+        start = min(fault.offset, subject.end)
+        yield codes.UNKNOWN_DAISY.finding(
+            start, min(1, subject.end - start), fault.reason, "give a sub-command, 0xA0 to 0xA5, and two layers"
+        )
+    most = REPORT_SIZES[0]
+    if subject.end > most:
+        yield codes.LONG_DAISY.finding(
+            most,
+            subject.end - most,
+            f"the frame has {subject.end} bytes, and a report between bricks carries {most}",
+            "send less at once",
+            command.command,
+        )

@@ -1,0 +1,286 @@
+"""`ev3proto check`: will the brick take a frame, which byte is wrong if not, and what a careful sender would change."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.sources import Source, SourceReader, packets, sources
+from ev3proto.errors import near_misses
+from ev3proto.text.notation import Pasted
+from ev3proto.text.spans import Line, Role
+from ev3proto.text.split import Piece
+
+if TYPE_CHECKING:
+    from ev3proto.capture import Record
+    from ev3proto.capture.formats import CaptureFile
+    from ev3proto.checking.codes import Code
+    from ev3proto.checking.fixing import Fix
+    from ev3proto.checking.report import Finding, Report
+
+CARRIERS = ("usb", "bluetooth", "wifi")
+"""What can carry a frame, as the option --carrier takes it."""
+
+ALL_CODES = "all"
+"""What --explain takes instead of a code."""
+
+
+@dataclass(frozen=True, slots=True)
+class CheckOptions:
+    """What is asked for.
+
+    as_json  one object a line
+    mends    print the mended frame and what is left of the findings
+    strict   warnings count as errors for the exit status
+    carrier  what is to carry the frames, None for what the capture tells, or any
+    hidden   severities that are not shown
+    """
+
+    as_json: bool = False
+    mends: bool = False
+    strict: bool = False
+    carrier: str | None = None
+    hidden: frozenset[str] = frozenset()
+
+    def shown(self, report: Report) -> tuple[Finding, ...]:
+        """The findings to show."""
+        return tuple(finding for finding in report.findings if finding.severity not in self.hidden)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a frame comes from.
+
+    label  in front of every offset, such as `robot.log, line 3`; empty where there is but one frame
+    facts  the same for other tools
+    """
+
+    label: str
+    facts: dict[str, Any]
+
+
+class Checking(SourceReader):
+    """Checks the frames of the sources, one after the other, and counts what is found."""
+
+    def __init__(self, reading: CaptureOptions, options: CheckOptions, *, is_single: bool) -> None:
+        super().__init__(reading)
+        self._options = options
+        self._is_single = is_single
+        self._printer = Printer()
+        self._was_long: bool | None = None
+        self.frames = 0
+        self.replies = 0
+        self.counts: Counter[str] = Counter()
+
+    def refuse_text(self, source: Source) -> None:
+        """A filter chooses among the frames of a capture."""
+        if self.reading.filter is not None:
+            raise click.UsageError(f"--filter is for captures, and {source.label[:60]} is none")
+
+    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
+        """A frame of a text."""
+        if pasted.direction == "received":
+            self.replies += 1
+            return
+        frame = piece.message.build()
+        fault = piece.message.fault
+        if pasted.cut and fault is not None and fault.truncated:
+            self.complain(f"{source.where(pasted)}: the text is cut off after {len(frame)} bytes: nobody can check it")
+            return
+        if source.is_frame:
+            place = Place("" if self._is_single else f"frame {self.frames + 1}", {})
+        else:
+            place = Place(source.where(pasted), {"source": source.label, "line": pasted.line})
+        self._frame(frame, place, self._options.carrier)
+
+    def capture(self, source: Source, file: CaptureFile) -> None:
+        """The commands in a capture, each as what carried it takes it."""
+        from ev3proto.capture import Record
+
+        capture = CaptureSource(source.name, self.reading)
+        before = self.frames
+        for event in capture.events(file if self.reading.engine == BUILTIN else None, is_quiet=False):
+            if not isinstance(event, Record):
+                continue
+            if _is_reply(event):
+                self.replies += 1
+                continue
+            place = Place(f"{source.label}, packet {event.number}", {"source": source.label, "packet": event.number})
+            self._frame(event.frame, place, self._options.carrier or str(event.carrier))
+        if not capture.status and self.frames == before:
+            what = "no command that the filter lets through" if self.reading.filter else "no command"
+            self.complain(f"{source.label}: there is {what} in {packets(capture.account.packets)}")
+        self.at_fault |= bool(capture.status)
+
+    def summary(self) -> None:
+        """How many frames there were and what was found, where there was more than one."""
+        if self._options.as_json or self.frames + self.replies < 2:
+            return
+        told = [f"{self.counts[name]} {name}{'s' * (self.counts[name] != 1)}" for name in ("error", "warning", "hint")]
+        line: Line = [(f"{_frames(self.frames)}: ", Role.HEADING), (", ".join(told), Role.PLAIN)]
+        if self.replies:
+            line.append((f"; {_frames(self.replies)} from the brick not checked", Role.ASIDE))
+        self._paragraph(iter([line]), False)
+
+    def _frame(self, frame: bytes, place: Place, carrier: str | None) -> None:
+        from ev3proto.checking.checking import check
+        from ev3proto.checking.fixing import fix
+
+        self.frames += 1
+        if self._options.mends:
+            mended = fix(frame, dialect=self.reading.dialect, carrier=carrier)
+            report = mended.report
+            self._show_fix(mended, place)
+        else:
+            report = check(frame, dialect=self.reading.dialect, carrier=carrier)
+            self._show(report, place)
+        self.counts.update(str(finding.severity) for finding in report.findings)
+        self.at_fault |= bool(report.errors or (self._options.strict and report.warnings))
+
+    def _show(self, report: Report, place: Place) -> None:
+        from ev3proto.text.diagnostics import diagnostics
+
+        if self._options.as_json:
+            self._json(place, report.as_dict(), report)
+            return
+        shown = self._options.shown(report)
+        self._paragraph(diagnostics(report, shown, place=place.label, dialect=self.reading.dialect), len(shown) > 0)
+
+    def _show_fix(self, mended: Fix, place: Place) -> None:
+        from ev3proto.text.diagnostics import fixed
+
+        if self._options.as_json:
+            self._json(place, mended.as_dict(), mended.report)
+            return
+        shown = self._options.shown(mended.report)
+        self._paragraph(fixed(mended, shown, place=place.label, dialect=self.reading.dialect), True)
+
+    def _json(self, place: Place, entry: dict[str, Any], report: Report) -> None:
+        entry["findings"] = [finding.as_dict() for finding in self._options.shown(report)]
+        self._printer.text(json.dumps(place.facts | entry, ensure_ascii=False))
+
+    def _paragraph(self, lines: Iterator[Line], is_long: bool) -> None:
+        """Lines that belong together; several of them stand apart from what is around them."""
+        if self._was_long or (is_long and self._was_long is not None):
+            self._printer.text("")
+        self._was_long = is_long
+        self._printer.lines(lines)
+
+
+def _is_reply(record: Record) -> bool:
+    """Whether a frame comes from the brick, as the capture tells it, or else its type."""
+    if record.direction is not None:
+        return record.direction == "received"
+    return record.message.type is not None and not record.message.type.is_command
+
+
+def _frames(count: int) -> str:
+    return f"{count} frame{'s' * (count != 1)}"
+
+
+@click.command()
+@click.argument("names", nargs=-1, metavar="[FRAME|FILE|-]...")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
+@click.option("--strict", is_flag=True, help="Warnings count as errors for the exit status.")
+@click.option(
+    "--fix", "mends", is_flag=True, help="Print each frame mended where the mend is certain, and what is left."
+)
+@click.option("--no-hints", is_flag=True, help="Show errors and warnings only.")
+@click.option("--errors-only", is_flag=True, help="Show errors only.")
+@click.option("--carrier", type=click.Choice(CARRIERS), help="What is to carry the frames; a capture tells it itself.")
+@click.option(
+    "--explain", "code", metavar="CODE", help=f"Tell what a finding means, with an example; {ALL_CODES} lists them."
+)
+@reading_options
+def check(
+    names: tuple[str, ...],
+    as_json: bool,
+    strict: bool,
+    mends: bool,
+    no_hints: bool,
+    errors_only: bool,
+    carrier: str | None,
+    code: str | None,
+    reading: CaptureOptions,
+) -> None:
+    """Tells whether the brick will take a frame, which byte is wrong if not, and how to mend it.
+
+    The verdict is that of the firmware itself, quirks included. Beside it stands what a careful sender would change:
+    errors will not do what was meant, warnings may not, hints only could be done better. Frames come in every form that
+    decode reads; of logs and captures, the replies of the brick are passed over.
+
+    Exit status: 0 without errors, 1 with errors or where the input cannot be read.
+
+    \b
+      ev3proto check 08 00 2a 00 80 00 00 81 01 60
+      ev3proto check --fix "0x|09:00|2A:00|80|00:00|81|01|60|"
+      ev3proto check --strict --no-hints robot.log
+      ev3proto check --explain E101
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    if code is not None:
+        if names:
+            raise click.UsageError("--explain is about a code, not about frames: give one or the other")
+        _explain(code, as_json=as_json, dialect=reading.dialect)
+        return
+    if strict and errors_only:
+        raise click.UsageError("--strict counts warnings and --errors-only hides them: give one or the other")
+    hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
+    options = CheckOptions(as_json, mends, strict, carrier, frozenset(hidden))
+    found = sources(names)
+    checking = Checking(reading, options, is_single=len(found) == 1)
+    for source in found:
+        checking.read(source)
+    checking.summary()
+    if not checking.frames:
+        if not checking.at_fault:
+            complain(_nothing(checking.replies))
+        checking.at_fault = True
+    sys.exit(1 if checking.at_fault else 0)
+
+
+def _nothing(replies: int) -> str:
+    if replies:
+        return f"there is no command in the input, only {_frames(replies)} from the brick: what it says is not checked"
+    return "there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01"
+
+
+def _explain(name: str, *, as_json: bool, dialect: str) -> None:
+    """Prints what a code means, or the list of all. Raises click.BadParameter for one that there is not."""
+    from ev3proto.checking.checking import check as check_frame
+    from ev3proto.checking.codes import CODES
+    from ev3proto.text.diagnostics import explanation
+
+    found = list(CODES.values()) if name == ALL_CODES else [CODES[name.upper()]] if name.upper() in CODES else []
+    if not found:
+        hint = near_misses(name, CODES) or f"; --explain {ALL_CODES} lists those that there are"
+        raise click.BadParameter(f"there is no code {name}{hint}", param_hint="--explain")
+    printer = Printer()
+    for code in found:
+        if as_json:
+            printer.text(json.dumps(_code_entry(code), ensure_ascii=False))
+        elif name == ALL_CODES:
+            printer.lines(
+                [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]
+            )
+        else:
+            printer.lines(explanation(code, check_frame(code.example, dialect=dialect), dialect))
+
+
+def _code_entry(code: Code) -> dict[str, Any]:
+    """The same for other tools."""
+    return {
+        "code": code.code,
+        "severity": code.severity,
+        "title": code.title,
+        "story": code.story,
+        "example": code.example.hex(),
+        "counterexample": code.counterexample.hex(),
+    }

@@ -1,0 +1,349 @@
+"""`ev3proto encode`: assembly, JSON or frames in any form, to frames in the form that another program takes."""
+
+from __future__ import annotations
+
+import io
+import itertools
+import json
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.output import complain
+from ev3proto.cli.sources import Source, SourceReader, is_binary, packets, sources, text_lines
+from ev3proto.dialogue import Dialogue
+from ev3proto.messages import Message
+from ev3proto.schema.frame import parse
+from ev3proto.tables.frame import COUNTERS
+from ev3proto.text.heading import Seen, heading
+from ev3proto.text.notation import Pasted, read_argument, read_text
+from ev3proto.text.spans import plain_text
+from ev3proto.text.split import Piece
+
+if TYPE_CHECKING:
+    from ev3proto.capture.formats import CaptureFile
+    from ev3proto.text.assembly.errors import AssemblyError
+
+_START = 8
+_MOST_LOOKED_AT = 500
+"""Lines of comments in front of the first that tells what a text is."""
+
+
+class Output:
+    """Where frames go, in one form. Its file is opened with the first of them, so that none is left behind for none.
+
+    form  one of FORMS
+    path  None for standard output
+    """
+
+    def __init__(self, form: str, path: str | None) -> None:
+        self.count = 0
+        self._form = FORMS[form]
+        self._is_raw = form == RAW
+        self._path = path
+        self._stack = ExitStack()
+        self._dialogue = Dialogue()
+        self._stream: io.BufferedIOBase | None = None
+
+    def write(self, message: Message) -> None:
+        """One frame."""
+        self.count += 1
+        data = self._form(message, self.count, self._dialogue)
+        if self._path is None and not self._is_raw:
+            click.echo(data)
+            return
+        if self._stream is None:
+            self._stream = self._opened()
+        self._stream.write(data if isinstance(data, bytes) else f"{data}\n".encode())
+
+    def close(self) -> None:
+        """Everything is written."""
+        if self._stream is not None:
+            self._stream.flush()
+        self._stack.close()
+
+    def _opened(self) -> io.BufferedIOBase:
+        if self._path is None:
+            return click.get_binary_stream("stdout")  # type: ignore[return-value]
+        try:
+            return self._stack.enter_context(Path(self._path).open("wb"))
+        except OSError as error:
+            complain(f"{self._path}: cannot be written: {error.strerror or error}")
+            sys.exit(1)
+
+
+def _hex(message: Message, _number: int, _dialogue: Dialogue) -> str:
+    from ev3proto.text.forms import as_hex
+
+    return as_hex(message)
+
+
+def _raw(message: Message, _number: int, _dialogue: Dialogue) -> bytes:
+    return message.build()
+
+
+def _c(message: Message, number: int, _dialogue: Dialogue) -> str:
+    from ev3proto.text.forms import as_c
+
+    return as_c(message, f"frame_{number}")
+
+
+def _python(message: Message, number: int, _dialogue: Dialogue) -> str:
+    from ev3proto.text.forms import as_python
+
+    return as_python(message, f"frame_{number}")
+
+
+def _json(message: Message, _number: int, dialogue: Dialogue) -> str:
+    from ev3proto.text.records import record
+
+    return json.dumps(record(dialogue.follow(message), Seen()), ensure_ascii=False)
+
+
+def _asm(message: Message, _number: int, dialogue: Dialogue) -> str:
+    from ev3proto.text.assembly.writing import assembly
+
+    exchange = dialogue.follow(message)
+    return "\n".join(assembly(exchange, plain_text(heading(exchange, Seen()))))
+
+
+RAW = "raw"
+FORMS: dict[str, Callable[[Message, int, Dialogue], str | bytes]] = {
+    "hex": _hex,
+    RAW: _raw,
+    "c": _c,
+    "python": _python,
+    "json": _json,
+    "asm": _asm,
+}
+"""What frames are written as: the message, its number from 1 on, and what was said before."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wants:
+    """What is asked for where the input leaves it open.
+
+    counter  of the first message without one
+    reply    whether the brick is to answer, None for what the operations need
+    """
+
+    counter: int = 0
+    reply: bool | None = None
+
+
+class Encoding(SourceReader):
+    """Writes the frames of the sources, one after the other, and remembers whether any source was at fault."""
+
+    def __init__(self, output: Output, reading: CaptureOptions, wants: Wants) -> None:
+        super().__init__(reading)
+        self._output = output
+        self._counter = wants.counter
+        self._reply = wants.reply
+
+    def read(self, source: Source) -> None:
+        """Everything in a source; a sentence where it cannot be read."""
+        if source.is_frame:
+            self.refuse_text(source)
+            self._text(source, source.name.split("\n"))
+            return
+        file = self._opened(source)
+        if file is None:
+            return
+        with file:
+            if self.reading.engine != BUILTIN or self._is_capture(source, file):
+                self.capture(source, file)
+                return
+            self.refuse_text(source)
+            start = file.contents.peek(_START)[:_START]
+            if is_binary(start):
+                self.complain(
+                    f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()}; what can be"
+                    " encoded is assembly, JSON, frames in hex, or a capture"
+                )
+                return
+            try:
+                self._text(source, text_lines(file.contents))
+            except (OSError, EOFError) as error:
+                self.complain(f"{source.label}: cannot be read: {getattr(error, 'strerror', None) or error}")
+
+    def refuse_text(self, source: Source) -> None:
+        """A filter chooses among the frames of a capture."""
+        if self.reading.filter is not None:
+            raise click.UsageError(f"--filter is for captures, and {source.label[:60]} is none")
+
+    def capture(self, source: Source, file: CaptureFile) -> None:
+        """The frames of a capture."""
+        from ev3proto.capture import Record
+
+        capture = CaptureSource(source.name, self.reading)
+        before = self._output.count
+        for event in capture.events(file if self.reading.engine == BUILTIN else None, is_quiet=False):
+            if isinstance(event, Record):
+                self._output.write(event.message)
+        if not capture.status and self._output.count == before:
+            what = "nothing that the filter lets through" if self.reading.filter else "no frame"
+            self.complain(f"{source.label}: there is {what} in {packets(capture.account.packets)}")
+        self.at_fault |= bool(capture.status)
+
+    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
+        """A frame of a text. A faulty one is written as it is, but for one that is not all there."""
+        fault = piece.message.fault
+        if pasted.cut and fault is not None and fault.truncated:
+            size = len(piece.message.build())
+            self.complain(f"{source.where(pasted)}: the text is cut off after {size} bytes: nobody knows the rest")
+            return
+        self._output.write(piece.message)
+        if fault is not None:
+            self.complain(f"{source.where(pasted)}: fault at {fault}")
+
+    def _text(self, source: Source, lines: Iterable[str]) -> None:
+        """A text, which is whatever its first line tells that is neither empty nor a comment."""
+        lines = iter(lines)
+        first = list(_introduction(lines))
+        line = first[-1].strip() if first else ""
+        whole = itertools.chain(first, lines)
+        if _is_record(line):
+            self._records(source, whole)
+        elif _is_assembly(line):
+            self._assembly(source, whole)
+        else:
+            self._frames(source, whole)
+
+    def _records(self, source: Source, lines: Iterable[str]) -> None:
+        from ev3proto.text.unrecord import RecordError, frames_in, read_records
+
+        dialect = self.reading.dialect
+        try:
+            for number, entry in read_records(lines):
+                try:
+                    for frame in frames_in(entry, dialect=dialect):
+                        self._output.write(parse(frame, strict=False, dialect=dialect))
+                except RecordError as error:
+                    self.complain(f"{source.label[:60]}, line {number}: {error}")
+        except RecordError as error:
+            self.complain(f"{source.label[:60]}, {error}")
+
+    def _assembly(self, source: Source, lines: Iterable[str]) -> None:
+        from ev3proto.text.assembly import AssemblyError
+        from ev3proto.text.assembly.assembling import MAX_TEXT, assembled
+
+        text = _joined(lines, "\n" if source.is_frame else "", MAX_TEXT + 1)
+        try:
+            for message in assembled(text, dialect=self.reading.dialect, counter=self._counter, reply=self._reply):
+                self._output.write(message)
+                self._counter = (message.counter + 1) % COUNTERS
+        except AssemblyError as error:
+            self._tell(source, error)
+
+    def _tell(self, source: Source, error: AssemblyError) -> None:
+        """Every error with its line and, below that, a mark at the place."""
+        place = "" if source.is_frame else f"{source.label}, "
+        for one in (error, *error.others):
+            self.complain(f"{place}{one}")
+            if one.text.strip():
+                complain("\n".join(f"  {line}" for line in one.excerpt.split("\n")))
+
+    def _frames(self, source: Source, lines: Iterable[str]) -> None:
+        found = [read_argument(source.name)] if source.is_frame else read_text(lines)
+        count = 0
+        for pasted in found:
+            count += 1
+            if source.is_frame and not pasted.data:
+                self.complain(f"{source.name[:60]!r} is no file, no assembly and no frame: {pasted.problem}")
+            else:
+                self._pasted(pasted, source)
+        if not count:
+            self.complain(f"{source.label}: there is nothing in it that can be encoded: {_EXPECTED}")
+
+
+_EXPECTED = (
+    "assembly such as SOUND(TONE, 1, 440, 1000), objects as decode --json prints them, or frames in hex such as"
+    " 06:00|2A:00|80|00:00|01"
+)
+
+
+def _introduction(lines: Iterator[str]) -> Iterator[str]:
+    """The lines up to the first that is neither empty nor a comment, that one too."""
+    is_comment = False
+    for line in itertools.islice(lines, _MOST_LOOKED_AT):
+        yield line
+        text = line.strip()
+        if is_comment or text.startswith("/*"):
+            is_comment = "*/" not in text
+        elif text and not text.startswith("//") and not (text.startswith("#") and "define" not in text):
+            return
+
+
+def _is_record(line: str) -> bool:
+    """Whether an object of JSON starts in a line; a brace alone is one too, arrays of C have a name before it."""
+    return line == "{" or (line.startswith("{") and line[1:].lstrip().startswith('"'))
+
+
+def _is_assembly(line: str) -> bool:
+    from ev3proto.text.assembly.recognising import is_assembly
+
+    return is_assembly(line)
+
+
+def _joined(lines: Iterable[str], between: str, most: int) -> str:
+    """The lines as one text, of which nothing is read behind so many characters."""
+    kept: list[str] = []
+    size = 0
+    for line in lines:
+        kept.append(line)
+        size += len(line) + len(between)
+        if size >= most:
+            break
+    return between.join(kept)
+
+
+@click.command()
+@click.argument("names", nargs=-1, metavar="[TEXT|FILE|-]...")
+@click.option("--to", "form", type=click.Choice(tuple(FORMS)), default="hex", show_default=True, help="What to write.")
+@click.option("-o", "--output", "path", metavar="FILE", help="Where to write it; without this: standard output.")
+@click.option(
+    "--counter",
+    type=click.IntRange(0, COUNTERS - 1),
+    default=0,
+    show_default=True,
+    help="Message counter of the first message of assembly that states none.",
+)
+@click.option(
+    "--reply/--no-reply",
+    default=None,
+    help="Whether the brick is to answer assembly without a header; left out: where there is something to answer.",
+)
+@reading_options
+def encode(
+    names: tuple[str, ...], form: str, path: str | None, counter: int, reply: bool | None, reading: CaptureOptions
+) -> None:
+    """Makes frames.
+
+    Give assembly, objects as `decode --json` prints them, frames in any form that decode reads, captures, or files that
+    have them; or - (or nothing) for standard input. What a text is tells its first line.
+
+    \b
+      ev3proto encode 'SOUND(TONE, 1, 440, 1000)'
+      ev3proto encode 'opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)' --to c
+      ev3proto encode --counter 42 --to raw -o tone.bin tone.lms
+      ev3proto decode --json robot.log | jq -c '.counter = 7' | ev3proto encode
+      ev3proto decode --format asm robot.pcapng > robot.asm; ev3proto encode robot.asm
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    if form == RAW and path is None and sys.stdout.isatty():
+        raise click.UsageError("raw bytes would garble the terminal: give -o FILE, or pipe them into another program")
+    output = Output(form, path)
+    encoding = Encoding(output, reading, Wants(counter, reply))
+    try:
+        for source in sources(names):
+            encoding.read(source)
+    finally:
+        output.close()
+    if not output.count and not encoding.at_fault:
+        encoding.complain(f"there is nothing in the input that can be encoded: {_EXPECTED}")
+    sys.exit(1 if encoding.at_fault else 0)

@@ -1,0 +1,279 @@
+"""`ev3proto export`: the protocol and frames in the forms of other tools, the same bytes every time."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, BinaryIO, TypeVar
+
+import click
+
+from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.output import complain
+from ev3proto.cli.sources import Source, SourceReader, packets, sources
+from ev3proto.errors import BuildError
+from ev3proto.tables.declaration import DIALECTS
+from ev3proto.text.notation import Pasted
+from ev3proto.text.split import Piece
+
+if TYPE_CHECKING:
+    from ev3proto.capture.formats import CaptureFile
+    from ev3proto.generate.captures import CaptureWriter, TimedFrame
+
+F = TypeVar("F", bound=Callable[..., object])
+
+CARRIERS = ("wifi", "usb", "bluetooth")
+"""Those that ev3proto.generate.captures has, without the time that importing it takes."""
+
+_MOST_INTERVAL = 3_600_000.0
+_NANOSECONDS_EACH = 1_000_000
+
+
+@click.group()
+def export() -> None:
+    """Writes the protocol, or frames, for other tools.
+
+    The files that are made of the tables are the same every time; --check tells whether one is what would be written.
+    """
+
+
+def _file_options(command: F) -> F:
+    """Adds -o and --check."""
+    check = "Write nothing; exit status 1 if the file is not what would be written."
+    click.option("--check", is_flag=True, help=check)(command)
+    click.option(
+        "-o",
+        "--output",
+        type=click.Path(path_type=Path, dir_okay=False),
+        help="Write to this file, not standard output.",
+    )(command)
+    return command
+
+
+def _write(text: str, output: Path | None, *, check: bool) -> None:
+    """The text of a file to where it belongs; or whether it is there already, which the exit status tells."""
+    if check and output is None:
+        raise click.UsageError("--check needs -o: the file to check")
+    if output is None:
+        sys.stdout.buffer.write(text.encode())
+        sys.stdout.buffer.flush()
+    elif not (_is_current(text, output) if check else _is_written(text, output)):
+        sys.exit(1)
+
+
+def _is_written(text: str, output: Path) -> bool:
+    try:
+        output.write_bytes(text.encode())
+    except OSError as error:
+        complain(f"{output}: cannot be written: {error.strerror or error}")
+        return False
+    return True
+
+
+def _is_current(text: str, output: Path) -> bool:
+    try:
+        if output.read_bytes() == text.encode():
+            return True
+        complain(f"{output} is out of date: write it anew, without --check")
+    except OSError as error:
+        complain(f"{output}: cannot be read: {error.strerror or error}")
+    return False
+
+
+@export.command("c-header")
+@_file_options
+def c_header(output: Path | None, check: bool) -> None:
+    """Writes ev3proto.h: names, encoding macros and functions that fill a frame, for C99 and C++11.
+
+    \b
+      ev3proto export c-header -o ev3proto.h
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    from ev3proto.generate.cheader.build import build
+
+    _write(build(), output, check=check)
+
+
+@export.command()
+@click.option(
+    "--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True, help="Whose instruction set."
+)
+@_file_options
+def kaitai(dialect: str, output: Path | None, check: bool) -> None:
+    """Writes ev3.ksy: frames for the Kaitai Struct compiler (0.11 and later), which makes parsers in many languages.
+
+    \b
+      ev3proto export kaitai -o ev3.ksy
+      kaitai-struct-compiler --target java ev3.ksy
+    """  # noqa: D301
+    from ev3proto.generate.kaitai.build import build
+
+    _write(build(dialect), output, check=check)
+
+
+@export.command("json")
+@_file_options
+def json_tables(output: Path | None, check: bool) -> None:
+    """Writes ev3-tables.json: opcodes, CMDs, parameters, enumerations, system commands of all dialects.
+
+    \b
+      ev3proto export json | jq '.areas.sound[0].commands[].name'
+    """  # noqa: D301
+    from ev3proto.generate.tables_json.build import build_tables
+
+    _write(build_tables(), output, check=check)
+
+
+@export.command("json-schema")
+@_file_options
+def json_schema(output: Path | None, check: bool) -> None:
+    """Writes ev3-tables.schema.json: what stands in ev3-tables.json, as JSON Schema (draft 2020-12)."""
+    from ev3proto.generate.tables_json.build import build_schema
+
+    _write(build_schema(), output, check=check)
+
+
+@export.command("all")
+@click.argument("folder", type=click.Path(path_type=Path, file_okay=False))
+@click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file is not what would be written.")
+def everything(folder: Path, check: bool) -> None:
+    """Writes every file that is made of the tables into FOLDER, under its usual name.
+
+    \b
+      ev3proto export all exports
+      ev3proto export all exports --check
+    """  # noqa: D301
+    from ev3proto.generate.cheader import build as header
+    from ev3proto.generate.kaitai import build as description
+    from ev3proto.generate.tables_json import build as tables
+
+    texts = {
+        header.FILE_NAME: header.build(),
+        description.FILE_NAME: description.build(),
+        tables.TABLES_NAME: tables.build_tables(),
+        tables.SCHEMA_NAME: tables.build_schema(),
+    }
+    if not check:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            complain(f"{folder}: cannot be made: {error.strerror or error}")
+            sys.exit(1)
+    act = _is_current if check else _is_written
+    outcomes = [act(text, folder / name) for name, text in texts.items()]
+    sys.exit(0 if all(outcomes) else 1)
+
+
+# Frames
+
+
+class _Carrying(SourceReader):
+    """Hands the frames of all sources on to a capture, and complains about those that cannot be carried."""
+
+    def __init__(self, writer: CaptureWriter, reading: CaptureOptions) -> None:
+        super().__init__(reading)
+        self._writer = writer
+
+    def refuse_text(self, source: Source) -> None:
+        """What is asked for only of captures cannot be had of a text."""
+        if self.reading.filter is not None:
+            raise click.UsageError(f"--filter is for captures, and {source.label[:60]} is none")
+
+    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
+        """A frame of a text, which goes on from the one before."""
+        self._add(piece.message.build(), source.where(pasted))
+
+    def capture(self, source: Source, file: CaptureFile) -> None:
+        """The frames of a capture, at their times."""
+        from ev3proto.capture import Record
+        from ev3proto.generate.captures import TimedFrame
+
+        capture = CaptureSource(source.name, self.reading)
+        before = self._writer.count
+        for event in capture.events(file):
+            if isinstance(event, Record):
+                self._add(TimedFrame(event.frame, event.time_ns), f"{source.label}, packet {event.number}")
+        if not capture.status and self._writer.count == before:
+            what = "nothing that the filter lets through" if self.reading.filter else "no frame"
+            self.complain(f"{source.label}: there is {what} in {packets(capture.account.packets)}")
+        self.at_fault |= bool(capture.status)
+
+    def _add(self, frame: bytes | TimedFrame, place: str) -> None:
+        try:
+            self._writer.add(frame)
+        except BuildError as error:
+            self.complain(f"{place}: {error}")
+
+
+@export.command()
+@click.argument("names", nargs=-1, metavar="[FRAME|FILE|-]...")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write to this file, not standard output."
+)
+@click.option(
+    "--carrier", type=click.Choice(CARRIERS), default=CARRIERS[0], show_default=True, help="What carries them."
+)
+@click.option(
+    "--interval",
+    type=click.FloatRange(0, _MOST_INTERVAL),
+    default=1.0,
+    show_default=True,
+    metavar="MS",
+    help="Milliseconds from frame to frame; those of captures keep their times.",
+)
+@reading_options
+def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: float, reading: CaptureOptions) -> None:
+    """Writes frames as a capture that Wireshark reads: a whole conversation over WiFi, USB or Bluetooth.
+
+    Frames are given as to decode. Commands go from the computer to the brick, replies come back.
+
+    \b
+      ev3proto export pcapng robot.log -o robot.pcapng
+      ev3proto export pcapng --carrier usb 0e002a0080000094010182b80182e803 -o tone.pcapng
+      ev3proto export pcapng captures/bluetooth.log --carrier wifi | tshark -r -
+    """  # noqa: D301
+    from ev3proto.generate.captures import CaptureWriter
+
+    if output is None and sys.stdout.isatty():
+        raise click.UsageError("a capture is no text for a terminal: name a file with -o, or pipe it on")
+    try:
+        with _target(output) as stream:
+            writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
+            carrying = _Carrying(writer, reading)
+            for source in sources(names):
+                carrying.read(source)
+            if not writer.count:
+                # Nothing was written yet, and what was there before stays.
+                if not carrying.at_fault:
+                    complain(
+                        "there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01"
+                    )
+                sys.exit(1)
+            writer.close()
+    except OSError as error:
+        if output is None:
+            raise
+        complain(f"{output}: cannot be written: {error.strerror or error}")
+        sys.exit(1)
+    sys.exit(1 if carrying.at_fault else 0)
+
+
+@contextmanager
+def _target(output: Path | None) -> Iterator[BinaryIO]:
+    """Takes bytes. A file is put in its place when all of it is there: it may be one of those that are read."""
+    if output is None:
+        yield sys.stdout.buffer
+        sys.stdout.buffer.flush()
+    elif output.exists() and not output.is_file():
+        with output.open("wb") as stream:
+            yield stream
+    else:
+        new = output.with_name(f".{output.name}.{os.getpid()}")
+        try:
+            with new.open("xb") as stream:
+                yield stream
+            new.replace(output)
+        finally:
+            new.unlink(missing_ok=True)

@@ -1,0 +1,108 @@
+"""`ev3proto sample`: valid frames at random, or nearly valid ones, for trying other programs with."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from itertools import islice
+
+import click
+
+from ev3proto.cli.output import complain
+from ev3proto.cli.show import FORMATS, Show
+from ev3proto.dialogue import Exchange
+from ev3proto.schema.frame import parse
+from ev3proto.tables import AREAS
+from ev3proto.tables.declaration import DIALECTS
+from ev3proto.text.forms import as_hex
+from ev3proto.text.heading import Seen
+
+MOST_SEEDS = 1 << 64
+
+
+@click.command()
+@click.option("-n", "--count", type=click.IntRange(1), default=10, show_default=True, help="How many frames.")
+@click.option(
+    "--seed",
+    type=click.IntRange(0, MOST_SEEDS - 1),
+    default=0,
+    show_default=True,
+    help="The same seed gives the same frames, the first ones for any count.",
+)
+@click.option("--op", "names", multiple=True, metavar="NAME", help="Only SOUND.TONE, all of SOUND, or LIST_FILES.")
+@click.option("--area", "areas", multiple=True, type=click.Choice([*AREAS, "system"]), help="Only those of an area.")
+@click.option("--type", "types", multiple=True, metavar="TYPE", help="Only DIRECT_REPLY, or all that is direct-reply.")
+@click.option("--mutate", is_flag=True, help="Frames that are no longer right: changed, cut, lengthened.")
+@click.option(
+    "--format", "style", type=click.Choice(["hex", "raw", *FORMATS]), default="hex", show_default=True, help="How."
+)
+@click.option("--dialect", type=click.Choice(DIALECTS), default="official", show_default=True, help="Whose operations.")
+def sample(
+    count: int,
+    seed: int,
+    names: tuple[str, ...],
+    areas: tuple[str, ...],
+    types: tuple[str, ...],
+    mutate: bool,
+    style: str,
+    dialect: str,
+) -> None:
+    """Draws frames at random, from all that the tables have.
+
+    They are right as far as they can be read; whether a brick would run them is what check tells. The options that
+    choose can be given several times. raw writes the bytes of one frame after the other.
+
+    \b
+      ev3proto sample --count 1000 --seed 7 > frames.txt
+      ev3proto sample --op SOUND --op UI_DRAW.LINE --format asm
+      ev3proto sample --type system-reply --mutate --format raw | my_decoder
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    frames = _frames(seed, names, areas, types, mutate, dialect)
+    write = _writer(style, dialect)
+    written = 0
+    for frame in islice(frames, count):
+        write(frame)
+        written += 1
+    if written < count:
+        complain(f"there are no more than {written} different frames of this kind")
+
+
+def _frames(
+    seed: int, names: tuple[str, ...], areas: tuple[str, ...], types: tuple[str, ...], mutate: bool, dialect: str
+) -> Iterator[bytes]:
+    # Hypothesis keeps what it has worked out in a folder of its own, which nobody who asks for samples wants.
+    os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", os.devnull)
+    try:
+        from ev3proto.sampling import samples
+        from ev3proto.testing import choice, frames, mutated_frames
+    except ImportError:
+        complain(
+            "samples are drawn with hypothesis, which is not installed or too old: pip install -U 'ev3proto[sample]'"
+        )
+        sys.exit(1)
+    try:
+        chosen = choice(names=names, areas=areas, types=types, dialect=dialect)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from None
+    return samples((mutated_frames if mutate else frames)(dialect, chosen), seed)
+
+
+def _writer(style: str, dialect: str) -> Callable[[bytes], None]:
+    """What writes one frame to standard output."""
+    if style == "raw":
+        return _write_raw
+    show = None if style == "hex" else Show(style)
+
+    def write(frame: bytes) -> None:
+        message = parse(frame, strict=False, dialect=dialect)
+        if show is None:
+            click.echo(as_hex(message))
+        else:
+            show.exchange(Exchange(message), Seen())
+
+    return write
+
+
+def _write_raw(frame: bytes) -> None:
+    sys.stdout.buffer.write(frame)

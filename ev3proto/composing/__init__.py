@@ -1,0 +1,11 @@
+"""Commands put together from operations: what is left open (places in memory, sizes, reply type) is worked out here.
+
+An operation of `ev3proto.ops` is a `Draft`: its values are checked and encoded, but variables that were left away, and
+those that are `Local()` or `Global()`, get their place only when `command` knows all that shares the memory.
+"""
+
+from ev3proto.composing.commands import command
+from ev3proto.composing.drafts import Draft
+from ev3proto.composing.places import Global, Local, Place
+
+__all__ = ["Draft", "Global", "Local", "Place", "command"]

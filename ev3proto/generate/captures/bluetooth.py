@@ -1,0 +1,241 @@
+"""Bluetooth as a computer sees it: a connection, a serial port (RFCOMM) with credits, frames cut to fit it."""
+
+from __future__ import annotations
+
+import struct
+
+from construct import Int8ul, Int16ul, Struct
+
+from ev3proto.capture.carriers.bluetooth import (
+    ACL,
+    ACL_PACKET,
+    ANSWER,
+    ASK,
+    CLOSE,
+    CLOSED,
+    COMMAND_PACKET,
+    CONNECTED,
+    CONNECTION_REQUEST,
+    CONNECTION_RESPONSE,
+    DIRECTION,
+    DISCONNECTED,
+    DONE,
+    EVENT_PACKET,
+    HANDLE_BITS,
+    L2CAP,
+    OPEN,
+    SERVICE_RFCOMM,
+    SIGNAL,
+    SIGNALS,
+    UIH,
+)
+from ev3proto.capture.packets import Link
+from ev3proto.tables.carriers import RFCOMM_CHANNEL
+
+ADDRESS = bytes.fromhex("06165300000a")
+"""The brick's: one that no maker has."""
+
+CONNECTION = 0x00B
+OURS, THEIRS = 0x0041, 0x0051
+"""Channels of L2CAP in which the host and the brick get what the other one sends."""
+
+L2CAP_MTU = 1021
+FRAME_SIZE = 1008
+CREDITS = 7
+"""What both ends agree on: bytes in a packet, in a frame of RFCOMM, frames that either may send without new credits."""
+
+ENOUGH = 4
+"""With so few credits left an end gets more."""
+
+CREATE_CONNECTION, DISCONNECT = 0x0405, 0x0406
+COMMAND_STATUS, COMPLETED_PACKETS = 0x0F, 0x13
+CONFIGURE, CONFIGURED, DISCONNECTED_CHANNEL = 4, 5, 7
+"""Commands and events of HCI, signals of L2CAP, beside those that reading needs."""
+
+POLL = 0x10
+"""The bit of RFCOMM's control field by which an answer is asked for; in frames with data, that credits follow."""
+
+NEGOTIATION, MODEM_STATUS = 0x20, 0x38
+"""Kinds of messages of RFCOMM's multiplexer."""
+
+DLCI = RFCOMM_CHANNEL << 1
+
+_REASON = 0x13
+"""The other end ended it."""
+
+NEGOTIATED = Struct(
+    "dlci" / Int8ul,
+    "flow" / Int8ul,
+    "priority" / Int8ul,
+    "timer" / Int8ul,
+    "frame_size" / Int16ul,
+    "retransmissions" / Int8ul,
+    "credits" / Int8ul,
+)
+"""What a port is to be like."""
+
+
+class Bluetooth:
+    """A computer and a brick, seen between the computer and its adapter."""
+
+    link = int(Link.HCI_WITH_DIRECTION)
+    interface = "bluetooth0"
+
+    def __init__(self) -> None:
+        self._credits = {True: CREDITS, False: CREDITS}
+        self._unconfirmed = 0
+
+    def opening(self) -> list[bytes]:
+        """Connection, channel, serial port."""
+        modem = bytes((DLCI << 2 | 3, 0x8D))
+        return [
+            *self._connect(),
+            self._signal(True, ASK, 1, CONNECTION_REQUEST.build({"service": SERVICE_RFCOMM, "source": OURS})),
+            self._signal(
+                False, ANSWER, 1, CONNECTION_RESPONSE.build({"target": THEIRS, "source": OURS, "result": 0}) + bytes(2)
+            ),
+            *self._configure(True, 2, THEIRS, OURS),
+            *self._configure(False, 1, OURS, THEIRS),
+            *self._turn(0, OPEN),
+            self._multiplexer(True, NEGOTIATION, True, _negotiated(0xF0)),
+            self._multiplexer(False, NEGOTIATION, False, _negotiated(0xE0)),
+            *self._turn(DLCI, OPEN),
+            self._multiplexer(True, MODEM_STATUS, True, modem),
+            self._multiplexer(False, MODEM_STATUS, False, modem),
+            self._multiplexer(False, MODEM_STATUS, True, modem),
+            self._multiplexer(True, MODEM_STATUS, False, modem),
+            *self._confirmed(),
+        ]
+
+    def between(self, is_from_host: bool) -> list[bytes]:  # noqa: ARG002 - the same whoever is next
+        """The adapter says what it has sent."""
+        return self._confirmed()
+
+    def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
+        """Frames of RFCOMM as full as can be; where the sender has no credit left, the other end gives some first."""
+        packets: list[bytes] = []
+        while frame:
+            if not self._credits[is_from_host]:
+                packets.append(self._data(not is_from_host, b""))
+            room = FRAME_SIZE - bool(self._lacking(is_from_host))
+            packets.append(self._data(is_from_host, frame[:room]))
+            frame = frame[room:]
+        return packets
+
+    def closing(self) -> list[bytes]:
+        """The port, the channel and the connection are closed."""
+        ends = CONNECTION_REQUEST.build({"service": THEIRS, "source": OURS})
+        handle = struct.pack("<H", CONNECTION)
+        return [
+            *self._confirmed(),
+            *self._turn(DLCI, CLOSED),
+            *self._turn(0, CLOSED),
+            self._signal(True, CLOSE, 3, ends),
+            self._signal(False, DISCONNECTED_CHANNEL, 3, ends),
+            *self._confirmed(),
+            _command(DISCONNECT, handle + bytes((_REASON,))),
+            _event(COMMAND_STATUS, struct.pack("<BBH", 0, 1, DISCONNECT)),
+            _event(DISCONNECTED, b"\0" + handle + bytes((0x16,))),
+        ]
+
+    def stamped(self, packet: bytes, time_ns: int) -> bytes:  # noqa: ARG002 - there is no time in it
+        """The packet itself."""
+        return packet
+
+    # The connection
+
+    def _connect(self) -> list[bytes]:
+        address = ADDRESS[::-1]
+        return [
+            _command(CREATE_CONNECTION, address + struct.pack("<HBBHB", 0xCC18, 2, 0, 0, 1)),
+            _event(COMMAND_STATUS, struct.pack("<BBH", 0, 1, CREATE_CONNECTION)),
+            _event(CONNECTED, struct.pack("<BH", 0, CONNECTION) + address + bytes((1, 0))),
+        ]
+
+    def _confirmed(self) -> list[bytes]:
+        if not self._unconfirmed:
+            return []
+        event = _event(COMPLETED_PACKETS, struct.pack("<BHH", 1, CONNECTION, self._unconfirmed))
+        self._unconfirmed = 0
+        return [event]
+
+    def _packet(self, is_from_host: bool, channel: int, data: bytes) -> bytes:
+        """A packet of L2CAP."""
+        data = L2CAP.build({"length": len(data), "channel": channel}) + data
+        boundary = 0 if is_from_host else 2
+        head = ACL.build({"handle": CONNECTION | boundary << HANDLE_BITS, "length": len(data)})
+        self._unconfirmed += is_from_host
+        return _hci(is_from_host, ACL_PACKET, head + data)
+
+    def _signal(self, is_from_host: bool, code: int, identifier: int, data: bytes) -> bytes:
+        head = SIGNAL.build({"code": code, "identifier": identifier, "length": len(data)})
+        return self._packet(is_from_host, SIGNALS, head + data)
+
+    def _configure(self, is_from_host: bool, identifier: int, target: int, source: int) -> list[bytes]:
+        """An end says how long the packets that it takes may be; the other one agrees."""
+        mtu = struct.pack("<BBH", 1, 2, L2CAP_MTU)
+        return [
+            self._signal(is_from_host, CONFIGURE, identifier, struct.pack("<HH", target, 0) + mtu),
+            self._signal(not is_from_host, CONFIGURED, identifier, struct.pack("<HHH", source, 0, 0) + mtu),
+        ]
+
+    # The serial port
+
+    def _rfcomm(self, is_from_host: bool, address: int, control: int, data: bytes = b"", credits: bytes = b"") -> bytes:
+        size = len(data)
+        length = bytes((size << 1 | 1,)) if size < 0x80 else (size << 1).to_bytes(2, "little")
+        head = bytes((address, control))
+        # Frames with data are checked without their length.
+        checked = head if control & ~POLL == UIH else head + length
+        frame = head + length + credits + data + bytes((frame_check(checked),))
+        return self._packet(is_from_host, THEIRS if is_from_host else OURS, frame)
+
+    def _turn(self, dlci: int, control: int) -> list[bytes]:
+        """The host opens or closes a port, the brick agrees."""
+        address = dlci << 2 | 3
+        return [self._rfcomm(True, address, control | POLL), self._rfcomm(False, address, DONE | POLL)]
+
+    def _multiplexer(self, is_from_host: bool, kind: int, is_command: bool, body: bytes) -> bytes:
+        head = bytes((kind << 2 | is_command << 1 | 1, len(body) << 1 | 1))
+        return self._rfcomm(is_from_host, is_from_host << 1 | 1, UIH, head + body)
+
+    def _data(self, is_from_host: bool, piece: bytes) -> bytes:
+        granted = self._lacking(is_from_host)
+        self._credits[is_from_host] -= bool(piece)
+        self._credits[not is_from_host] += granted
+        address = DLCI << 2 | is_from_host << 1 | 1
+        if granted:
+            return self._rfcomm(is_from_host, address, UIH | POLL, piece, bytes((granted,)))
+        return self._rfcomm(is_from_host, address, UIH, piece)
+
+    def _lacking(self, is_from_host: bool) -> int:
+        """How many credits an end gives with its next frame: none while the other one has enough."""
+        left = self._credits[not is_from_host]
+        return CREDITS - left if left <= ENOUGH else 0
+
+
+def _hci(is_from_host: bool, kind: int, data: bytes) -> bytes:
+    return bytes(DIRECTION.build({"received": int(not is_from_host)})) + bytes((kind,)) + data
+
+
+def _command(code: int, parameters: bytes) -> bytes:
+    return _hci(True, COMMAND_PACKET, struct.pack("<HB", code, len(parameters)) + parameters)
+
+
+def _event(code: int, parameters: bytes) -> bytes:
+    return _hci(False, EVENT_PACKET, bytes((code, len(parameters))) + parameters)
+
+
+def _negotiated(flow: int) -> bytes:
+    port = {"dlci": DLCI, "flow": flow, "priority": 7, "timer": 0, "retransmissions": 0}
+    return bytes(NEGOTIATED.build(port | {"frame_size": FRAME_SIZE, "credits": CREDITS}))
+
+
+def frame_check(data: bytes) -> int:
+    """RFCOMM's check sum (TS 07.10, 5.2.1.6): a CRC with the polynomial x^8 + x^2 + x + 1, lowest bit first."""
+    rest = 0xFF
+    for byte in data:
+        rest ^= byte
+        for _ in range(8):
+            rest = rest >> 1 ^ 0xE0 * (rest & 1)
+    return 0xFF - rest

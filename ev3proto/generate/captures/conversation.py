@@ -1,0 +1,63 @@
+"""What goes over a carrier: frames, each with its direction, and what the carrier puts around them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Protocol
+
+from ev3proto.errors import BuildError
+from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
+
+_REPLIES = {member.value for member in MessageType if not member.is_command}
+
+
+class TimedFrame(NamedTuple):
+    """A frame and when it was captured, in nanoseconds since 1970-01-01 UTC."""
+
+    frame: bytes
+    time_ns: int
+
+
+class Conversation(Protocol):
+    """What one carrier puts around frames. The packets of each call go by one after the other."""
+
+    link: int
+    """What its packets start with, by the numbers of capture files."""
+
+    interface: str
+    """Name of an interface on which such packets are captured."""
+
+    def opening(self) -> list[bytes]:
+        """Everything in front of the first frame."""
+
+    def between(self, is_from_host: bool) -> list[bytes]:
+        """What goes by behind a frame and in front of the next one, whose direction is given."""
+
+    def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
+        """The packets with a frame in them, the last of which makes it whole."""
+
+    def closing(self) -> list[bytes]:
+        """Everything behind the last frame."""
+
+    def stamped(self, packet: bytes, time_ns: int) -> bytes:
+        """A packet with its time, for carriers whose packets have that in them."""
+
+
+def goes_to_brick(frame: bytes) -> bool:
+    """Which way a frame goes, by its message type: whatever is no reply is the host's."""
+    return frame[HEADER_SIZE - 1] not in _REPLIES
+
+
+def check_frame(frame: bytes) -> None:
+    """Raises BuildError for bytes that no receiver could tell from those of the next frame."""
+    length = int.from_bytes(frame[:LENGTH_FIELD], "little")
+    if len(frame) < HEADER_SIZE or length + LENGTH_FIELD != len(frame):
+        raise BuildError(
+            f"it cannot be carried: its length field says that {length} bytes follow,"
+            f" {max(len(frame) - LENGTH_FIELD, 0)} do"
+        )
+    if length > MAX_LENGTH:
+        raise BuildError(
+            f"it cannot be carried: its length field says {length}; a frame has {MIN_LENGTH} to {MAX_LENGTH} bytes"
+            " behind it"
+        )

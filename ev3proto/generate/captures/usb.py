@@ -1,0 +1,236 @@
+"""USB as Linux records it: a brick is plugged in and asked what it is, then reports go back and forth."""
+
+from __future__ import annotations
+
+from construct import Bytes, Const, Construct, Int8ul, Int16ul, Struct
+
+from ev3proto.capture.carriers.usb import CONTROL, IN, INTERRUPT, USBMON, USBMON_MORE
+from ev3proto.capture.packets import Link
+from ev3proto.capture.record import NANOSECONDS
+from ev3proto.schema.packed import packed
+from ev3proto.tables.carriers import USB_ENDPOINT_IN, USB_ENDPOINT_OUT, USB_PRODUCT, USB_VENDOR
+from ev3proto.tables.frame import MAX_FRAME
+
+BUS, DEVICE = 1, 7
+
+DEVICE_DESCRIPTOR, CONFIGURATION, STRING, INTERFACE, ENDPOINT, HID, HID_REPORT = 1, 2, 3, 4, 5, 0x21, 0x22
+"""Kinds of descriptors."""
+
+GET_DESCRIPTOR, SET_CONFIGURATION, SET_IDLE = 6, 9, 10
+"""Requests on endpoint 0."""
+
+NAMES = ("LEGO Group", "EV3", "06165300000a")
+"""Maker, product, serial number."""
+
+_ENGLISH = 0x0409
+_SUBMITTED, _DONE = ord("S"), ord("C")
+_IN_PROGRESS, _SHUT_DOWN = -115, -108
+_HAS_SETUP, _HAS_NO_SETUP = 0, ord("-")
+_INTERVAL = 8
+
+_usbmon = packed(USBMON)
+_SECONDS_AT = 16
+"""Where the time stands in what `USBMON` says: seconds in 8 bytes, microseconds in 4."""
+
+SETUP = Struct("kind" / Int8ul, "request" / Int8ul, "value" / Int16ul, "index" / Int16ul, "length" / Int16ul)
+
+
+def _descriptor(kind: int, **fields: Construct) -> Struct:
+    size = 2 + sum(field.sizeof() for field in fields.values())
+    heads = ("length" / Const(size, Int8ul), "kind" / Const(kind, Int8ul))
+    return Struct(*heads, *(name / field for name, field in fields.items()))
+
+
+OF_DEVICE = _descriptor(
+    DEVICE_DESCRIPTOR,
+    usb=Int16ul,
+    device_class=Int8ul,
+    subclass=Int8ul,
+    protocol=Int8ul,
+    packet_size=Int8ul,
+    vendor=Int16ul,
+    product=Int16ul,
+    version=Int16ul,
+    maker_name=Int8ul,
+    product_name=Int8ul,
+    serial_number=Int8ul,
+    configurations=Int8ul,
+)
+OF_CONFIGURATION = _descriptor(
+    CONFIGURATION,
+    total=Int16ul,
+    interfaces=Int8ul,
+    number=Int8ul,
+    name=Int8ul,
+    attributes=Int8ul,
+    power=Int8ul,
+)
+OF_INTERFACE = _descriptor(
+    INTERFACE,
+    number=Int8ul,
+    alternative=Int8ul,
+    endpoints=Int8ul,
+    interface_class=Int8ul,
+    subclass=Int8ul,
+    protocol=Int8ul,
+    name=Int8ul,
+)
+OF_HID = _descriptor(HID, version=Int16ul, country=Int8ul, descriptors=Int8ul, kind_of_it=Int8ul, size=Int16ul)
+OF_ENDPOINT = _descriptor(ENDPOINT, address=Int8ul, attributes=Int8ul, size=Int16ul, interval=Int8ul)
+
+_COUNT = MAX_FRAME.to_bytes(2, "little")
+REPORT = (
+    bytes.fromhex("06 00 FF 09 01 A1 01 15 00 26 FF 00 75 08")  # of the vendor's own: bytes 0 to 255,
+    + b"\x96"
+    + _COUNT
+    + bytes.fromhex("09 01 81 02")  # so many of them to the host,
+    + b"\x96"
+    + _COUNT
+    + bytes.fromhex("09 01 91 02 C0")  # and as many from it
+)
+"""What the brick says of its reports."""
+
+
+class Usb:
+    """A computer that runs Linux, and a brick at its port."""
+
+    link = int(Link.USBMON_PADDED)
+    interface = f"usbmon{BUS}"
+
+    def __init__(self) -> None:
+        self._last_from_host: bool | None = None
+
+    def opening(self) -> list[bytes]:
+        """Descriptors are asked for, the configuration is set; the host then waits for a report."""
+        inside = _inside()
+        head = OF_CONFIGURATION.build(
+            {
+                "total": OF_CONFIGURATION.sizeof() + len(inside),
+                "interfaces": 1,
+                "number": 1,
+                "name": 0,
+                "attributes": 0xC0,
+                "power": 1,
+            }
+        )
+        texts = [bytes((STRING,)) + name.encode("utf-16-le") for name in NAMES]
+        languages = bytes((4, STRING)) + _ENGLISH.to_bytes(2, "little")
+        return [
+            *_asked(DEVICE_DESCRIPTOR, 0, _device()),
+            *_asked(CONFIGURATION, 0, head),
+            *_asked(CONFIGURATION, 0, head + inside),
+            *_asked(STRING, 0, languages),
+            *(
+                packet
+                for number, text in enumerate(texts, 1)
+                for packet in _asked(STRING, number, bytes((1 + len(text),)) + text, _ENGLISH)
+            ),
+            *_told(SET_CONFIGURATION, 0x00, 1),
+            *_told(SET_IDLE, 0x21, 0),
+            *_asked(HID_REPORT, 0, REPORT, of_interface=True),
+            _request(_SUBMITTED, USB_ENDPOINT_IN),
+        ]
+
+    def between(self, is_from_host: bool) -> list[bytes]:  # noqa: ARG002 - the same whoever is next
+        """What was submitted is done, or the host waits for the next report."""
+        if self._last_from_host:
+            return [_request(_DONE, USB_ENDPOINT_OUT)]
+        return [_request(_SUBMITTED, USB_ENDPOINT_IN)]
+
+    def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
+        """One report, whatever the size of the frame: the rest is zero."""
+        self._last_from_host = is_from_host
+        report = frame.ljust(MAX_FRAME, b"\0")
+        if is_from_host:
+            return [_request(_SUBMITTED, USB_ENDPOINT_OUT, report)]
+        return [_request(_DONE, USB_ENDPOINT_IN, report)]
+
+    def closing(self) -> list[bytes]:
+        """The brick is unplugged while the host waits for a report."""
+        last = [] if self._last_from_host is None else self.between(True)
+        return [*last, _request(_DONE, USB_ENDPOINT_IN, status=_SHUT_DOWN)]
+
+    def stamped(self, packet: bytes, time_ns: int) -> bytes:
+        """The packet with the time that Linux writes into each."""
+        seconds, rest = divmod(time_ns, NANOSECONDS)
+        stamp = seconds.to_bytes(8, "little") + (rest // 1000).to_bytes(4, "little")
+        return packet[:_SECONDS_AT] + stamp + packet[_SECONDS_AT + len(stamp) :]
+
+
+def _request(
+    event: int, endpoint: int, data: bytes = b"", *, status: int = 0, setup: bytes = b"", size: int | None = None
+) -> bytes:
+    """A record of a request: submitted or done. `size` is what was asked for, where that is not what there is."""
+    is_control = endpoint & ~IN == 0
+    is_in = bool(endpoint & IN)
+    carries = is_in == (event == _DONE) and not status
+    if size is None:
+        size = 0 if status else len(data) or (0 if is_control else MAX_FRAME)
+    head = USBMON.build(
+        {
+            "id": 0xFFFF888000000000 | DEVICE << 16 | endpoint << 8,
+            "event": event,
+            "transfer": CONTROL if is_control else INTERRUPT,
+            "endpoint": endpoint,
+            "device": DEVICE,
+            "bus": BUS,
+            "has_no_setup": _HAS_SETUP if setup else _HAS_NO_SETUP,
+            "has_no_data": 0 if carries else ord("<" if is_in else ">"),
+            "seconds": 0,
+            "microseconds": 0,
+            "status": (_IN_PROGRESS if event == _SUBMITTED else status) % 2**32,
+            "size": size,
+            "captured": len(data),
+            "setup": setup or bytes(8),
+        }
+    )
+    more = Struct("interval" / Int16ul, "rest" / Bytes(USBMON_MORE - 2))
+    return bytes(head) + bytes(more.build({"interval": 0 if is_control else _INTERVAL, "rest": b"\0" * 14})) + data
+
+
+def _asked(kind: int, number: int, answer: bytes, index: int = 0, *, of_interface: bool = False) -> list[bytes]:
+    """The host asks for a descriptor and gets it."""
+    request = {"kind": 0x81 if of_interface else 0x80, "request": GET_DESCRIPTOR, "index": index}
+    setup = SETUP.build(request | {"value": kind << 8 | number, "length": len(answer)})
+    return [
+        _request(_SUBMITTED, IN, setup=setup, size=len(answer)),
+        _request(_DONE, IN, answer),
+    ]
+
+
+def _told(request: int, kind: int, value: int) -> list[bytes]:
+    """The host sets something."""
+    setup = SETUP.build({"kind": kind, "request": request, "value": value, "index": 0, "length": 0})
+    return [_request(_SUBMITTED, 0, setup=setup), _request(_DONE, 0)]
+
+
+def _device() -> bytes:
+    device = {
+        "usb": 0x0200,
+        "device_class": 0,
+        "subclass": 0,
+        "protocol": 0,
+        "packet_size": 64,
+        "vendor": USB_VENDOR,
+        "product": USB_PRODUCT,
+        "version": 0x0100,
+        "maker_name": 1,
+        "product_name": 2,
+        "serial_number": 3,
+        "configurations": 1,
+    }
+    return bytes(OF_DEVICE.build(device))
+
+
+def _inside() -> bytes:
+    """What a configuration has: a HID interface with an endpoint each way."""
+    interface = {"number": 0, "alternative": 0, "endpoints": 2, "interface_class": 3}
+    hid = {"version": 0x0110, "country": 0, "descriptors": 1, "kind_of_it": HID_REPORT, "size": len(REPORT)}
+    endpoint = {"attributes": 3, "size": MAX_FRAME, "interval": 4}
+    pieces = (
+        OF_INTERFACE.build(interface | {"subclass": 0, "protocol": 0, "name": 0}),
+        OF_HID.build(hid),
+        OF_ENDPOINT.build(endpoint | {"address": USB_ENDPOINT_IN}),
+        OF_ENDPOINT.build(endpoint | {"address": USB_ENDPOINT_OUT}),
+    )
+    return b"".join(pieces)

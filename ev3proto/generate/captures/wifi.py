@@ -1,0 +1,128 @@
+"""WiFi: the beacon and its answer, then a TCP connection whose ends number and acknowledge what they send."""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+
+from dpkt.ethernet import ETH_TYPE_IP, Ethernet
+from dpkt.ip import IP, IP_PROTO_TCP, IP_PROTO_UDP
+from dpkt.tcp import TCP, TH_ACK, TH_FIN, TH_PUSH, TH_SYN
+from dpkt.udp import UDP
+
+from ev3proto.capture.packets import Link
+from ev3proto.schema.discovery import Beacon, Unlock
+from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, TCP_PORT
+
+SERIAL = "06165300000a"
+"""Serial number of the brick: an address that no maker has."""
+
+BEACON_SOURCE = 3016
+"""Port from which the brick sends its beacon."""
+
+EVERYBODY_MAC, EVERYBODY = b"\xff" * 6, bytes((192, 0, 2, 255))
+
+_OPTIONS = struct.pack(">BBHBBBBBBBB", 2, 4, 1460, 1, 1, 4, 2, 1, 3, 3, 7)
+"""What both ends say first: segments of at most 1460 bytes, selective acknowledgements, windows in units of 128."""
+
+_FIRST_WINDOW, _WINDOW = 64240, 502
+
+
+@dataclass(slots=True)
+class _End:
+    """One end of the connection.
+
+    number   sequence number of its next byte
+    packets  number of its next packet
+    """
+
+    mac: bytes
+    address: bytes
+    port: int
+    number: int
+    packets: int
+
+
+class Wifi:
+    """A computer and a brick in a network."""
+
+    link = int(Link.ETHERNET)
+    interface = "wlan0"
+
+    def __init__(self) -> None:
+        host, brick = bytes((192, 0, 2, 1)), bytes((192, 0, 2, 10))
+        self._host = _End(bytes.fromhex("020000000001"), host, 49152, 0x10000000, 0x1000)
+        self._brick = _End(bytes.fromhex("02000000000a"), brick, TCP_PORT, 0x20000000, 1)
+        self._last: _End | None = None
+
+    def opening(self) -> list[bytes]:
+        """Beacon, answer, handshake, unlock text and what the brick says to it."""
+        host, brick = self._host, self._brick
+        beacon = UDP(sport=BEACON_SOURCE, dport=BEACON_PORT, data=Beacon(SERIAL).build())
+        answer = UDP(sport=BEACON_PORT, dport=BEACON_SOURCE, data=b"\0")
+        return [
+            _datagram(brick, EVERYBODY_MAC, EVERYBODY, beacon),
+            _datagram(host, brick.mac, brick.address, answer),
+            self._segment(host, flags=TH_SYN, options=_OPTIONS),
+            self._segment(brick, flags=TH_SYN | TH_ACK, options=_OPTIONS),
+            self._segment(host),
+            self._segment(host, Unlock(SERIAL).build()),
+            self._segment(brick),
+            self._segment(brick, ACCEPT + b"\0"),
+            self._segment(host),
+        ]
+
+    def between(self, is_from_host: bool) -> list[bytes]:
+        """An acknowledgement, where the other end says nothing that could have one in it."""
+        sender, other = self._ends(is_from_host)
+        return [self._segment(other)] if self._last is sender else []
+
+    def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
+        """One segment, which holds any frame."""
+        self._last, _ = self._ends(is_from_host)
+        return [self._segment(self._last, frame)]
+
+    def closing(self) -> list[bytes]:
+        """The last acknowledgement; both ends say that they are done."""
+        host, brick = self._host, self._brick
+        return [
+            *([self._segment(brick if self._last is host else host)] if self._last else []),
+            self._segment(host, flags=TH_FIN | TH_ACK),
+            self._segment(brick, flags=TH_FIN | TH_ACK),
+            self._segment(host),
+        ]
+
+    def stamped(self, packet: bytes, time_ns: int) -> bytes:  # noqa: ARG002 - there is no time in it
+        """The packet itself."""
+        return packet
+
+    def _ends(self, is_from_host: bool) -> tuple[_End, _End]:
+        """Who sends and who receives."""
+        return (self._host, self._brick) if is_from_host else (self._brick, self._host)
+
+    def _segment(self, sender: _End, data: bytes = b"", *, flags: int = TH_ACK, options: bytes = b"") -> bytes:
+        receiver = self._brick if sender is self._host else self._host
+        segment = TCP(
+            sport=sender.port,
+            dport=receiver.port,
+            seq=sender.number,
+            ack=receiver.number if flags & TH_ACK else 0,
+            flags=flags | (TH_PUSH if data else 0),
+            win=_FIRST_WINDOW if flags & TH_SYN else _WINDOW,
+            opts=options,
+            data=data,
+        )
+        segment.off = (segment.__hdr_len__ + len(options)) // 4
+        sender.number = (sender.number + len(data) + bool(flags & (TH_SYN | TH_FIN))) % 2**32
+        return _packet(sender, receiver.mac, receiver.address, IP_PROTO_TCP, segment)
+
+
+def _datagram(sender: _End, mac: bytes, address: bytes, datagram: UDP) -> bytes:
+    datagram.ulen = len(datagram)
+    return _packet(sender, mac, address, IP_PROTO_UDP, datagram)
+
+
+def _packet(sender: _End, mac: bytes, address: bytes, protocol: int, payload: TCP | UDP) -> bytes:
+    packet = IP(src=sender.address, dst=address, p=protocol, ttl=64, id=sender.packets, df=1, data=payload)
+    sender.packets = (sender.packets + 1) % 2**16
+    return bytes(Ethernet(src=sender.mac, dst=mac, type=ETH_TYPE_IP, data=packet))

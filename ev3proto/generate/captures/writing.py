@@ -1,0 +1,158 @@
+"""pcapng files of one section and one interface, with times in nanoseconds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import BinaryIO
+
+from dpkt.pcapng import (
+    PCAPNG_OPT_ENDOFOPT,
+    PCAPNG_OPT_IF_NAME,
+    PCAPNG_OPT_IF_TSRESOL,
+    PCAPNG_OPT_SHB_USERAPPL,
+    EnhancedPacketBlockLE,
+    InterfaceDescriptionBlockLE,
+    PcapngOptionLE,
+    SectionHeaderBlockLE,
+)
+
+from ev3proto.capture.record import NANOSECONDS, Carrier
+from ev3proto.errors import BuildError
+from ev3proto.generate.captures.bluetooth import Bluetooth
+from ev3proto.generate.captures.conversation import Conversation, TimedFrame, check_frame, goes_to_brick
+from ev3proto.generate.captures.usb import Usb
+from ev3proto.generate.captures.wifi import Wifi
+from ev3proto.messages import Message
+from ev3proto.version import VERSION
+
+MILLISECOND = NANOSECONDS // 1000
+
+BEGIN_NS = 1_767_261_600 * NANOSECONDS
+"""When a conversation begins of which nobody says it: 2026-01-01 10:00 UTC. The same frames make the same file."""
+
+CARRIERS: dict[Carrier, type[Conversation]] = {
+    Carrier.WIFI: Wifi,
+    Carrier.USB: Usb,
+    Carrier.BLUETOOTH: Bluetooth,
+}
+
+_NANOSECONDS_DIGITS = 9
+_MOST_CAPTURED = 1 << 18
+
+
+class CaptureWriter:
+    """Writes a capture of a computer and a brick that say frames to each other, one frame after the other.
+
+    The arguments are those of `write_pcapng`. Nothing is written before the first frame, or `close` without any.
+
+    count  how many frames were added
+    """
+
+    def __init__(
+        self, stream: BinaryIO, *, carrier: str = "wifi", begin_ns: int = BEGIN_NS, step_ns: int = MILLISECOND
+    ) -> None:
+        self.count = 0
+        self._stream = stream
+        self._carrier = _conversation(carrier)
+        self._begin_ns = begin_ns
+        self._step_ns = step_ns
+        self._last_ns: int | None = None
+
+    def add(self, given: Message | bytes | TimedFrame) -> None:
+        """Writes a frame. Raises BuildError, having written nothing, for one that cannot be carried."""
+        last_ns = self._last_ns
+        frame, time_ns = given if isinstance(given, TimedFrame) else (_bytes(given), None)
+        if time_ns is None:
+            time_ns = self._begin_ns if last_ns is None else last_ns + self._step_ns
+        check_frame(frame)
+        if time_ns < (last_ns or 0):
+            raise BuildError(f"the frame has the time {time_ns} ns, but the one in front of it has {last_ns or 0} ns")
+        is_from_host = goes_to_brick(frame)
+        if last_ns is None:
+            self._open(time_ns)
+        else:
+            self._spread(self._carrier.between(is_from_host), last_ns, time_ns - last_ns)
+        for packet in self._carrier.frame(frame, is_from_host):
+            self._write(packet, time_ns)
+        self._last_ns = time_ns
+        self.count += 1
+
+    def close(self) -> None:
+        """Writes what goes by behind the last frame. The stream stays open."""
+        if self._last_ns is None:
+            self._last_ns = self._begin_ns
+            self._open(self._begin_ns)
+        closing = self._carrier.closing()
+        self._spread(closing, self._last_ns, MILLISECOND * (len(closing) + 1))
+
+    def _open(self, time_ns: int) -> None:
+        self._stream.write(bytes(_section()) + bytes(_interface(self._carrier)))
+        opening = self._carrier.opening()
+        span_ns = MILLISECOND * (len(opening) + 1)
+        self._spread(opening, max(time_ns - span_ns, 0), min(span_ns, time_ns))
+
+    def _spread(self, packets: list[bytes], begin_ns: int, span_ns: int) -> None:
+        """Writes packets at even distances inside a span of time."""
+        for number, packet in enumerate(packets, 1):
+            self._write(packet, begin_ns + span_ns * number // (len(packets) + 1))
+
+    def _write(self, packet: bytes, time_ns: int) -> None:
+        high, low = divmod(time_ns, 1 << 32)
+        data = self._carrier.stamped(packet, time_ns)
+        self._stream.write(bytes(EnhancedPacketBlockLE(ts_high=high, ts_low=low, pkt_data=data)))
+
+
+def write_pcapng(
+    frames: Iterable[Message | bytes | TimedFrame],
+    stream: BinaryIO,
+    *,
+    carrier: str = "wifi",
+    begin_ns: int = BEGIN_NS,
+    step_ns: int = MILLISECOND,
+) -> int:
+    """Writes a capture of a computer and a brick that say these frames to each other; returns how many those are.
+
+    frames    messages, their bytes, or bytes with a time; commands go to the brick, replies come from it
+    stream    takes the bytes of a pcapng file
+    carrier   "wifi", "usb" or "bluetooth"
+    begin_ns  time of the first frame, in nanoseconds since 1970-01-01 UTC
+    step_ns   from each frame to the next, in nanoseconds; times that frames bring with them come before these two
+
+    Frames are taken one by one: there may be millions. Raises ValueError for an unknown carrier, and BuildError for a
+    frame whose length field does not say what it has, for one that is too long, and for times that go back.
+    """
+    writer = CaptureWriter(stream, carrier=carrier, begin_ns=begin_ns, step_ns=step_ns)
+    for frame in frames:
+        try:
+            writer.add(frame)
+        except BuildError as error:
+            raise BuildError(f"frame {writer.count + 1}: {error}") from None
+    writer.close()
+    return writer.count
+
+
+def _bytes(given: Message | bytes) -> bytes:
+    return given.build() if isinstance(given, Message) else given
+
+
+def _conversation(carrier: str) -> Conversation:
+    try:
+        return CARRIERS[Carrier(carrier)]()
+    except ValueError:
+        raise ValueError(f"carrier {carrier!r} is not known: it is one of {', '.join(CARRIERS)}") from None
+
+
+def _section() -> SectionHeaderBlockLE:
+    return SectionHeaderBlockLE(opts=_options((PCAPNG_OPT_SHB_USERAPPL, f"ev3proto {VERSION}".encode())))
+
+
+def _interface(conversation: Conversation) -> InterfaceDescriptionBlockLE:
+    options = _options(
+        (PCAPNG_OPT_IF_NAME, conversation.interface.encode()),
+        (PCAPNG_OPT_IF_TSRESOL, bytes((_NANOSECONDS_DIGITS,))),
+    )
+    return InterfaceDescriptionBlockLE(linktype=conversation.link, snaplen=_MOST_CAPTURED, opts=options)
+
+
+def _options(*values: tuple[int, bytes]) -> list[PcapngOptionLE]:
+    return [PcapngOptionLE(code=code, data=data) for code, data in (*values, (PCAPNG_OPT_ENDOFOPT, b""))]

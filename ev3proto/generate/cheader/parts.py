@@ -1,0 +1,260 @@
+"""The parts of the C header that are written by hand. `$NAME` is a number from the tables, which `build` puts in."""
+
+HEAD = """\
+/*
+ * The protocol of the LEGO MINDSTORMS EV3 for C (C99 and later) and C++ (C++11 and later). Licence: MIT.
+ *
+ * Constant frames are arrays, in the macros of the firmware's own source, which fix every encoding. The length field
+ * counts what follows it:
+ *
+ *     static const uint8_t tone[] = {
+ *         EV3_HEADER(16, 42, DIRECT_COMMAND_NO_REPLY), EV3_MEMORY(0, 0),
+ *         opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)
+ *     };
+ *
+ * Frames with values that are known later are filled by functions, which choose the shortest encodings:
+ *
+ *     ev3_frame frame;
+ *     ev3_begin_direct(&frame, 42, DIRECT_COMMAND_NO_REPLY, 0, 0);
+ *     ev3_operation(&frame, opSOUND, TONE);
+ *     ev3_integer(&frame, volume);
+ *     ev3_integer(&frame, frequency);
+ *     ev3_integer(&frame, duration);
+ *     size = ev3_end(&frame);
+ *     send(socket, frame.bytes, size, 0);
+ *
+ * Opcodes, CMDs and enumerations have the firmware's names. Where another header defines one of them as a macro, as
+ * windows.h does, include this one first.
+ *
+ * This file is made by ev3proto $VERSION from its tables (ev3proto export c-header): change those, not this.
+ */
+
+#ifndef EV3PROTO_H
+#define EV3PROTO_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+"""
+
+FRAMES = """\
+/* Frames --------------------------------------------------------------------------------------------------------- */
+
+/* Bytes of the largest frame, its length field included, and of a report on USB */
+#define EV3_MAX_FRAME $MAX_FRAME
+
+/* TCP port on which a brick listens */
+#define EV3_TCP_PORT $TCP_PORT
+
+/* One byte of a number, which may be negative */
+#define EV3_BYTE(value, bits) ((uint8_t)((uint32_t)(value) >> (bits) & 0xFFu))
+
+/* Two bytes of a number, the lower one first */
+#define EV3_WORD(value) EV3_BYTE(value, 0), EV3_BYTE(value, 8)
+
+/* What every frame starts with: bytes of the whole frame, message counter (0 to $MAX_COUNTER), message type */
+#define EV3_HEADER(size, counter, type) EV3_WORD((size) - $LENGTH_FIELD), EV3_WORD(counter), EV3_BYTE(type, 0)
+
+/* What follows in a direct command: bytes of global (0 to $MAX_GLOBALS) and local (0 to $MAX_LOCALS) memory */
+#define EV3_MEMORY(globals, locals) EV3_WORD((uint32_t)(locals) << $GLOBAL_BITS | (uint32_t)(globals))
+"""
+
+ENCODINGS = """\
+/* Encodings of arguments ----------------------------------------------------------------------------------------- */
+
+/* Constants: LC0 holds -32 to 31, the others 1, 2 and 4 bytes, whose lowest number means "not a number" */
+#define LC0(value) ((uint8_t)($LC0 | ((uint32_t)(value) & 0x3Fu)))
+#define LC1(value) $LC1, EV3_BYTE(value, 0)
+#define LC2(value) $LC2, EV3_BYTE(value, 0), EV3_BYTE(value, 8)
+#define LC4(value) $LC4, EV3_BYTE(value, 0), EV3_BYTE(value, 8), EV3_BYTE(value, 16), EV3_BYTE(value, 24)
+
+/* A float. In C this stands in arrays inside of functions, which are not static; elsewhere LC4 takes its bits */
+#define LCF(value) \\
+    $LC4, ev3_float_byte(value, 0), ev3_float_byte(value, 8), ev3_float_byte(value, 16), ev3_float_byte(value, 24)
+
+/* A string: LCS, 'h', 'i', 0. Some senders still start one with the old byte */
+#define LCS $LCS
+#define LCS_OLD $LCS_OLD
+
+/* Local and global variables: 0 holds the indexes 0 to 31, the others 1, 2 and 4 bytes */
+#define LV0(index) ((uint8_t)($LV0 | ((uint32_t)(index) & 0x1Fu)))
+#define LV1(index) $LV1, EV3_BYTE(index, 0)
+#define LV2(index) $LV2, EV3_BYTE(index, 0), EV3_BYTE(index, 8)
+#define LV4(index) $LV4, EV3_BYTE(index, 0), EV3_BYTE(index, 8), EV3_BYTE(index, 16), EV3_BYTE(index, 24)
+#define GV0(index) ((uint8_t)($GV0 | ((uint32_t)(index) & 0x1Fu)))
+#define GV1(index) $GV1, EV3_BYTE(index, 0)
+#define GV2(index) $GV2, EV3_BYTE(index, 0), EV3_BYTE(index, 8)
+#define GV4(index) $GV4, EV3_BYTE(index, 0), EV3_BYTE(index, 8), EV3_BYTE(index, 16), EV3_BYTE(index, 24)
+
+/* A label or a short jump, -128 to 127 */
+#define LAB1(value) $LAB1, EV3_BYTE(value, 0)
+
+/* A long form that holds a handle to a memory object, or an absolute address: HND(GV1(40)) */
+#define HND(...) $HANDLE_BIT | __VA_ARGS__
+#define ADR(...) $ADDRESS_BIT | __VA_ARGS__
+"""
+
+FUNCTIONS = """\
+/* Filling a frame ------------------------------------------------------------------------------------------------ */
+
+/*
+ * A frame on its way. What does not fit is left out, and ev3_end then says 0.
+ *
+ *   bytes  the frame, to be sent as it is; on USB all of the array is sent
+ *   size   bytes that it has so far
+ *   full   not 0 once something did not fit or could not be encoded
+ */
+typedef struct {
+    uint8_t bytes[EV3_MAX_FRAME];
+    size_t size;
+    int full;
+} ev3_frame;
+
+/* Bytes as they are */
+static inline void ev3_raw(ev3_frame *frame, const void *bytes, size_t count)
+{
+    if (count > EV3_MAX_FRAME - frame->size) {
+        frame->full = 1;
+        return;
+    }
+    memcpy(frame->bytes + frame->size, bytes, count);
+    frame->size += count;
+}
+
+/* A number of 1, 2 or 4 bytes without anything around it, as system commands have them */
+static inline void ev3_number(ev3_frame *frame, uint32_t value, size_t count)
+{
+    uint8_t bytes[] = {EV3_BYTE(value, 0), EV3_BYTE(value, 8), EV3_BYTE(value, 16), EV3_BYTE(value, 24)};
+    ev3_raw(frame, bytes, count);
+}
+
+/* A text and its zero without anything around it, as system commands have them; ISO-8859-1 */
+static inline void ev3_text(ev3_frame *frame, const char *text)
+{
+    ev3_raw(frame, text, strlen(text) + 1);
+}
+
+static inline void ev3_begin(ev3_frame *frame, uint16_t counter, int type)
+{
+    memset(frame, 0, sizeof *frame);
+    ev3_number(frame, 0, $LENGTH_FIELD);
+    ev3_number(frame, counter, 2);
+    ev3_number(frame, (uint32_t)type, 1);
+}
+
+/* Starts a direct command: a message type and bytes of memory, global 0 to $MAX_GLOBALS, local 0 to $MAX_LOCALS */
+static inline void ev3_begin_direct(ev3_frame *frame, uint16_t counter, int type, unsigned globals, unsigned locals)
+{
+    ev3_begin(frame, counter, type);
+    frame->full = globals > $MAX_GLOBALS || locals > $MAX_LOCALS;
+    ev3_number(frame, (uint32_t)locals << $GLOBAL_BITS | globals, $MEMORY_SIZE);
+}
+
+/* Starts a system command: a message type and the command's number */
+static inline void ev3_begin_system(ev3_frame *frame, uint16_t counter, int type, int command)
+{
+    ev3_begin(frame, counter, type);
+    ev3_number(frame, (uint32_t)command, 1);
+}
+
+/* A whole number in its shortest encoding */
+static inline void ev3_integer(ev3_frame *frame, int32_t value)
+{
+    const uint32_t bits = (uint32_t)value;
+    const uint8_t lc0[] = {LC0(bits)}, lc1[] = {LC1(bits)}, lc2[] = {LC2(bits)}, lc4[] = {LC4(bits)};
+    if (-32 <= value && value <= 31)
+        ev3_raw(frame, lc0, sizeof lc0);
+    else if (-$DATA8_MAX <= value && value <= $DATA8_MAX)
+        ev3_raw(frame, lc1, sizeof lc1);
+    else if (-$DATA16_MAX <= value && value <= $DATA16_MAX)
+        ev3_raw(frame, lc2, sizeof lc2);
+    else
+        ev3_raw(frame, lc4, sizeof lc4);
+}
+
+/* The bits of a float; of all that are not a number, the one that the firmware knows */
+static inline uint32_t ev3_float_bits(float value)
+{
+    uint32_t bits;
+    if (value != value)
+        return $NAN_FLOAT;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* One byte of a float, for LCF */
+static inline uint8_t ev3_float_byte(double value, unsigned bits)
+{
+    return EV3_BYTE(ev3_float_bits((float)value), bits);
+}
+
+/* A float */
+static inline void ev3_float(ev3_frame *frame, float value)
+{
+    const uint8_t lcf[] = {LC4(ev3_float_bits(value))};
+    ev3_raw(frame, lcf, sizeof lcf);
+}
+
+/* A string */
+static inline void ev3_string(ev3_frame *frame, const char *text)
+{
+    ev3_number(frame, LCS, 1);
+    ev3_text(frame, text);
+}
+
+/* The local variable at an index, in its shortest encoding */
+static inline void ev3_local(ev3_frame *frame, uint32_t index)
+{
+    const uint8_t lv0[] = {LV0(index)}, lv1[] = {LV1(index)}, lv2[] = {LV2(index)}, lv4[] = {LV4(index)};
+    if (index <= 31)
+        ev3_raw(frame, lv0, sizeof lv0);
+    else if (index <= 0xFF)
+        ev3_raw(frame, lv1, sizeof lv1);
+    else if (index <= 0xFFFF)
+        ev3_raw(frame, lv2, sizeof lv2);
+    else
+        ev3_raw(frame, lv4, sizeof lv4);
+}
+
+/* The same of a global variable: what the reply carries from byte $HEADER_SIZE + index on */
+static inline void ev3_global(ev3_frame *frame, uint32_t index)
+{
+    const uint8_t gv0[] = {GV0(index)}, gv1[] = {GV1(index)}, gv2[] = {GV2(index)}, gv4[] = {GV4(index)};
+    if (index <= 31)
+        ev3_raw(frame, gv0, sizeof gv0);
+    else if (index <= 0xFF)
+        ev3_raw(frame, gv1, sizeof gv1);
+    else if (index <= 0xFFFF)
+        ev3_raw(frame, gv2, sizeof gv2);
+    else
+        ev3_raw(frame, gv4, sizeof gv4);
+}
+
+/* Starts an operation that has no CMD */
+static inline void ev3_opcode(ev3_frame *frame, int opcode)
+{
+    ev3_number(frame, (uint32_t)opcode, 1);
+}
+
+/* Starts an operation that has a CMD */
+static inline void ev3_operation(ev3_frame *frame, int opcode, int command)
+{
+    ev3_opcode(frame, opcode);
+    ev3_integer(frame, command);
+}
+
+/* Writes the length field. Returns the bytes of the frame, 0 where something did not fit */
+static inline size_t ev3_end(ev3_frame *frame)
+{
+    const size_t length = frame->size - $LENGTH_FIELD;
+    if (frame->full)
+        return 0;
+    frame->bytes[0] = EV3_BYTE(length, 0);
+    frame->bytes[1] = EV3_BYTE(length, 8);
+    return frame->size;
+}
+"""
+
+TAIL = """\
+#endif /* EV3PROTO_H */
+"""

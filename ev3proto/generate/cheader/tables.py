@@ -1,0 +1,195 @@
+"""The tables as C: enumerations area by area, what each operation takes in a comment above its name."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Iterator
+
+from ev3proto.generate.parameters import described, firmwares
+from ev3proto.tables import AREAS, daisy, enumerations
+from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.declaration import Command, Direction, Enumeration, Opcode, Parameter
+from ev3proto.tables.frame import MessageType
+from ev3proto.tables.system import SYSTEM, Field, SystemCommand, SystemStatus
+
+WIDTH = 120
+INDENT = "    "
+LARGEST = 2**31 - 1
+"""Largest number that an enumerator of C99 can have."""
+
+BOOTLOADER = "BOOTLOADER_"
+"""What stands in front of the bootloader's commands: their own names are those of the firmware's once more."""
+
+STATUS = "SYSTEM_"
+"""What stands in front of statuses: SUCCESS is a name that programs use themselves."""
+
+DAISY = "DAISY_"
+
+_ASCII = str.maketrans({"°": "deg "})
+"""Not every compiler takes other letters, even in comments."""
+
+_AREA_TITLES = {
+    "vm": "Virtual machine and programs",
+    "math": "Arithmetic",
+    "move": "Moving and converting values",
+    "branch": "Jumps",
+    "compare": "Comparisons",
+    "ui": "Display, buttons, lights, battery",
+    "timer": "Timers",
+    "sound": "Sound",
+    "input": "Sensors",
+    "output": "Motors",
+    "memory": "Files and arrays",
+    "com": "Communication",
+}
+
+
+def data() -> str:
+    """All of it, section by section."""
+    return "\n".join("\n".join(lines) for lines in _sections()).translate(_ASCII) + "\n"
+
+
+def heading(title: str, *text: str) -> Iterator[str]:
+    """The comment above a section."""
+    yield f"/* {title} {'-' * (WIDTH - 7 - len(title))} */"
+    yield ""
+    if text:
+        yield from _comment(text, "")
+        yield ""
+
+
+def _sections() -> Iterator[Iterable[str]]:
+    yield _message_types()
+    for area, opcodes in AREAS.items():
+        yield _area(area, opcodes)
+    yield _enumerations()
+    yield _system_commands()
+    yield _daisy()
+    yield _constants()
+
+
+def _comment(lines: Iterable[str], margin: str) -> Iterator[str]:
+    """A comment in one line where it is one, else with a line of its own for each."""
+    rows = [row for line in lines for row in _wrapped(line, WIDTH - len(margin) - 6)]
+    if len(rows) == 1:
+        yield f"{margin}/* {rows[0]} */"
+        return
+    yield f"{margin}/*"
+    yield from (f"{margin} * {row}".rstrip() for row in rows)
+    yield f"{margin} */"
+
+
+def _wrapped(line: str, width: int) -> list[str]:
+    indent = len(line) - len(line.lstrip()) + 4
+    return textwrap.wrap(line, width, subsequent_indent=" " * indent, break_on_hyphens=False) or [""]
+
+
+def _enum(entries: Iterable[tuple[str, int, Iterable[str]]], digits: int) -> Iterator[str]:
+    """An enumeration: name, number, what to say above it; numbers in hexadecimal with so many digits, 0: decimal."""
+    rows: list[str] = []
+    for name, number, lines in entries:
+        said = list(lines)
+        if said and rows:
+            rows.append("")
+        if said:
+            rows += _comment(said, INDENT)
+        rows.append(f"{INDENT}{name} = {f'0x{number:0{digits}X}' if digits else number},")
+    yield "enum {"
+    yield from rows
+    yield "};"
+    yield ""
+
+
+def _message_types() -> Iterator[str]:
+    yield from heading("Message types")
+    yield from _enum(((member.name, member.value, ()) for member in MessageType), 2)
+
+
+# Operations
+
+
+def _area(area: str, opcodes: tuple[Opcode, ...]) -> Iterator[str]:
+    yield from heading(_AREA_TITLES[area])
+    yield from _enum(((f"op{opcode.name}", opcode.number, _opcode(opcode)) for opcode in opcodes), 2)
+    for opcode in opcodes:
+        if opcode.is_family:
+            yield f"/* CMDs of op{opcode.name} */"
+            yield from _enum(((entry.name, entry.number, _command(entry)) for entry in opcode.commands), 0)
+
+
+def _opcode(opcode: Opcode) -> Iterator[str]:
+    yield opcode.text + firmwares(opcode.dialects) + (": a CMD follows, below" if opcode.is_family else "")
+    yield from _parameters(opcode.parameters)
+
+
+def _command(command: Command) -> Iterator[str]:
+    yield command.text + firmwares(command.dialects)
+    yield from _parameters(command.parameters)
+
+
+def _parameters(parameters: tuple[Parameter, ...]) -> Iterator[str]:
+    names = max((len(parameter.name) for parameter in parameters), default=0)
+    types = max((len(_type(parameter)) for parameter in parameters), default=0)
+    for parameter in parameters:
+        yield f"  {parameter.name:{names}}  {_type(parameter):{types}}  {described(parameter)}"
+
+
+def _type(parameter: Parameter) -> str:
+    way = {Direction.IN: "", Direction.OUT: "out ", Direction.INOUT: "in/out "}[parameter.direction]
+    return way + parameter.type.label
+
+
+# Names of numbers
+
+
+def _enumerations() -> Iterator[str]:
+    yield from heading("Enumerations", "Names of the values of parameters.")
+    for enum in vars(enumerations).values():
+        if isinstance(enum, Enumeration):
+            yield from _comment([f"{enum.name}: {enum.text}{firmwares(enum.dialects)}"], "")
+            members = [(name, number, ()) for name, number in enum.members.items()]
+            end = [] if enum.end is None else [(*enum.end, ())]
+            yield from _enum([*members, *end], 0)
+
+
+def _system_commands() -> Iterator[str]:
+    yield from heading("System commands", "The byte behind the message type, and what follows it.")
+    yield from _enum(((_name(command), command.number, _system_command(command)) for command in SYSTEM), 2)
+    yield "/* The byte behind the command's number in a reply */"
+    yield from _enum(((STATUS + status.name, status.value, ()) for status in SystemStatus), 0)
+
+
+def _name(command: SystemCommand) -> str:
+    return (BOOTLOADER if command.bootloader else "") + command.name
+
+
+def _system_command(command: SystemCommand) -> Iterator[str]:
+    yield command.text
+    yield from _fields("asks with", command.request)
+    if command.answered:
+        yield from _fields("gets", command.reply)
+    else:
+        yield "  gets no reply"
+
+
+def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[str]:
+    described = (f"{field.name} ({'optional ' if field.optional else ''}{field.kind.value})" for field in fields)
+    if fields:
+        yield f"  {title}: {', '.join(described)}"
+
+
+def _daisy() -> Iterator[str]:
+    yield from heading("Daisy chain", "The byte behind the message type, between bricks that are joined by USB.")
+    yield from _enum(((DAISY + entry.name, entry.value, [daisy.TEXTS[entry]]) for entry in daisy.DaisyCommand), 2)
+
+
+def _constants() -> Iterator[str]:
+    yield from heading("Constants", "Sizes, limits, folders, files and positions, as the firmware has them.")
+    numbers = {name: value for name, value in CONSTANTS.items() if isinstance(value, int)}
+    yield from _enum(((name, number, ()) for name, number in numbers.items() if number <= LARGEST), 0)
+    for name, value in CONSTANTS.items():
+        if isinstance(value, str):
+            yield f'#define {name} "{value}"'
+        elif value > LARGEST:
+            yield f"#define {name} 0x{value:X}u"
+    yield ""

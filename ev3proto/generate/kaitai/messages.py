@@ -1,0 +1,261 @@
+"""Frames, the bodies of all message types, arguments and what their first byte says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from construct import Bytes, GreedyBytes
+
+from ev3proto.generate.kaitai.naming import field_name, identifier, system_name
+from ev3proto.generate.kaitai.yaml import Block, Hexadecimal, Value
+from ev3proto.schema.frame import SENSOR_REPORT
+from ev3proto.tables import daisy
+from ev3proto.tables.encoding import STRING_OLD, STRING_ZERO, WIDTHS
+from ev3proto.tables.frame import GLOBAL_BITS, MAX_GLOBALS, MAX_LENGTH, MIN_LENGTH, MessageType
+from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
+
+Mapping = dict[str | int, Value]
+
+_REQUEST, _REPLY = "request", "reply"
+_REST: Mapping = {"size-eos": True}
+
+
+def message_types() -> Iterator[tuple[str, Value]]:
+    """The types of everything but operations."""
+    yield (
+        "frame",
+        {
+            "doc": "A length that counts what follows it, then as many bytes.",
+            "seq": [
+                {"id": "length", "type": "u2", "valid": {"min": MIN_LENGTH, "max": MAX_LENGTH}},
+                {"id": "message", "type": "message", "size": "length"},
+            ],
+        },
+    )
+    bodies: Mapping = {f"message_type::{member.name.lower()}": member.kind.replace("-", "_") for member in MessageType}
+    yield (
+        "message",
+        {
+            "seq": [
+                {"id": "counter", "type": "u2", "doc": "Of the sender; the reply has the same."},
+                {"id": "kind", "type": "u1", "enum": "message_type", "valid": {"in-enum": True}},
+                {"id": "body", "type": {"switch-on": "kind", "cases": bodies}},
+            ]
+        },
+    )
+    yield (
+        "direct_command",
+        {
+            "seq": [
+                {"id": "memory", "type": "u2"},
+                {"id": "operations", "type": "operation", "repeat": "eos"},
+            ],
+            "instances": {
+                "global_size": {"value": f"memory & {MAX_GLOBALS}", "doc": "Bytes of global memory: the reply's."},
+                "local_size": {"value": f"memory >> {GLOBAL_BITS}", "doc": "Bytes of local memory."},
+            },
+        },
+    )
+    yield (
+        "direct_reply",
+        {
+            "doc": "What the bytes mean only the command tells, by its outputs in global memory.",
+            "seq": [{"id": "memory", **_REST}],
+        },
+    )
+    yield from _system()
+    yield from _daisy()
+    yield "argument", _argument()
+
+
+def enumerations() -> Iterator[tuple[str, Value]]:
+    """The names of the numbers in front of fields and operations."""
+    yield "message_type", {Hexadecimal(member.value): member.name.lower() for member in MessageType}
+    yield (
+        "system_code",
+        {Hexadecimal(entry.number): {"id": system_name(entry), "doc": entry.text} for entry in SYSTEM},
+    )
+    yield "system_status", {status.value: status.name.lower() for status in SystemStatus}
+    yield (
+        "daisy_code",
+        {
+            Hexadecimal(entry.value): {"id": entry.name.lower(), "doc": daisy.TEXTS[entry]}
+            for entry in daisy.DaisyCommand
+        },
+    )
+
+
+# System commands
+
+
+def _system() -> Iterator[tuple[str, Value]]:
+    number: Mapping = {"id": "command", "type": "u1", "enum": "system_code", "valid": {"in-enum": True}}
+    status: Mapping = {"id": "status", "type": "u1", "enum": "system_status"}
+    fields: Mapping = {"id": "fields", "type": {"switch-on": "command", "cases": _cases(_REQUEST)}}
+    yield "system_command", {"seq": [number, fields]}
+    fields = {"id": "fields", "type": {"switch-on": "command", "cases": _cases(_REPLY)}, "if": "not _io.eof"}
+    yield "system_reply", {"doc": "A failed one may end in front of any field.", "seq": [number, status, fields]}
+    for entry in SYSTEM:
+        for side, fields_of_it in ((_REQUEST, entry.request), (_REPLY, entry.reply)):
+            if fields_of_it:
+                seq: list[Value] = [_field(field, fields_of_it, is_reply=side == _REPLY) for field in fields_of_it]
+                yield _type(entry, side), {"doc": entry.text, "seq": seq}
+    yield (
+        "counted_text",
+        {
+            "doc": "A text whose length stands before it. Some senders count its zero in, some do not; it is there.",
+            "params": [{"id": "length", "type": "u1"}],
+            "seq": [
+                {"id": "bytes", "size": "length"},
+                {"id": "zero", "type": "u1", "valid": 0, "if": "not is_counted"},
+            ],
+            "instances": {
+                "is_counted": {"value": "length > 0 and bytes[length - 1] == 0"},
+                "text": {
+                    "value": 'is_counted ? bytes.to_s("ISO-8859-1").substring(0, length - 1) : bytes.to_s("ISO-8859-1")'
+                },
+            },
+        },
+    )
+
+
+def _type(entry: SystemCommand, side: str) -> str:
+    return f"{side}_{system_name(entry)}"
+
+
+def _cases(side: str) -> Mapping:
+    return {
+        f"system_code::{system_name(entry)}": _type(entry, side)
+        for entry in SYSTEM
+        if (entry.request if side == _REQUEST else entry.reply)
+    }
+
+
+_NUMBERS = {Kind.U8: "u1", Kind.U16: "u2", Kind.U32: "u4"}
+
+
+def _field(field: Field, fields: tuple[Field, ...], *, is_reply: bool) -> Mapping:
+    found: Mapping = {"id": field_name(field)}
+    counter = next((field_name(other) for other in fields if other.counts == field.name), None)
+    if field.kind in _NUMBERS:
+        found["type"] = _NUMBERS[field.kind]
+    elif field.kind is Kind.TEXT:
+        found["type"] = "strz"
+    elif field.kind is Kind.COUNTED_TEXT:
+        found["type"] = f"counted_text({counter})"
+    elif counter is not None:
+        found["size"] = counter
+    else:
+        found |= _REST
+        if field.kind is Kind.LISTING:
+            found["type"] = "str"
+    if is_reply or field.optional:
+        found["if"] = "not _io.eof"
+    return found | {"doc": field.text}
+
+
+# Daisy chain
+
+
+def _daisy() -> Iterator[tuple[str, Value]]:
+    layers: list[Value] = [{"id": "layer_from", "type": "u1"}, {"id": "layer_to", "type": "u1"}]
+    carrying = [
+        f"command == daisy_code::{entry.name.lower()}" for entry in daisy.DaisyCommand if entry.carries_operations
+    ]
+    carries = " or ".join(carrying)
+    yield (
+        "daisy_command",
+        {
+            "seq": [
+                {"id": "command", "type": "u1", "enum": "daisy_code", "valid": {"in-enum": True}},
+                *layers,
+                {"id": "operations", "type": "operation", "repeat": "eos", "if": carries},
+                {"id": "payload", **_REST, "if": f"not ({carries})"},
+            ]
+        },
+    )
+    size = sum(part.sizeof() for part in SENSOR_REPORT.subcons if part.subcon is not GreedyBytes)
+    has_room = f"_io.size - _io.pos >= {size}"
+    yield (
+        "daisy_reply",
+        {
+            "seq": [
+                *layers,
+                {"id": "report", "type": "sensor_report", "if": has_room},
+                {"id": "payload", **_REST},
+            ]
+        },
+    )
+    parts: list[Value] = []
+    for part in SENSOR_REPORT.subcons:
+        rest: Mapping = {"size": part.subcon.length} if isinstance(part.subcon, Bytes) else {"type": "u1"}
+        parts.append({"id": identifier(part.name), **(_REST if part.subcon is GreedyBytes else rest)})
+    yield "sensor_report", {"seq": parts}
+
+
+# Arguments
+
+_FORMS = {1: "s1", 2: "s2", 4: "s4"}
+_INDEXES = {1: "u1", 2: "u2", 4: "u4"}
+_TEXT = 8
+"""In `form`: a string. Below are widths of constants, above those of variables."""
+
+
+def _argument() -> Mapping:
+    widths = sorted(WIDTHS)
+    cases: Mapping = {width: _FORMS[WIDTHS[width]] for width in widths}
+    cases |= {_TEXT + width: _INDEXES[WIDTHS[width]] for width in widths}
+    one_byte = next(width for width in widths if WIDTHS[width] == 1)
+    four_bytes = next(width for width in widths if WIDTHS[width] == 4)
+    is_text = f"(width == {STRING_OLD} or width == {STRING_ZERO})"
+    form = f"not is_long ? 0 : is_variable ? {_TEXT} + width : is_label ? {one_byte} : {is_text} ? {_TEXT} : width"
+    defined = " or ".join(f"width == {width}" for width in widths)
+    return {
+        "doc": Block(
+            "One argument: constant, string, local or global variable, or label.\n"
+            "The bits of its first byte say which, and how many bytes follow."
+        ),
+        "params": [{"id": "is_float", "type": "bool", "doc": "Whether a constant of four bytes is a float."}],
+        "seq": [
+            {"id": "is_long", "type": "b1"},
+            {"id": "is_variable", "type": "b1"},
+            {"id": "selector", "type": "b1", "doc": "Of variables: global. Of long constants: label."},
+            {"id": "is_handle_bit", "type": "b1", "if": "is_long"},
+            {"id": "is_address_bit", "type": "b1", "if": "is_long"},
+            {
+                "id": "width",
+                "type": "b3",
+                "if": "is_long",
+                "valid": {"expr": f"is_label or {defined} or (not is_variable and {is_text})"},
+            },
+            {"id": "short_value", "type": "b5", "if": "not is_long"},
+            {
+                "id": "float_value",
+                "type": "f4",
+                "if": f"is_float and form == {four_bytes}",
+            },
+            {
+                "id": "number",
+                "type": {"switch-on": "form", "cases": cases},
+                "if": f"form != 0 and form != {_TEXT} and not (is_float and form == {four_bytes})",
+            },
+            {"id": "text", "type": "strz", "if": f"form == {_TEXT}"},
+        ],
+        "instances": {
+            "is_label": {"value": "is_long and not is_variable and selector"},
+            "is_global": {"value": "is_variable and selector"},
+            "is_handle": {"value": "is_long and is_handle_bit"},
+            "is_address": {"value": "is_long and is_address_bit"},
+            "is_number": {
+                "value": f"not is_variable and not is_label and form != {_TEXT}"
+                f" and not (is_float and form == {four_bytes})",
+                "doc": "Whether it is a whole number, which may be that of an enumeration's member.",
+            },
+            "form": {"value": form},
+            "value": {
+                "value": "is_long ? number : is_variable ? short_value : selector ? short_value - 32 : short_value",
+                "if": f"form != {_TEXT} and not (is_float and form == {four_bytes})",
+                "doc": "A number, an index, or how far to jump. Strings are in text, floats in float_value.",
+            },
+        },
+    }

@@ -1,0 +1,20 @@
+"""The two files: the tables, and the schema that they follow."""
+
+from __future__ import annotations
+
+from ev3proto.generate.tables_json.data import tables
+from ev3proto.generate.tables_json.schema import schema
+from ev3proto.generate.tables_json.writing import written
+
+TABLES_NAME = "ev3-tables.json"
+SCHEMA_NAME = "ev3-tables.schema.json"
+
+
+def build_tables() -> str:
+    """The text of ev3-tables.json."""
+    return written({"$schema": SCHEMA_NAME, **tables()})
+
+
+def build_schema() -> str:
+    """The text of ev3-tables.schema.json."""
+    return written(schema())

@@ -1,0 +1,70 @@
+"""A layer for scapy: dissects, builds and sends frames, with a packet for every operation and system command.
+
+    from ev3proto import scapy as ev3
+    from ev3proto.scapy import EV3, EV3DirectCommand
+
+    tone = EV3(counter=42) / EV3DirectCommand(operations=[ev3.SOUND_TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)])
+    bytes(tone), EV3(b"..."), EV3(b"...").show()
+    sniff(offline="robot.pcap", session=TCPSession)
+    StreamSocket(connected, EV3).sr1(question)
+
+Importing it binds EV3 to TCP port 5555. Operations are called as in the tables, with a _ for the dot (`SOUND_TONE`,
+`UI_FLUSH`), system commands SYS_LIST_FILES, what is answered to them SYS_LIST_FILES_REPLY, and those of the bootloader
+SYS_BOOTLOADER_START_APP. All of them are attributes of this module.
+
+An argument is a number, a text, the name of an enumeration's member or a variable (`GV(0)`), and is built in its
+shortest encoding. Bytes are one argument that is encoded already: `LC2(1)`. What is dissected is kept so where its
+encoding is not the shortest; building a dissected frame gives the same bytes again.
+
+Operations are read by the instruction set that `conf.contribs["ev3"]["dialect"]` names.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+try:
+    import scapy  # noqa: F401 - to say it in one place, and first
+except ImportError as error:
+    raise ImportError("ev3proto.scapy is a layer for scapy, which is not installed: pip install scapy") from error
+
+from ev3proto.errors import near_misses
+from ev3proto.scapy.frames import (
+    EV3,
+    EV3DaisyCommand,
+    EV3DaisyReply,
+    EV3DirectCommand,
+    EV3DirectReply,
+    EV3SensorReport,
+    EV3Text,
+)
+from ev3proto.scapy.operations import EV3Operation, operation_layer, operation_names
+from ev3proto.scapy.system import SYSTEM_LAYERS, EV3SystemCommand, EV3SystemReply
+
+__all__ = [
+    "EV3",
+    "EV3DaisyCommand",
+    "EV3DaisyReply",
+    "EV3DirectCommand",
+    "EV3DirectReply",
+    "EV3Operation",
+    "EV3SensorReport",
+    "EV3SystemCommand",
+    "EV3SystemReply",
+    "EV3Text",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """The layers of operations and system commands. Those of operations are made when they are first asked for."""
+    if name in SYSTEM_LAYERS:
+        return SYSTEM_LAYERS[name]
+    names = operation_names()
+    if name in names:
+        return operation_layer(names[name])
+    hint = "" if name.startswith("_") else near_misses(name, [*names, *SYSTEM_LAYERS])
+    raise AttributeError(f"ev3proto.scapy has no layer {name}{hint}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *operation_names(), *SYSTEM_LAYERS})

@@ -1,0 +1,233 @@
+"""The frame as a layer, the bodies of all message types, and where a stream of bytes is cut."""
+
+from __future__ import annotations
+
+import struct
+from typing import Any
+
+from construct import Bytes, GreedyBytes
+from scapy.fields import (
+    BitField,
+    ByteEnumField,
+    ByteField,
+    ConditionalField,
+    Field,
+    LEShortField,
+    StrField,
+    StrFixedLenField,
+)
+from scapy.layers.inet import TCP, UDP
+from scapy.packet import Packet, Padding, Raw, bind_bottom_up, bind_layers, bind_top_down
+
+from ev3proto.errors import BuildError, DecodeError
+from ev3proto.scapy.operations import OperationsField
+from ev3proto.scapy.system import EV3SystemCommand, EV3SystemReply
+from ev3proto.schema.discovery import UNLOCK
+from ev3proto.schema.frame import HEADER_SIZE, MEMORY_SIZE, SENSOR_REPORT
+from ev3proto.tables.daisy import DaisyCommand
+from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, MOST_UNLOCK, TCP_PORT, UNLOCK_REQUEST
+from ev3proto.tables.frame import (
+    GLOBAL_BITS,
+    LENGTH_FIELD,
+    LOCAL_BITS,
+    MAX_FRAME,
+    MAX_GLOBALS,
+    MAX_LENGTH,
+    MAX_LOCALS,
+    MIN_LENGTH,
+    MessageType,
+)
+
+_REQUEST = UNLOCK_REQUEST.encode()
+_TYPES = {member.value: member.name for member in MessageType}
+
+
+class EV3Text(Packet):
+    """A text that stands around frames on WiFi: beacon, unlock text, what the brick answers to it."""
+
+    name = "EV3 text"
+    fields_desc = [StrField("text", b"")]  # noqa: RUF012 - scapy's way to declare a packet, here and below
+
+
+class EV3(Packet):
+    """A frame: length, which is worked out where it is None, message counter and message type. The body follows."""
+
+    name = "EV3"
+    fields_desc = [  # noqa: RUF012
+        LEShortField("length", None),
+        LEShortField("counter", 0),
+        ByteEnumField("type", MessageType.DIRECT_COMMAND_NO_REPLY.value, _TYPES),
+    ]
+
+    @classmethod
+    def dispatch_hook(cls, _pkt: bytes | None = None, *args: Any, **kwargs: Any) -> type[Packet]:  # noqa: ARG003
+        """The layer of bytes: WiFi has texts in the place of a connection's first frames."""
+        return EV3Text if _pkt and _pkt.startswith((_REQUEST, ACCEPT)) else cls
+
+    @classmethod
+    def tcp_reassemble(cls, data: bytes, metadata: Any, session: Any) -> Packet | None:  # noqa: ARG003
+        """The first frame or text of a stream, with what follows it as padding; None while it is not complete."""
+        if data.startswith((_REQUEST[: len(data)], ACCEPT[: len(data)])):
+            return _text(data)
+        if len(data) < LENGTH_FIELD:
+            return None
+        length = int.from_bytes(data[:LENGTH_FIELD], "little")
+        if not MIN_LENGTH <= length <= MAX_LENGTH:
+            return Raw(data)  # nobody can say where the next frame starts
+        return cls(data) if len(data) >= LENGTH_FIELD + length else None
+
+    def extract_padding(self, s: bytes) -> tuple[bytes, bytes]:
+        """The body, and what follows the frame."""
+        end = max(int(self.length) + LENGTH_FIELD - HEADER_SIZE, 0)
+        return s[:end], s[end:]
+
+    def post_build(self, pkt: bytes, pay: bytes) -> bytes:
+        """Fills in the length. Raises BuildError for a frame that no brick takes; who gives a length can make it."""
+        if self.length is None:
+            length = len(pkt) - LENGTH_FIELD + len(pay)
+            if length > MAX_LENGTH:
+                raise BuildError(
+                    f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {MAX_FRAME}"
+                )
+            pkt = length.to_bytes(LENGTH_FIELD, "little") + pkt[LENGTH_FIELD:]
+        return pkt + pay
+
+    def hashret(self) -> bytes:
+        """What command and reply have in common."""
+        member = _member(self)
+        return struct.pack("<H", self.counter) + (b"" if member is None else member.carries.encode())
+
+    def answers(self, other: Packet) -> int:
+        """Whether this is the reply to that command."""
+        own, others = _member(self), _member(other)
+        if own is None or others is None or own.is_command or not others.wants_reply:
+            return 0
+        if (own.carries, self.counter) != (others.carries, other.counter):
+            return 0
+        return int(not isinstance(self.payload, EV3SystemReply) or self.payload.answers(other.payload))
+
+
+def _member(packet: Packet) -> MessageType | None:
+    return MessageType(packet.type) if isinstance(packet, EV3) and packet.type in _TYPES else None
+
+
+def _text(data: bytes) -> Packet | None:
+    """The text that a stream starts with."""
+    if data.startswith(ACCEPT):
+        end = len(ACCEPT) + data[len(ACCEPT) :].startswith(b"\0")
+    elif not data.startswith(_REQUEST):
+        return None
+    else:
+        try:
+            _, end = UNLOCK.read(data, 0)
+        except DecodeError:
+            return None if len(data) < MOST_UNLOCK else Raw(data)
+    text: Packet = EV3Text(data[:end])
+    return text / Padding(data[end:]) if data[end:] else text
+
+
+_MOST = {"local_size": MAX_LOCALS, "global_size": MAX_GLOBALS}
+
+
+class SizeField(BitField):
+    """Bytes of memory, in so many bits."""
+
+    def any2i(self, pkt: Packet | None, x: Any) -> Any:
+        """The number itself. Raises BuildError for one that has no room: a plain bit field would cut it off."""
+        most = _MOST[self.name]
+        if isinstance(x, int) and not 0 <= x <= most:
+            raise BuildError(f"{self.name} cannot be {x}: a header can ask for 0 to {most} bytes")
+        return super().any2i(pkt, x)
+
+
+class EV3DirectCommand(Packet):
+    """Operations for the brick's virtual machine, and bytes of memory for them: local 0 to 63, global 0 to 1023."""
+
+    name = "EV3 direct command"
+    # One number, its lower byte first, which scapy says by a size below 0.
+    fields_desc = [  # noqa: RUF012
+        SizeField("local_size", 0, LOCAL_BITS, tot_size=-MEMORY_SIZE),
+        SizeField("global_size", 0, GLOBAL_BITS, end_tot_size=-MEMORY_SIZE),
+        OperationsField("operations"),
+    ]
+
+
+class EV3DirectReply(Packet):
+    """The answer to a direct command: all of its global memory."""
+
+    name = "EV3 direct reply"
+    fields_desc = [StrField("memory", b"")]  # noqa: RUF012
+
+
+_CARRIES_OPERATIONS = {member.value for member in DaisyCommand if member.carries_operations}
+
+
+class EV3DaisyCommand(Packet):
+    """A message from brick to brick."""
+
+    name = "EV3 daisy command"
+    fields_desc = [  # noqa: RUF012
+        ByteEnumField("number", DaisyCommand.DOWNSTREAM.value, {member.value: member.name for member in DaisyCommand}),
+        ByteField("layer_from", 0),
+        ByteField("layer_to", 1),
+        ConditionalField(OperationsField("operations"), lambda packet: packet.number in _CARRIES_OPERATIONS),
+    ]
+
+
+def _report_field(part: Any) -> Field[Any, Any]:
+    """A part of a sensor report, as its schema declares it."""
+    if part.subcon is GreedyBytes:
+        return StrField(part.name, b"")
+    if isinstance(part.subcon, Bytes):
+        return StrFixedLenField(part.name, bytes(part.subcon.length), part.subcon.length)
+    return ByteField(part.name, 0)
+
+
+class EV3SensorReport(Packet):
+    """A sensor of another layer."""
+
+    name = "EV3 sensor report"
+    fields_desc = [_report_field(part) for part in SENSOR_REPORT.subcons]  # noqa: RUF012
+
+
+_REPORT_SIZE = sum(part.sizeof() for part in SENSOR_REPORT.subcons if part.subcon is not GreedyBytes)
+
+
+class EV3DaisyReply(Packet):
+    """The answer from brick to brick."""
+
+    name = "EV3 daisy reply"
+    fields_desc = [ByteField("layer_from", 1), ByteField("layer_to", 0)]  # noqa: RUF012
+
+    def guess_payload_class(self, payload: bytes) -> type[Packet]:
+        """A sensor's data, where there is room for it."""
+        return EV3SensorReport if len(payload) >= _REPORT_SIZE else super().guess_payload_class(payload)
+
+
+_BODIES: dict[str, type[Packet]] = {
+    "direct-command": EV3DirectCommand,
+    "direct-reply": EV3DirectReply,
+    "system-command": EV3SystemCommand,
+    "system-reply": EV3SystemReply,
+    "daisy-command": EV3DaisyCommand,
+    "daisy-reply": EV3DaisyReply,
+}
+
+_USUAL = (
+    MessageType.DIRECT_COMMAND_NO_REPLY,
+    MessageType.DIRECT_REPLY,
+    MessageType.SYSTEM_COMMAND_REPLY,
+    MessageType.SYSTEM_REPLY,
+    MessageType.DAISY_COMMAND_REPLY,
+    MessageType.DAISY_REPLY,
+)
+"""The type that a frame gets from its body where nobody gives one."""
+
+for _type in MessageType:
+    bind_bottom_up(EV3, _BODIES[_type.kind], type=_type.value)
+for _type in _USUAL:
+    bind_top_down(EV3, _BODIES[_type.kind], type=_type.value)
+
+bind_layers(TCP, EV3, dport=TCP_PORT)
+bind_bottom_up(TCP, EV3, sport=TCP_PORT)
+bind_bottom_up(UDP, EV3Text, dport=BEACON_PORT)

@@ -1,0 +1,53 @@
+"""What the firmware's validator knows of byte code beside the types of the parameters: its tables of CMDs, its limits.
+
+The verdict of a check is that of the release of 2013, whose published source these facts come from.
+"""
+
+COMMAND_TABLES = (
+    ("UI_READ",),
+    ("UI_WRITE",),
+    ("UI_DRAW",),
+    ("UI_BUTTON",),
+    ("FILE",),
+    ("PROGRAM_INFO",),
+    ("INFO", "TST"),
+    ("STRINGS",),
+    ("COM_READ",),
+    ("COM_WRITE",),
+    ("SOUND",),
+    ("INPUT_DEVICE",),
+    ("ARRAY", "FILENAME"),
+    ("MATH",),
+    ("COM_GET",),
+    ("COM_SET",),
+)
+"""The opcodes with CMDs in the order in which their tables stand in the firmware's memory; some share one.
+
+A negative CMD reaches into the table in front of its own.
+"""
+
+TABLE_SIZE = 33
+"""CMDs that each of these tables has room for: 0 to 32."""
+
+NEWER = frozenset(
+    (
+        "UI_READ.GET_POWER",
+        "UI_WRITE.ADDRESS",
+        "UI_WRITE.ALLOW_PULSE",
+        "UI_WRITE.SET_PULSE",
+        "INPUT_DEVICE.INSERT_TYPE",
+        "INPUT_DEVICE.SET_TYPEMODE",
+        "INPUT_DEVICE.READY_IIC",
+    )
+)
+"""Operations of LEGO's firmware that the validator of 2013 has no entry for."""
+
+LABELS = 32
+"""Labels of a program: 0 to 31, of which jumps can name all but the first."""
+
+SPINNING = 1_000_000
+"""Values in a list from which on reading them keeps the brick busy for longer than anybody would wait.
+
+The validator reads as many as the count says, whatever is there; a negative count is one of more than two thousand
+million. The number itself is a choice: about a tenth of a second.
+"""

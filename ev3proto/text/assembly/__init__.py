@@ -1,0 +1,65 @@
+r"""Assembly: messages as text, and text as messages.
+
+Two notations say the same, and may be mixed:
+
+    SOUND(TONE, 1, 440, 1000)                               LEGO's source: each value in its shortest encoding
+    opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)         the C macros: each value in the encoding that is named
+
+What else there is:
+
+    // and /* */             comments
+    define SPEED 50          a name for a constant, a text or a macro; #define as well
+    DATAF volts              a variable: DATA8, DATA16, DATA32, DATAF, HANDLE, DATAS, ARRAY8, ARRAY16, ARRAY32, ARRAYF
+    DATAS name 20            the same with so many elements; name[3] is one of them
+    local DATA8 i            in local memory. Others are global, so the reply carries them; in a vmthread they are local
+    vmthread MAIN { ... }    may stand around the operations, as in LEGO's sources
+    Loop:  JR(Loop)          a label, and a jump to it
+    LED_RED, 0x1F, 1.5F, 'text', "text", (A + 2) * 3        constants; the firmware's names are all known
+    @handle  HND(LV1(4))     the memory object that a variable is a handle to; &place and ADR(...) what it points to
+
+Without a header, operations are one direct command, whose memory and type are worked out, and each system command is a
+message of its own. A header begins a message and fixes what it says:
+
+    message DIRECT_COMMAND_REPLY counter 42 globals 4 locals 0
+    opUI_READ, LC0(GET_VBATT), GV0(0)
+
+    message SYSTEM_COMMAND_REPLY counter 43
+    LIST_FILES(max_bytes=1000, path="/home/root/lms2012/prjs/")
+
+    message DIRECT_REPLY counter 42
+    bytes A4 70 FD 40
+
+    message DAISY_COMMAND_REPLY counter 44 command DOWNSTREAM layer_from 0 layer_to 1
+    opOUTPUT_START, LC0(0), LC0(15)
+
+Whatever is faulty can be said too. `length 55` in a header is what the length field says, `...` ends an operation or a
+system command that is cut short, `bytes 01 FF` are bytes as they are (`bytes(A3 05)` where a value stands), and `frame`
+begins a message that is nothing but bytes.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.text.assembly.errors import AssemblyError
+from ev3proto.text.assembly.writing import assembly, operation_line
+
+if TYPE_CHECKING:
+    from ev3proto.messages import Message
+
+__all__ = ["AssemblyError", "assemble", "assembly", "operation_line"]
+
+
+def assemble(text: str, *, dialect: str = "official", counter: int = 0, reply: bool | None = None) -> list[Message]:
+    """The messages of a text.
+
+    dialect  the firmware whose operations there are
+    counter  of the first message, 0 to 65535, unless its header says another; each further one has the next number
+    reply    whether messages without a header want a reply; None: direct commands do where they have global memory,
+             system commands where the brick answers them
+
+    Raises AssemblyError with line, column, the line's text, and in `others` what else is wrong.
+    """
+    from ev3proto.text.assembly.assembling import assembled  # those who only decode should not wait for it
+
+    return list(assembled(text, dialect=dialect, counter=counter, reply=reply))

@@ -1,0 +1,241 @@
+"""The statements of one message to the bytes of its frame: header, memory, jumps, sizes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from itertools import accumulate
+
+from ev3proto.composing.uses import uses_of
+from ev3proto.messages import DirectCommand, Message, Operation
+from ev3proto.schema.frame import HEADER, HEADER_SIZE, MEMORY, parse
+from ev3proto.schema.packed import packed
+from ev3proto.tables.daisy import DaisyCommand
+from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.frame import (
+    COUNTERS,
+    LENGTH_FIELD,
+    MAX_FRAME,
+    MAX_GLOBALS,
+    MAX_LENGTH,
+    MAX_LOCALS,
+    MessageType,
+)
+from ev3proto.text.assembly.encoding import Encoder, Jump, Piece
+from ev3proto.text.assembly.grammar import Header, Named, RawFrame, error_at
+from ev3proto.text.assembly.lexing import Token
+from ev3proto.text.assembly.symbols import MOST_MEMORY, Names, suggestion
+
+COUNTER, LENGTH, GLOBALS, LOCALS = "counter", "length", "globals", "locals"
+COMMAND, LAYER_FROM, LAYER_TO = "command", "layer_from", "layer_to"
+
+_header = packed(HEADER).pack
+
+_FACTS = {
+    "direct-command": {GLOBALS: MAX_GLOBALS, LOCALS: MAX_LOCALS},
+    "daisy-command": {COMMAND: 0xFF, LAYER_FROM: 0xFF, LAYER_TO: 0xFF},
+    "daisy-reply": {LAYER_FROM: 0xFF, LAYER_TO: 0xFF},
+}
+_ALL_FACTS = {COUNTER: COUNTERS - 1, LENGTH: 0xFFFF}
+"""What a header can say, of some kinds of message and of all, and the largest number that it can be."""
+
+_MEMORIES = {GLOBAL: GLOBALS, LOCAL: LOCALS}
+
+MAX_BODY = 1 << 19
+"""Bytes that can be said of one message: faulty ones may be longer than any frame, as long as a line of hex."""
+
+
+@dataclass
+class Draft:
+    """A message while its statements are read.
+
+    token       where it starts
+    type        None for a direct command whose type is worked out
+    facts       what its header says, in numbers
+    is_frame    the bytes are all of the frame, its header included
+    is_lenient  it may be faulty: it was written so on purpose
+    parts       operations, bodies of system messages and raw bytes, one by one, each in pieces
+    size        bytes of all parts, where every jump is short
+    """
+
+    token: Token
+    type: MessageType | None = None
+    facts: dict[str, int] = field(default_factory=dict)
+    is_frame: bool = False
+    is_lenient: bool = False
+    parts: list[Sequence[Piece]] = field(default_factory=list)
+    size: int = 0
+
+    @property
+    def kind(self) -> str:
+        """`direct-command`, `system-reply`, ..."""
+        return MessageType.DIRECT_COMMAND_REPLY.kind if self.type is None else self.type.kind
+
+    @property
+    def carries_system(self) -> bool:
+        """Whether it is a system command or the reply to one."""
+        return self.type is not None and self.type.carries == "system"
+
+    def add(self, token: Token, pieces: Sequence[Piece]) -> None:
+        """One more part. Raises AssemblyError where there are more than anybody can mean."""
+        self.size += max(1, sum(len(piece) if isinstance(piece, bytes) else 1 for piece in pieces))
+        if self.size > MAX_BODY:
+            raise error_at(token, f"the message has more than {MAX_BODY} bytes, and the largest frame {MAX_FRAME}")
+        self.parts.append(pieces)
+
+    def message(self, names: Names, dialect: str, counter: int, reply: bool | None) -> Message:
+        """The message. Raises AssemblyError.
+
+        counter  for a message that states none
+        reply    whether a direct command without a stated type wants a reply; None: where it has global memory
+        """
+        if self.type is None and not self.parts and not self.is_frame:
+            raise error_at(self.token, "there is no operation in this message: the brick refuses an empty one")
+        body = _joined(self.parts, names.labels)
+        if self.is_frame:
+            return parse(body, strict=False, dialect=dialect)
+        sizes = self._memory(body, names, dialect)
+        kind = self.type
+        if kind is None:
+            kind = _command_type(bool(sizes[GLOBAL]) if reply is None else reply)
+        frame = self._frame(kind, self._fixed(kind, sizes) + body, self.facts.get(COUNTER, counter))
+        message = parse(frame, strict=False, dialect=dialect)
+        if message.fault is not None and not self.is_lenient:
+            raise error_at(self.token, f"the message cannot be sent: {message.fault}")
+        return message
+
+    def _memory(self, body: bytes, names: Names, dialect: str) -> dict[str, int]:
+        """Bytes of memory that a direct command asks for: those stated, or those that it uses."""
+        if self.kind != MessageType.DIRECT_COMMAND_REPLY.kind:
+            return {GLOBAL: 0, LOCAL: 0}
+        kind = MessageType.DIRECT_COMMAND_REPLY
+        alone = parse(
+            self._frame(kind, self._fixed(kind, {GLOBAL: 0, LOCAL: 0}) + body, 0), strict=False, dialect=dialect
+        )
+        assert isinstance(alone, DirectCommand)
+        used = _used(alone.operations)
+        sizes = {}
+        for scope, name in _MEMORIES.items():
+            stated, declared = self.facts.get(name), names.sizes[scope]
+            sizes[scope] = max(used[scope], declared) if stated is None else stated
+            if stated is not None and declared > stated:
+                raise error_at(
+                    self.token, f"the variables take {declared} bytes of {scope} memory, and {name} says {stated}"
+                )
+            if stated is None and sizes[scope] > MOST_MEMORY[scope]:
+                raise error_at(
+                    self.token,
+                    f"the operations use {sizes[scope]} bytes of {scope} memory; there are {MOST_MEMORY[scope]}"
+                    f" (`message {name} {MOST_MEMORY[scope]}` in front of them leaves it at that)",
+                )
+        return sizes
+
+    def _fixed(self, kind: MessageType, sizes: dict[str, int]) -> bytes:
+        """What stands between the message type and the operations, payload or fields."""
+        if kind.kind == "direct-command":
+            return bytes(MEMORY.build({"globals": sizes[GLOBAL], "locals": sizes[LOCAL]}))
+        if kind.carries != "daisy":
+            return b""
+        if kind.is_command and COMMAND not in self.facts:
+            known = ", ".join(command.name for command in DaisyCommand)
+            raise error_at(self.token, f"a daisy command needs a command: {known}, or a number")
+        names = (COMMAND, LAYER_FROM, LAYER_TO) if kind.is_command else (LAYER_FROM, LAYER_TO)
+        return bytes(self.facts.get(name, 0) for name in names)
+
+    def _frame(self, kind: MessageType, body: bytes, counter: int) -> bytes:
+        length = self.facts.get(LENGTH, HEADER_SIZE - LENGTH_FIELD + len(body))
+        if LENGTH not in self.facts and length > MAX_LENGTH:
+            raise error_at(
+                self.token,
+                f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {MAX_FRAME} in one frame",
+            )
+        return _header(length, counter, kind) + body
+
+
+def begun_by(header: Header | RawFrame, encoder: Encoder) -> Draft:
+    """The message that a header begins. Raises AssemblyError."""
+    if isinstance(header, RawFrame):
+        return Draft(header.token, is_frame=True, is_lenient=True)
+    draft = Draft(header.token, None if header.type is None else _type(header.type))
+    known = _ALL_FACTS | _FACTS.get(draft.kind, {})
+    for token, value in header.facts:
+        name = token.text
+        if name not in known:
+            hint = suggestion(name, known) or f": it has {', '.join(known)}"
+            raise error_at(token, f"the header of a {draft.kind} has no {name}{hint}")
+        if name in draft.facts:
+            raise error_at(token, f"{name} is given already")
+        if name == COMMAND and isinstance(value, Named):
+            draft.facts[name] = _daisy_command(value.token)
+            continue
+        draft.facts[name] = encoder.whole(value, name, 0, known[name])
+    draft.is_lenient = LENGTH in draft.facts or draft.facts.get(COMMAND) not in (None, *DaisyCommand)
+    return draft
+
+
+def _type(token: Token) -> MessageType:
+    try:
+        return MessageType[token.text]
+    except KeyError:
+        names = [member.name for member in MessageType]
+        hint = suggestion(token.text, names) or f": it is one of {', '.join(names)}"
+        raise error_at(token, f"there is no message type {token.text}{hint}") from None
+
+
+def _daisy_command(token: Token) -> int:
+    names = [command.name for command in DaisyCommand]
+    if token.text not in names:
+        hint = suggestion(token.text, names) or f": it is one of {', '.join(names)}, or a number"
+        raise error_at(token, f"there is no daisy command {token.text}{hint}")
+    return int(DaisyCommand[token.text])
+
+
+def _command_type(wants_reply: bool) -> MessageType:
+    return MessageType.DIRECT_COMMAND_REPLY if wants_reply else MessageType.DIRECT_COMMAND_NO_REPLY
+
+
+def _used(operations: Iterable[Operation]) -> dict[str, int]:
+    """Bytes of global and of local memory up to the last that operations use for sure."""
+    used = {GLOBAL: 0, LOCAL: 0}
+    for operation in operations:
+        for use in uses_of(operation.declaration, operation.arguments):
+            variable = use.variable
+            used[variable.scope] = max(used[variable.scope], variable.index + use.size)
+    return used
+
+
+def _joined(parts: Sequence[Sequence[Piece]], labels: dict[str, int]) -> bytes:
+    """The parts with every jump in them worked out. Raises AssemblyError for jumps that cannot be made.
+
+    A jump counts from the end of its operation, so how long it is depends on itself. It starts as short as can be and
+    only ever becomes longer, which comes to an end.
+    """
+    jumps = {
+        (index, at): piece
+        for index, part in enumerate(parts)
+        for at, piece in enumerate(part)
+        if isinstance(piece, Jump)
+    }
+    for jump in jumps.values():
+        if jump.token.text not in labels:
+            hint = suggestion(jump.token.text, labels) or f": `{jump.token.text}:` in front of an operation makes one"
+            raise error_at(jump.token, f"there is no label {jump.token.text}{hint}")
+    encoded = {place: jump.encoded(0) for place, jump in jumps.items()}
+    is_settled = not jumps
+    while not is_settled:
+        ends = list(accumulate((_size(index, part, encoded) for index, part in enumerate(parts)), initial=0))
+        is_settled = True
+        for place, jump in jumps.items():
+            distance = ends[labels[jump.token.text]] - ends[place[0] + 1]
+            longer = jump.encoded(distance, len(encoded[place]))
+            is_settled &= len(longer) == len(encoded[place])
+            encoded[place] = longer
+    return b"".join(
+        encoded[index, at] if isinstance(piece, Jump) else piece
+        for index, part in enumerate(parts)
+        for at, piece in enumerate(part)
+    )
+
+
+def _size(index: int, part: Sequence[Piece], encoded: dict[tuple[int, int], bytes]) -> int:
+    return sum(len(encoded[index, at] if isinstance(piece, Jump) else piece) for at, piece in enumerate(part))

@@ -1,0 +1,207 @@
+"""Operations of either notation to bytes: the opcode and CMD that a name means, and a value for every parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cache
+
+from ev3proto.errors import BuildError
+from ev3proto.schema.argument import ArgumentSchema, encode_integer
+from ev3proto.schema.instructions import InstructionSet, instruction_set
+from ev3proto.schema.operation import CMD, FamilySchema, OperationSchema
+from ev3proto.tables import OPCODES
+from ev3proto.tables.declaration import DIALECTS, Enumeration, Opcode, Parameter, Type
+from ev3proto.tables.encoding import CONSTANT
+from ev3proto.tables.system import SYSTEM
+from ev3proto.text.assembly.encoding import Encoder, Jump, Piece
+from ev3proto.text.assembly.grammar import Argument, Call, Macro, Named, Value, error_at, is_operation_word
+from ev3proto.text.assembly.lexing import Token
+from ev3proto.text.assembly.symbols import suggestion
+
+_MOST_NAMED = 8
+"""CMDs that an error names."""
+
+_ELEMENT = ArgumentSchema(Parameter("the value", Type.ARRAY_TYPED, "an element of a list that is cut short"))
+
+
+@cache
+def opcodes(dialect: str) -> dict[str, Opcode]:
+    """The opcodes of a dialect by name."""
+    return {opcode.name: opcode for opcode in OPCODES if dialect in opcode.dialects}
+
+
+class Assembler:
+    """Makes operations of one dialect."""
+
+    def __init__(self, dialect: str, encoder: Encoder) -> None:
+        self._dialect = dialect
+        self._set: InstructionSet = instruction_set(dialect)
+        self._encoder = encoder
+
+    def is_operation(self, token: Token) -> bool:
+        """Whether a name is that of an operation, spelled as it should be."""
+        return _bare(token.text).partition(".")[0] in opcodes(self._dialect)
+
+    def operation(self, call: Call) -> list[Piece]:
+        """The pieces of an operation: bytes, and jumps whose distance nobody knows yet. Raises AssemblyError."""
+        schema, head, arguments = self._selected(call)
+        if not call.is_complete:
+            return [head, *self._incomplete(schema, arguments)]
+        arguments = _in_order(schema, arguments, call)
+        fixed = schema.fixed
+        if schema.list_parameter is None and len(arguments) > len(fixed):
+            raise error_at(arguments[len(fixed)].token, f"{_takes(schema)}, and here are {len(arguments)}")
+        if len(arguments) < len(fixed):
+            missing = fixed[len(arguments)].parameter
+            raise error_at(
+                call.end, f"{_takes(schema)}, and here are {len(arguments)}: {missing.name} is missing ({missing.text})"
+            )
+        pieces = [self._encoder.argument(given.value, one) for given, one in zip(arguments, fixed, strict=False)]
+        pieces += self._elements(schema, pieces, arguments)
+        return [head, *pieces]
+
+    # Which operation
+
+    def _selected(self, call: Call) -> tuple[OperationSchema, bytes, tuple[Argument, ...]]:
+        """The schema of an operation, the bytes of opcode and CMD, the values that are left."""
+        name, _, command = _bare(call.token.text).partition(".")
+        opcode = opcodes(self._dialect).get(name)
+        if opcode is None:
+            raise error_at(call.token, self._unknown(call.token.text, name))
+        head = bytes((opcode.number,))
+        plain = self._set.opcodes[opcode.number]
+        if plain is not None:
+            if command:
+                raise error_at(call.token, f"{name} has no CMD, so none can stand behind its name")
+            return plain, head, call.arguments
+        family = self._set.families[opcode.number]
+        assert family is not None, "an opcode of a dialect is plain or has CMDs"
+        if command:
+            number = self._command_number(family, command, call.token)
+            return family.commands[number], head + encode_integer(number), call.arguments
+        if not call.arguments:
+            raise error_at(call.end, f"the CMD of {name} is missing: it has {_commands(family)}")
+        cmd, number = self._cmd(family, call.arguments[0].value)
+        return family.commands[number], head + cmd, call.arguments[1:]
+
+    def _cmd(self, family: FamilySchema, value: Value) -> tuple[bytes, int]:
+        """The bytes of CMD and its number."""
+        named = value
+        while isinstance(named, Macro):
+            named = named.part
+        if isinstance(named, Named) and named.token.text not in self._encoder.names.constants:
+            number = self._command_number(family, named.token.text, named.token)
+            if named is value:
+                return encode_integer(number), number
+        encoded = self._encoder.argument(value, _cmd_schema(family))
+        found = None if isinstance(encoded, Jump) else CMD.read(encoded, 0)[0]
+        if found is None or found.kind != CONSTANT:
+            raise error_at(value.token, f"the CMD of {family.opcode.name} must be a constant: {_commands(family)}")
+        number = int(found.value)
+        if number not in family.commands:
+            raise error_at(value.token, f"{family.opcode.name} has no CMD {number}: it has {_commands(family)}")
+        assert isinstance(encoded, bytes)
+        return encoded, number
+
+    def _command_number(self, family: FamilySchema, name: str, token: Token) -> int:
+        numbers = _numbers(family)
+        if name in numbers:
+            return numbers[name]
+        for command in family.opcode.commands:
+            if command.name == name:
+                others = ", ".join(dialect for dialect in command.dialects)
+                where = f"{others} has" if others else "it stands in headers only"
+                raise error_at(token, f"the {self._dialect} firmware has no {family.opcode.name}.{name}: {where}")
+        hint = suggestion(name, numbers) or f": it has {_commands(family)}"
+        raise error_at(token, f"{family.opcode.name} has no CMD {name}{hint}")
+
+    def _unknown(self, written: str, name: str) -> str:
+        """What to say of an operation that the dialect does not have."""
+        for dialect in DIALECTS:
+            if name in opcodes(dialect):
+                return f"the {self._dialect} firmware has no operation {name}; {dialect} has"
+        systems = [] if is_operation_word(written) else [entry.name for entry in SYSTEM]
+        hint = suggestion(name, [*opcodes(self._dialect), *systems])
+        return f"there is no operation {written}{hint}"
+
+    # Values
+
+    def _elements(self, schema: OperationSchema, fixed: Sequence[Piece], arguments: Sequence[Argument]) -> list[Piece]:
+        """The values of a list at the end, each as the type that the list has."""
+        if schema.list_parameter is None:
+            return []
+        given = arguments[len(fixed) :]
+        known = [piece for piece in fixed if isinstance(piece, bytes)]
+        if len(known) < len(fixed):
+            raise error_at(arguments[0].token, "a label cannot stand in front of a list")
+        try:
+            # Zeros in place of the values: that tells whether their number is right, and what each of them is.
+            placeholders = schema.make([*known, *[encode_integer(0)] * len(given)]).arguments[len(fixed) :]
+        except BuildError as error:
+            raise error_at(arguments[len(fixed) - 1].token, str(error)) from None
+        return [
+            self._encoder.argument(one.value, ArgumentSchema(placeholder.parameter))
+            for one, placeholder in zip(given, placeholders, strict=True)
+        ]
+
+    def _incomplete(self, schema: OperationSchema, arguments: Sequence[Argument]) -> Iterator[Piece]:
+        """The values of an operation that is cut short, as many as there are."""
+        for index, argument in enumerate(arguments):
+            if argument.name is not None:
+                raise error_at(argument.name, "the values of an operation that is cut short have no names")
+            parameter = schema.fixed[index] if index < len(schema.fixed) else _ELEMENT
+            yield self._encoder.argument(argument.value, parameter)
+
+
+def _in_order(schema: OperationSchema, arguments: tuple[Argument, ...], call: Call) -> tuple[Argument, ...]:
+    """The values in the order of the parameters, where they were given by name."""
+    named = {argument.name.text.upper(): argument for argument in arguments if argument.name is not None}
+    if not named:
+        return arguments
+    if len(named) < len(arguments):
+        raise error_at(arguments[0].token, "give the values in order, or each by its name once, not both")
+    parameters = {one.parameter.name: one.parameter for one in schema.fixed}
+    for name, argument in named.items():
+        if name not in parameters:
+            hint = suggestion(name, parameters) or f": it has {', '.join(parameters) or 'none'}"
+            raise error_at(argument.token, f"{schema.declaration.name} has no parameter {name}{hint}")
+    for name, parameter in parameters.items():
+        if name not in named:
+            raise error_at(call.end, f"{schema.declaration.name} needs {name} too ({parameter.text})")
+    return tuple(named[name] for name in parameters)
+
+
+def _takes(schema: OperationSchema) -> str:
+    """`SOUND.TONE takes 3 values (VOLUME, FREQUENCY, DURATION)`."""
+    names = [one.parameter.name for one in schema.fixed]
+    count = f"{len(names)} value{'s' * (len(names) != 1)}"
+    if schema.list_parameter is not None:
+        count += " and a list"
+    told = f" ({', '.join(names)})" if names else ""
+    return f"{schema.declaration.name} takes {count}{told}"
+
+
+def _bare(name: str) -> str:
+    """An operation's name without the `op` of the macro notation, in which any case will do behind it."""
+    return name[2:].upper() if is_operation_word(name) else name
+
+
+def _numbers(family: FamilySchema) -> dict[str, int]:
+    """The CMDs of a family by name."""
+    return {
+        schema.declaration.command.name: number
+        for number, schema in family.commands.items()
+        if schema.declaration.command is not None
+    }
+
+
+def _cmd_schema(family: FamilySchema) -> ArgumentSchema:
+    """CMD, with the names that it can have."""
+    enum = Enumeration(family.opcode.name, "its CMDs", _numbers(family))
+    return ArgumentSchema(CMD.parameter._replace(enum=enum))
+
+
+def _commands(family: FamilySchema) -> str:
+    """`BREAK, TONE, PLAY, REPEAT, SERVICE`; of many, the first."""
+    names = list(_numbers(family))
+    return ", ".join(names[:_MOST_NAMED]) + (", ..." if len(names) > _MOST_NAMED else "")

@@ -1,0 +1,30 @@
+"""Whether a line is assembly, for those who are given a text and not told what it is."""
+
+from __future__ import annotations
+
+import re
+
+from ev3proto.tables import OPCODES
+from ev3proto.tables.system import SYSTEM
+from ev3proto.text.assembly.grammar import GLOBAL_WORD, LOCAL_WORD, TYPES
+from ev3proto.text.assembly.words import BYTES, FRAME, MESSAGE
+
+_DECLARATION = "|".join((*TYPES, GLOBAL_WORD, LOCAL_WORD, r"\#?define", "vmthread"))
+_STATEMENT = re.compile(
+    rf"""op[A-Z]\w*(?:[\s,(;]|$) | [A-Z][A-Z0-9_]*(?:\.[A-Z0-9_]+)?\s*\(
+      | (?:{_DECLARATION})\s+[A-Za-z_]
+      | {MESSAGE}(?:\s+(?:[A-Z]+_[A-Z_]+|[a-z_]+\s+\w+)|\s*$) | {FRAME}\s*$ | {BYTES}(?:\s+[0-9A-Fa-f]{{2}})+\s*$
+      | [A-Za-z_]\w*:\s*$""",
+    re.VERBOSE | re.ASCII,
+)
+_NAME = re.compile(r"([A-Za-z_]\w*)(?:\.\w+)?\s*(?:\(|$)", re.ASCII)
+_NAMES = {opcode.name for opcode in OPCODES} | {entry.name for entry in SYSTEM}
+
+
+def is_assembly(line: str) -> bool:
+    """Whether a line can only be assembly, rightly spelled or nearly so. A comment may stand behind it."""
+    code = line.partition("//")[0].strip()
+    if _STATEMENT.match(code):
+        return True
+    name = _NAME.match(code)
+    return name is not None and name[1].upper() in _NAMES

@@ -1,0 +1,28 @@
+"""The words of assembly that both who writes it and who reads it need."""
+
+from __future__ import annotations
+
+from ev3proto.tables.system import SystemCommand
+
+MESSAGE = "message"
+"""Begins a message whose header it tells."""
+
+FRAME = "frame"
+"""Begins a message that is nothing but bytes."""
+
+BYTES = "bytes"
+"""Bytes as they are, in hex."""
+
+CUT = "..."
+"""Ends an operation or a system command that is cut short."""
+
+STATUS = "status"
+"""The name by which a system reply's status is given."""
+
+BOOTLOADER = "BOOTLOADER."
+"""What stands in front of the bootloader's commands: BEGIN_DOWNLOAD is the firmware's too."""
+
+
+def command_name(entry: SystemCommand) -> str:
+    """How a system command is called."""
+    return f"{BOOTLOADER}{entry.name}" if entry.bootloader else entry.name

@@ -1,0 +1,4799 @@
+/*
+ * The protocol of the LEGO MINDSTORMS EV3 for C (C99 and later) and C++ (C++11 and later). Licence: MIT.
+ *
+ * Constant frames are arrays, in the macros of the firmware's own source, which fix every encoding. The length field
+ * counts what follows it:
+ *
+ *     static const uint8_t tone[] = {
+ *         EV3_HEADER(16, 42, DIRECT_COMMAND_NO_REPLY), EV3_MEMORY(0, 0),
+ *         opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)
+ *     };
+ *
+ * Frames with values that are known later are filled by functions, which choose the shortest encodings:
+ *
+ *     ev3_frame frame;
+ *     ev3_begin_direct(&frame, 42, DIRECT_COMMAND_NO_REPLY, 0, 0);
+ *     ev3_operation(&frame, opSOUND, TONE);
+ *     ev3_integer(&frame, volume);
+ *     ev3_integer(&frame, frequency);
+ *     ev3_integer(&frame, duration);
+ *     size = ev3_end(&frame);
+ *     send(socket, frame.bytes, size, 0);
+ *
+ * Opcodes, CMDs and enumerations have the firmware's names. Where another header defines one of them as a macro, as
+ * windows.h does, include this one first.
+ *
+ * This file is made by ev3proto 0.1.0 from its tables (ev3proto export c-header): change those, not this.
+ */
+
+#ifndef EV3PROTO_H
+#define EV3PROTO_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+/* Frames --------------------------------------------------------------------------------------------------------- */
+
+/* Bytes of the largest frame, its length field included, and of a report on USB */
+#define EV3_MAX_FRAME 1024
+
+/* TCP port on which a brick listens */
+#define EV3_TCP_PORT 5555
+
+/* One byte of a number, which may be negative */
+#define EV3_BYTE(value, bits) ((uint8_t)((uint32_t)(value) >> (bits) & 0xFFu))
+
+/* Two bytes of a number, the lower one first */
+#define EV3_WORD(value) EV3_BYTE(value, 0), EV3_BYTE(value, 8)
+
+/* What every frame starts with: bytes of the whole frame, message counter (0 to 65535), message type */
+#define EV3_HEADER(size, counter, type) EV3_WORD((size) - 2), EV3_WORD(counter), EV3_BYTE(type, 0)
+
+/* What follows in a direct command: bytes of global (0 to 1023) and local (0 to 63) memory */
+#define EV3_MEMORY(globals, locals) EV3_WORD((uint32_t)(locals) << 10 | (uint32_t)(globals))
+
+/* Encodings of arguments ----------------------------------------------------------------------------------------- */
+
+/* Constants: LC0 holds -32 to 31, the others 1, 2 and 4 bytes, whose lowest number means "not a number" */
+#define LC0(value) ((uint8_t)(0x00 | ((uint32_t)(value) & 0x3Fu)))
+#define LC1(value) 0x81, EV3_BYTE(value, 0)
+#define LC2(value) 0x82, EV3_BYTE(value, 0), EV3_BYTE(value, 8)
+#define LC4(value) 0x83, EV3_BYTE(value, 0), EV3_BYTE(value, 8), EV3_BYTE(value, 16), EV3_BYTE(value, 24)
+
+/* A float. In C this stands in arrays inside of functions, which are not static; elsewhere LC4 takes its bits */
+#define LCF(value) \
+    0x83, ev3_float_byte(value, 0), ev3_float_byte(value, 8), ev3_float_byte(value, 16), ev3_float_byte(value, 24)
+
+/* A string: LCS, 'h', 'i', 0. Some senders still start one with the old byte */
+#define LCS 0x84
+#define LCS_OLD 0x80
+
+/* Local and global variables: 0 holds the indexes 0 to 31, the others 1, 2 and 4 bytes */
+#define LV0(index) ((uint8_t)(0x40 | ((uint32_t)(index) & 0x1Fu)))
+#define LV1(index) 0xC1, EV3_BYTE(index, 0)
+#define LV2(index) 0xC2, EV3_BYTE(index, 0), EV3_BYTE(index, 8)
+#define LV4(index) 0xC3, EV3_BYTE(index, 0), EV3_BYTE(index, 8), EV3_BYTE(index, 16), EV3_BYTE(index, 24)
+#define GV0(index) ((uint8_t)(0x60 | ((uint32_t)(index) & 0x1Fu)))
+#define GV1(index) 0xE1, EV3_BYTE(index, 0)
+#define GV2(index) 0xE2, EV3_BYTE(index, 0), EV3_BYTE(index, 8)
+#define GV4(index) 0xE3, EV3_BYTE(index, 0), EV3_BYTE(index, 8), EV3_BYTE(index, 16), EV3_BYTE(index, 24)
+
+/* A label or a short jump, -128 to 127 */
+#define LAB1(value) 0xA0, EV3_BYTE(value, 0)
+
+/* A long form that holds a handle to a memory object, or an absolute address: HND(GV1(40)) */
+#define HND(...) 0x10 | __VA_ARGS__
+#define ADR(...) 0x08 | __VA_ARGS__
+
+/* Message types ---------------------------------------------------------------------------------------------------- */
+
+enum {
+    DIRECT_COMMAND_REPLY = 0x00,
+    DIRECT_COMMAND_NO_REPLY = 0x80,
+    SYSTEM_COMMAND_REPLY = 0x01,
+    SYSTEM_COMMAND_NO_REPLY = 0x81,
+    DIRECT_REPLY = 0x02,
+    DIRECT_REPLY_ERROR = 0x04,
+    SYSTEM_REPLY = 0x03,
+    SYSTEM_REPLY_ERROR = 0x05,
+    DAISY_COMMAND_REPLY = 0x0A,
+    DAISY_COMMAND_NO_REPLY = 0x8A,
+    DAISY_REPLY = 0x08,
+    DAISY_REPLY_ERROR = 0x09,
+};
+
+/* Virtual machine and programs ------------------------------------------------------------------------------------- */
+
+enum {
+    /* Ends the program with a failure; never valid on the wire */
+    opERROR = 0x00,
+
+    /* Does nothing; a harmless way to see whether the brick answers */
+    opNOP = 0x01,
+
+    /*
+     * Stops the program of a slot
+     *   PRGID  DATA16  program slot to stop (SLOT; 0: all programs; -1: the program that says so)
+     */
+    opPROGRAM_STOP = 0x02,
+
+    /*
+     * Starts a loaded program; by direct command only while no user program runs
+     *   PRGID  DATA16  program slot (SLOT)
+     *   SIZE   DATA32  size of the image; read and ignored (bytes)
+     *   IP     DATA32  address of the image, as FILE.LOAD_IMAGE returned it
+     *   DEBUG  DATA8   how to run it (0 to 2; 0: run; 1: debug; 2: load, do not run)
+     */
+    opPROGRAM_START = 0x03,
+
+    /*
+     * Stops an object of the own program
+     *   OBJID  DATA16  object of the program, counted from 1
+     */
+    opOBJECT_STOP = 0x04,
+
+    /*
+     * Starts an object of the own program
+     *   OBJID  DATA16  object of the program, counted from 1
+     */
+    opOBJECT_START = 0x05,
+
+    /*
+     * Counts an object's trigger down; at zero the object starts
+     *   OBJID  DATA16  object of the program, counted from 1
+     */
+    opOBJECT_TRIG = 0x06,
+
+    /*
+     * Waits until an object has ended
+     *   OBJID  DATA16  object of the program, counted from 1
+     */
+    opOBJECT_WAIT = 0x07,
+
+    /* Returns from a subroutine to its caller */
+    opRETURN = 0x08,
+
+    /*
+     * Calls a subroutine of the own program; waits while another thread is in it
+     *   OBJID       DATA16  object that is the subroutine, counted from 1
+     *   PARAMETERS  count   how many parameters follow; the subroutine declares their types and directions (each is
+     *       DATA32)
+     */
+    opCALL = 0x09,
+
+    /* Ends the object; the firmware puts one behind every direct command */
+    opOBJECT_END = 0x0A,
+
+    /* Gives up the rest of the thread's time slice */
+    opSLEEP = 0x0B,
+
+    /* Asks about a program or controls its objects: a CMD follows, below */
+    opPROGRAM_INFO = 0x0C,
+
+    /*
+     * Marks a place that jumps can name; does nothing itself
+     *   NO  label  number of the label (0 to 31)
+     */
+    opLABEL = 0x0D,
+
+    /*
+     * Prints a program's memory on the brick's debug terminal
+     *   PRGID   DATA16  program slot (SLOT)
+     *   OBJID   DATA16  object whose local memory to print (0: the global memory)
+     *   OFFSET  DATA32  where to begin (bytes)
+     *   SIZE    DATA32  how much to print (0 to 1024 bytes; 0: all, 1024 at most)
+     */
+    opPROBE = 0x0E,
+
+    /*
+     * Runs byte code that is already in memory, ending what the slot ran before
+     *   PRGID   DATA16  program slot (SLOT)
+     *   IMAGE   DATA32  address of the byte code image
+     *   GLOBAL  DATA32  address of the global memory it uses
+     */
+    opDO = 0x0F,
+
+    /*
+     * Runs a shell command on the brick's Linux and waits for its end
+     *   COMMAND  string      the command line
+     *   STATUS   out DATA32  wait status as C's system() gives it: 256 times the exit code (0: success; -1: could
+     *       not run)
+     */
+    opSYSTEM = 0x60,
+
+    /*
+     * Splits a motor port number as LEGO's editor writes it
+     *   PortIn    DATA32     three decimal digits, each 1-4: layer, first port, second port (123: B and C)
+     *   Layer     out DATA8  position in the daisy chain (0 to 3; 0: this brick)
+     *   Bitfield  out DATA8  motor ports as bits: A=1 B=2 C=4 D=8 (0 to 15)
+     *   Inverted  out DATA8  whether the first port comes after the second, as in C and A (0 to 1; 0: no; 1: yes)
+     */
+    opPORT_CNV_OUTPUT = 0x61,
+
+    /*
+     * Splits a sensor port number as LEGO's editor writes it
+     *   PortIn   DATA32     three decimal digits: layer 1-4, any, port 1-4 (103: port 3)
+     *   Layer    out DATA8  position in the daisy chain (0 to 3; 0: this brick)
+     *   PortOut  out DATA8  sensor port less one, as INPUT_* takes it (0 to 3)
+     */
+    opPORT_CNV_INPUT = 0x62,
+
+    /*
+     * Converts the name of a note to its frequency
+     *   NOTE  string      C4 to B6, sharps as C#4
+     *   FREQ  out DATA16  frequency; 440 for a note it does not know (262 to 1976 Hz)
+     */
+    opNOTE_TO_FREQ = 0x63,
+
+    /* Reads and sets the error log, the volume and the time to power off: a CMD follows, below */
+    opINFO = 0x7C,
+
+    /* Works with texts: joins, compares, converts from and to numbers: a CMD follows, below */
+    opSTRINGS = 0x7D,
+
+    /* Stops at breakpoint 0; BP_SET puts it over the instruction it replaces */
+    opBP0 = 0x88,
+
+    /* Stops at breakpoint 1; BP_SET puts it over the instruction it replaces */
+    opBP1 = 0x89,
+
+    /* Stops at breakpoint 2; BP_SET puts it over the instruction it replaces */
+    opBP2 = 0x8A,
+
+    /* Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces */
+    opBP3 = 0x8B,
+
+    /*
+     * Sets or removes a breakpoint in a running program
+     *   PRGID    DATA16  program slot (SLOT)
+     *   NO       DATA8   number of the breakpoint (0 to 2; 3: pulse on test pin TP4, no stop)
+     *   ADDRESS  DATA32  where in the image (bytes; 0: remove the breakpoint)
+     */
+    opBP_SET = 0x8C,
+
+    /*
+     * Loads an additional virtual machine; fails while another one is loaded (xtended and compat firmware only)
+     *   VMINDEX  DATA8      which one (0 to 1; 0: RobotC; 1: LabVIEW)
+     *   RESULT   out DATA8  OK or FAIL (RESULT)
+     */
+    opDYNLOAD_VMLOAD = 0xF0,
+
+    /* Unloads the additional virtual machine (xtended and compat firmware only) */
+    opDYNLOAD_VMEXIT = 0xF1,
+
+    /*
+     * Calls entry point 0 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_0 = 0xF2,
+
+    /*
+     * Calls entry point 1 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_1 = 0xF3,
+
+    /*
+     * Calls entry point 2 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_2 = 0xF4,
+
+    /*
+     * Calls entry point 3 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_3 = 0xF5,
+
+    /*
+     * Calls entry point 4 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_4 = 0xF6,
+
+    /*
+     * Calls entry point 5 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_5 = 0xF7,
+
+    /*
+     * Calls entry point 6 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_6 = 0xF8,
+
+    /*
+     * Calls entry point 7 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_7 = 0xF9,
+
+    /*
+     * Calls entry point 8 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_8 = 0xFA,
+
+    /*
+     * Calls entry point 9 of the additional virtual machine that is loaded (xtended and compat firmware only)
+     *   CMD         DATA8            function to call, as that machine numbers them
+     *   LENGTH_IN   DATA8            how much data is handed over
+     *   LENGTH_OUT  out DATA16       how many elements came back
+     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     */
+    opDYNLOAD_ENTRY_9 = 0xFB,
+
+    /*
+     * Asks which additional virtual machine is loaded (xtended and compat firmware only)
+     *   RESULT  out DATA8  which one (0 to 1; -1: none; 0: RobotC; 1: LabVIEW)
+     */
+    opDYNLOAD_GET_VM = 0xFC,
+
+    /* Tests the hardware, as the factory does; all but TST_OPEN fail unless opened before: a CMD follows, below */
+    opTST = 0xFF,
+};
+
+/* CMDs of opPROGRAM_INFO */
+enum {
+    /*
+     * Stops an object of a running program
+     *   PRGID  DATA16  program slot (SLOT)
+     *   OBJID  DATA16  object of the program, counted from 1
+     */
+    OBJ_STOP = 0,
+
+    /*
+     * Starts an object of a running program from its beginning
+     *   PRGID  DATA16  program slot (SLOT)
+     *   OBJID  DATA16  object of the program, counted from 1
+     */
+    OBJ_START = 4,
+
+    /*
+     * Asks whether a program runs
+     *   PRGID  DATA16     program slot (SLOT)
+     *   DATA   out DATA8  state of the program (OBJSTAT)
+     */
+    GET_STATUS = 22,
+
+    /*
+     * Asks how fast a program runs
+     *   PRGID  DATA16      program slot (SLOT)
+     *   DATA   out DATA32  speed since the program started (instructions/s)
+     */
+    GET_SPEED = 23,
+
+    /*
+     * Asks how a program ended
+     *   PRGID  DATA16     program slot (SLOT)
+     *   DATA   out DATA8  OK, BUSY (still running) or FAIL (RESULT)
+     */
+    GET_PRGRESULT = 24,
+
+    /*
+     * Sets how many instructions the calling thread may still run in its time slice
+     *   PRGID  DATA16  program slot (SLOT)
+     */
+    SET_INSTR = 25,
+
+    /*
+     * Asks for the name of a program (xtended and compat firmware only)
+     *   PRGID  DATA16      program slot (SLOT)
+     *   NAME   out string  name of the program, ended by its zero
+     */
+    GET_PRGNAME = 26,
+};
+
+/* CMDs of opINFO */
+enum {
+    /*
+     * Puts an error into the brick's error log
+     *   NUMBER  DATA8  number of the error (0: nothing is logged)
+     */
+    SET_ERROR = 1,
+
+    /*
+     * Takes the oldest error out of the brick's error log
+     *   NUMBER  out DATA8  number of the error (0: the log is empty)
+     */
+    GET_ERROR = 2,
+
+    /*
+     * Converts the number of an error to its name
+     *   NUMBER       DATA8       number of the error (0: gives an empty text)
+     *   LENGTH       DATA8       room for the text, with its zero (bytes; -1: no limit)
+     *   DESTINATION  out string  name of the error, less than 32 characters (LENGTH tells how long)
+     */
+    ERRORTEXT = 3,
+
+    /*
+     * Reads the volume setting
+     *   VALUE  out DATA8  how loud (0 to 100 %)
+     */
+    GET_VOLUME = 4,
+
+    /*
+     * Changes the volume setting
+     *   VALUE  DATA8  how loud (0 to 100 %)
+     */
+    SET_VOLUME = 5,
+
+    /*
+     * Reads after how long without use the brick powers off
+     *   VALUE  out DATA8  time without use (0 to 120 min; 0: never)
+     */
+    GET_MINUTES = 6,
+
+    /*
+     * Changes after how long without use the brick powers off
+     *   VALUE  DATA8  time without use (0 to 120 min; 0: never)
+     */
+    SET_MINUTES = 7,
+};
+
+/* CMDs of opSTRINGS */
+enum {
+    /*
+     * Measures a text
+     *   SOURCE1  string      text to work on
+     *   SIZE     out DATA16  its length without the zero (bytes)
+     */
+    GET_SIZE = 1,
+
+    /*
+     * Joins two texts
+     *   SOURCE1      string      first part
+     *   SOURCE2      string      second part
+     *   DESTINATION  out string  resulting text, ended by its zero
+     */
+    ADD = 2,
+
+    /*
+     * Tells whether two texts are the same, upper and lower case kept apart
+     *   SOURCE1  string     one text
+     *   SOURCE2  string     the other text
+     *   RESULT   out DATA8  whether they match (0 to 1; 0: different; 1: the same)
+     */
+    COMPARE = 3,
+
+    /*
+     * Copies a text
+     *   SOURCE1      string      text to work on
+     *   DESTINATION  out string  resulting text, ended by its zero
+     */
+    DUPLICATE = 5,
+
+    /*
+     * Writes a floating-point number as text, without zeros at its end
+     *   VALUE        DATAF       number to write; NaN becomes ----
+     *   FIGURES      DATA8       width with the point; negative aligns left (characters)
+     *   DECIMALS     DATA8       digits after the point
+     *   DESTINATION  out string  resulting text, ended by its zero
+     */
+    VALUE_TO_STRING = 6,
+
+    /*
+     * Reads a number from a text
+     *   SOURCE1      string     text to read; a comma counts as decimal point
+     *   DESTINATION  out DATAF  the number
+     */
+    STRING_TO_VALUE = 7,
+
+    /*
+     * Removes every space from a text
+     *   SOURCE1      string      text to work on
+     *   DESTINATION  out string  resulting text, ended by its zero
+     */
+    STRIP = 8,
+
+    /*
+     * Writes a whole number as text, with zeros in front
+     *   VALUE        DATA16      number to write
+     *   FIGURES      DATA8       width of the text (characters)
+     *   DESTINATION  out string  resulting text, ended by its zero
+     */
+    NUMBER_TO_STRING = 9,
+
+    /*
+     * Takes from a text what comes after another text found in it
+     *   SOURCE1      string      text to search
+     *   SOURCE2      string      text to find; it should be there
+     *   DESTINATION  out string  resulting text, ended by its zero
+     */
+    SUB = 10,
+
+    /*
+     * Writes a floating-point number as text in a format of C's printf
+     *   VALUE        DATAF       number to write
+     *   FORMAT       string      format, such as %5.2f
+     *   SIZE         DATA8       room for the text, with its zero (bytes)
+     *   DESTINATION  out string  resulting text (SIZE tells how long)
+     */
+    VALUE_FORMATTED = 11,
+
+    /*
+     * Writes a whole number as text in a format of C's printf
+     *   VALUE        DATA32      number to write
+     *   FORMAT       string      format, such as %05d or %X
+     *   SIZE         DATA8       room for the text, with its zero (bytes)
+     *   DESTINATION  out string  resulting text (SIZE tells how long)
+     */
+    NUMBER_FORMATTED = 12,
+};
+
+/* CMDs of opTST */
+enum {
+    /* Allows test commands for 10 seconds; each one renews the time */
+    TST_OPEN = 10,
+
+    /* Ends the test mode */
+    TST_CLOSE = 11,
+
+    /*
+     * Reads the pins of a connector
+     *   PORT    DATA8      connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D (0 to 19)
+     *   LENGTH  DATA8      how many pins to read, usually 5
+     *   STRING  out DATA8  one character per pin: 0 low, 1 high (LENGTH tells how long)
+     */
+    TST_READ_PINS = 12,
+
+    /*
+     * Sets the pins of a connector
+     *   PORT    DATA8  connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D (0 to 19)
+     *   LENGTH  DATA8  how many pins to set, usually 5
+     *   STRING  DATA8  one character per pin: 0 low, 1 high, X floating, - as it is (LENGTH tells how long)
+     */
+    TST_WRITE_PINS = 13,
+
+    /*
+     * Reads the analog converter
+     *   INDEX  DATA8       channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports (0 to 15;
+     *       12: battery temperature; 13: motor current; 14: battery current; 15: battery voltage)
+     *   VALUE  out DATA16  raw reading (0 to 4095 counts)
+     */
+    TST_READ_ADC = 14,
+
+    /*
+     * Sends bytes out of a sensor port's serial line
+     *   PORT    DATA8  sensor port less one (0 to 3)
+     *   LENGTH  DATA8  how many bytes to send (0 to 63 bytes)
+     *   STRING  DATA8  the bytes (LENGTH tells how long)
+     */
+    TST_WRITE_UART = 15,
+
+    /*
+     * Reads bytes that arrived on a sensor port's serial line
+     *   PORT    DATA8      sensor port less one (0 to 3)
+     *   LENGTH  DATA8      how many bytes to read (0 to 63 bytes)
+     *   STRING  out DATA8  the bytes, filled up with zeros (LENGTH tells how long)
+     */
+    TST_READ_UART = 16,
+
+    /*
+     * Switches the serial lines of all sensor ports on
+     *   BITRATE  DATA32  speed of the line (2400 to 115200 bit/s)
+     */
+    TST_ENABLE_UART = 17,
+
+    /* Switches the serial lines of all sensor ports off */
+    TST_DISABLE_UART = 18,
+
+    /*
+     * Reads the switch that senses the rechargeable battery
+     *   ACTIVE  out DATA8  state of the switch (0 to 1; 0: other batteries; 1: rechargeable battery)
+     */
+    TST_ACCU_SWITCH = 19,
+
+    /* Starts mode 2 of Bluetooth, the one for Apple's devices */
+    TST_BOOT_MODE2 = 20,
+
+    /*
+     * Asks how far the start of Bluetooth's mode 2 is
+     *   STATUS  out DATA8  OK, BUSY (still starting) or FAIL (0 to 2; RESULT)
+     */
+    TST_POLL_MODE2 = 21,
+
+    /* Ends mode 2 of Bluetooth */
+    TST_CLOSE_MODE2 = 22,
+
+    /*
+     * Asks how the memory test at power-on went
+     *   STATUS  out DATA8  OK or FAIL (0 to 2; RESULT)
+     */
+    TST_RAM_CHECK = 23,
+};
+
+/* Arithmetic ------------------------------------------------------------------------------------------------------- */
+
+enum {
+    /*
+     * Adds two 8-bit numbers
+     *   SOURCE1      DATA8      first number
+     *   SOURCE2      DATA8      second number
+     *   DESTINATION  out DATA8  their sum
+     */
+    opADD8 = 0x10,
+
+    /*
+     * Adds two 16-bit numbers
+     *   SOURCE1      DATA16      first number
+     *   SOURCE2      DATA16      second number
+     *   DESTINATION  out DATA16  their sum
+     */
+    opADD16 = 0x11,
+
+    /*
+     * Adds two 32-bit numbers
+     *   SOURCE1      DATA32      first number
+     *   SOURCE2      DATA32      second number
+     *   DESTINATION  out DATA32  their sum
+     */
+    opADD32 = 0x12,
+
+    /*
+     * Adds two floating-point numbers
+     *   SOURCE1      DATAF      first number
+     *   SOURCE2      DATAF      second number
+     *   DESTINATION  out DATAF  their sum
+     */
+    opADDF = 0x13,
+
+    /*
+     * Subtracts one 8-bit number from another
+     *   SOURCE1      DATA8      number to subtract from
+     *   SOURCE2      DATA8      number to subtract
+     *   DESTINATION  out DATA8  SOURCE1 less SOURCE2
+     */
+    opSUB8 = 0x14,
+
+    /*
+     * Subtracts one 16-bit number from another
+     *   SOURCE1      DATA16      number to subtract from
+     *   SOURCE2      DATA16      number to subtract
+     *   DESTINATION  out DATA16  SOURCE1 less SOURCE2
+     */
+    opSUB16 = 0x15,
+
+    /*
+     * Subtracts one 32-bit number from another
+     *   SOURCE1      DATA32      number to subtract from
+     *   SOURCE2      DATA32      number to subtract
+     *   DESTINATION  out DATA32  SOURCE1 less SOURCE2
+     */
+    opSUB32 = 0x16,
+
+    /*
+     * Subtracts one floating-point number from another
+     *   SOURCE1      DATAF      number to subtract from
+     *   SOURCE2      DATAF      number to subtract
+     *   DESTINATION  out DATAF  SOURCE1 less SOURCE2
+     */
+    opSUBF = 0x17,
+
+    /*
+     * Multiplies two 8-bit numbers
+     *   SOURCE1      DATA8      first factor
+     *   SOURCE2      DATA8      second factor
+     *   DESTINATION  out DATA8  their product
+     */
+    opMUL8 = 0x18,
+
+    /*
+     * Multiplies two 16-bit numbers
+     *   SOURCE1      DATA16      first factor
+     *   SOURCE2      DATA16      second factor
+     *   DESTINATION  out DATA16  their product
+     */
+    opMUL16 = 0x19,
+
+    /*
+     * Multiplies two 32-bit numbers
+     *   SOURCE1      DATA32      first factor
+     *   SOURCE2      DATA32      second factor
+     *   DESTINATION  out DATA32  their product
+     */
+    opMUL32 = 0x1A,
+
+    /*
+     * Multiplies two floating-point numbers
+     *   SOURCE1      DATAF      first factor
+     *   SOURCE2      DATAF      second factor
+     *   DESTINATION  out DATAF  their product
+     */
+    opMULF = 0x1B,
+
+    /*
+     * Divides two 8-bit numbers; by zero gives the largest or smallest value
+     *   SOURCE1      DATA8      number to divide
+     *   SOURCE2      DATA8      number to divide by
+     *   DESTINATION  out DATA8  quotient, cut off towards zero (0 for 0 / 0)
+     */
+    opDIV8 = 0x1C,
+
+    /*
+     * Divides two 16-bit numbers; by zero gives the largest or smallest value
+     *   SOURCE1      DATA16      number to divide
+     *   SOURCE2      DATA16      number to divide by
+     *   DESTINATION  out DATA16  quotient, cut off towards zero (0 for 0 / 0)
+     */
+    opDIV16 = 0x1D,
+
+    /*
+     * Divides two 32-bit numbers; by zero gives the largest or smallest value
+     *   SOURCE1      DATA32      number to divide
+     *   SOURCE2      DATA32      number to divide by
+     *   DESTINATION  out DATA32  quotient, cut off towards zero (0 for 0 / 0)
+     */
+    opDIV32 = 0x1E,
+
+    /*
+     * Divides two floating-point numbers; by zero gives infinity or NaN
+     *   SOURCE1      DATAF      number to divide
+     *   SOURCE2      DATAF      number to divide by
+     *   DESTINATION  out DATAF  quotient
+     */
+    opDIVF = 0x1F,
+
+    /*
+     * Combines 8-bit values, bit by bit, by OR
+     *   SOURCE1      DATA8      first
+     *   SOURCE2      DATA8      second
+     *   DESTINATION  out DATA8  bits set in either
+     */
+    opOR8 = 0x20,
+
+    /*
+     * Combines 16-bit values, bit by bit, by OR
+     *   SOURCE1      DATA16      first
+     *   SOURCE2      DATA16      second
+     *   DESTINATION  out DATA16  bits set in either
+     */
+    opOR16 = 0x21,
+
+    /*
+     * Combines 32-bit values, bit by bit, by OR
+     *   SOURCE1      DATA32      first
+     *   SOURCE2      DATA32      second
+     *   DESTINATION  out DATA32  bits set in either
+     */
+    opOR32 = 0x22,
+
+    /*
+     * Combines 8-bit values, bit by bit, by AND
+     *   SOURCE1      DATA8      first
+     *   SOURCE2      DATA8      second
+     *   DESTINATION  out DATA8  bits set in both
+     */
+    opAND8 = 0x24,
+
+    /*
+     * Combines 16-bit values, bit by bit, by AND
+     *   SOURCE1      DATA16      first
+     *   SOURCE2      DATA16      second
+     *   DESTINATION  out DATA16  bits set in both
+     */
+    opAND16 = 0x25,
+
+    /*
+     * Combines 32-bit values, bit by bit, by AND
+     *   SOURCE1      DATA32      first
+     *   SOURCE2      DATA32      second
+     *   DESTINATION  out DATA32  bits set in both
+     */
+    opAND32 = 0x26,
+
+    /*
+     * Combines 8-bit values, bit by bit, by exclusive OR
+     *   SOURCE1      DATA8      first
+     *   SOURCE2      DATA8      second
+     *   DESTINATION  out DATA8  bits set in just one of the two
+     */
+    opXOR8 = 0x28,
+
+    /*
+     * Combines 16-bit values, bit by bit, by exclusive OR
+     *   SOURCE1      DATA16      first
+     *   SOURCE2      DATA16      second
+     *   DESTINATION  out DATA16  bits set in just one of the two
+     */
+    opXOR16 = 0x29,
+
+    /*
+     * Combines 32-bit values, bit by bit, by exclusive OR
+     *   SOURCE1      DATA32      first
+     *   SOURCE2      DATA32      second
+     *   DESTINATION  out DATA32  bits set in just one of the two
+     */
+    opXOR32 = 0x2A,
+
+    /*
+     * Shifts 8-bit values left; despite the name (rotate), bits leaving on the left are lost
+     *   SOURCE1      DATA8      value to shift
+     *   SOURCE2      DATA8      how many places (bits)
+     *   DESTINATION  out DATA8  shifted value, filled up with zero bits
+     */
+    opRL8 = 0x2C,
+
+    /*
+     * Shifts 16-bit values left; despite the name (rotate), bits leaving on the left are lost
+     *   SOURCE1      DATA16      value to shift
+     *   SOURCE2      DATA16      how many places (bits)
+     *   DESTINATION  out DATA16  shifted value, filled up with zero bits
+     */
+    opRL16 = 0x2D,
+
+    /*
+     * Shifts 32-bit values left; despite the name (rotate), bits leaving on the left are lost
+     *   SOURCE1      DATA32      value to shift
+     *   SOURCE2      DATA32      how many places (bits)
+     *   DESTINATION  out DATA32  shifted value, filled up with zero bits
+     */
+    opRL32 = 0x2E,
+
+    /* Applies a mathematical function: a CMD follows, below */
+    opMATH = 0x8D,
+
+    /*
+     * Draws a random whole number
+     *   MIN    DATA16      smallest number to draw
+     *   MAX    DATA16      largest number to draw
+     *   VALUE  out DATA16  the number drawn, MIN to MAX, both included
+     */
+    opRANDOM = 0x8E,
+};
+
+/* CMDs of opMATH */
+enum {
+    /*
+     * Raises e to a power
+     *   X  DATAF      the power
+     *   R  out DATAF  result
+     */
+    EXP = 1,
+
+    /*
+     * Takes the remainder of a floating-point division
+     *   X  DATAF      number to divide
+     *   Y  DATAF      number to divide by
+     *   R  out DATAF  what is left over, with the sign of X
+     */
+    MOD = 2,
+
+    /*
+     * Rounds down to a whole number
+     *   X  DATAF      number to work on
+     *   R  out DATAF  result
+     */
+    FLOOR = 3,
+
+    /*
+     * Rounds up to a whole number
+     *   X  DATAF      number to work on
+     *   R  out DATAF  result
+     */
+    CEIL = 4,
+
+    /*
+     * Rounds to the nearest whole number, halves away from zero
+     *   X  DATAF      number to work on
+     *   R  out DATAF  result
+     */
+    ROUND = 5,
+
+    /*
+     * Drops the sign
+     *   X  DATAF      number to work on
+     *   R  out DATAF  result
+     */
+    ABS = 6,
+
+    /*
+     * Reverses the sign
+     *   X  DATAF      number to work on
+     *   R  out DATAF  result
+     */
+    NEGATE = 7,
+
+    /*
+     * Takes the square root
+     *   X  DATAF      number to work on, not negative
+     *   R  out DATAF  result
+     */
+    SQRT = 8,
+
+    /*
+     * Takes the logarithm to base 10
+     *   X  DATAF      number to work on, above 0
+     *   R  out DATAF  result
+     */
+    LOG = 9,
+
+    /*
+     * Takes the natural logarithm
+     *   X  DATAF      number to work on, above 0
+     *   R  out DATAF  result
+     */
+    LN = 10,
+
+    /*
+     * Takes the sine of an angle in degrees
+     *   X  DATAF      angle (degrees)
+     *   R  out DATAF  sine, -1 to 1
+     */
+    SIN = 11,
+
+    /*
+     * Takes the cosine of an angle in degrees
+     *   X  DATAF      angle (degrees)
+     *   R  out DATAF  cosine, -1 to 1
+     */
+    COS = 12,
+
+    /*
+     * Takes the tangent of an angle in degrees
+     *   X  DATAF      angle (degrees)
+     *   R  out DATAF  tangent
+     */
+    TAN = 13,
+
+    /*
+     * Finds the angle that has a sine
+     *   X  DATAF      sine (-1 to 1)
+     *   R  out DATAF  angle (degrees)
+     */
+    ASIN = 14,
+
+    /*
+     * Finds the angle that has a cosine
+     *   X  DATAF      cosine (-1 to 1)
+     *   R  out DATAF  angle (degrees)
+     */
+    ACOS = 15,
+
+    /*
+     * Finds the angle that has a tangent
+     *   X  DATAF      tangent
+     *   R  out DATAF  angle (degrees)
+     */
+    ATAN = 16,
+
+    /*
+     * Takes the remainder of an 8-bit division
+     *   X  DATA8      number to divide
+     *   Y  DATA8      number to divide by, not 0
+     *   R  out DATA8  what is left over, with the sign of X
+     */
+    MOD8 = 17,
+
+    /*
+     * Takes the remainder of a 16-bit division
+     *   X  DATA16      number to divide
+     *   Y  DATA16      number to divide by, not 0
+     *   R  out DATA16  what is left over, with the sign of X
+     */
+    MOD16 = 18,
+
+    /*
+     * Takes the remainder of a 32-bit division
+     *   X  DATA32      number to divide
+     *   Y  DATA32      number to divide by, not 0
+     *   R  out DATA32  what is left over, with the sign of X
+     */
+    MOD32 = 19,
+
+    /*
+     * Raises a number to a power
+     *   X  DATAF      number to raise
+     *   Y  DATAF      the power
+     *   R  out DATAF  result
+     */
+    POW = 20,
+
+    /*
+     * Cuts off decimals without rounding
+     *   X  DATAF      number to work on
+     *   P  DATA8      how many decimals to keep (more than 6 are not there) (0 to 9)
+     *   R  out DATAF  result
+     */
+    TRUNC = 21,
+};
+
+/* Moving and converting values ------------------------------------------------------------------------------------- */
+
+enum {
+    /*
+     * Fills consecutive bytes of memory with values given in place
+     *   DESTINATION  out DATA8  first byte to fill (LENGTH tells how long)
+     *   LENGTH       DATA32     how many values follow; a negative count hangs the brick (bytes)
+     *   SOURCE       values     the values, one per byte (each is DATA8)
+     */
+    opINIT_BYTES = 0x2F,
+
+    /*
+     * Copies a value to another variable, both 8-bit
+     *   SOURCE       DATA8      value to copy
+     *   DESTINATION  out DATA8  copy of the value
+     */
+    opMOVE8_8 = 0x30,
+
+    /*
+     * Converts a value, 8-bit to 16-bit; NaN stays NaN
+     *   SOURCE       DATA8       value to copy
+     *   DESTINATION  out DATA16  copy of the value
+     */
+    opMOVE8_16 = 0x31,
+
+    /*
+     * Converts a value, 8-bit to 32-bit; NaN stays NaN
+     *   SOURCE       DATA8       value to copy
+     *   DESTINATION  out DATA32  copy of the value
+     */
+    opMOVE8_32 = 0x32,
+
+    /*
+     * Converts a value, 8-bit to floating-point; NaN stays NaN
+     *   SOURCE       DATA8      value to copy
+     *   DESTINATION  out DATAF  copy of the value
+     */
+    opMOVE8_F = 0x33,
+
+    /*
+     * Converts a value, 16-bit to 8-bit; limited to what fits, NaN stays NaN
+     *   SOURCE       DATA16     value to copy
+     *   DESTINATION  out DATA8  copy of the value
+     */
+    opMOVE16_8 = 0x34,
+
+    /*
+     * Copies a value to another variable, both 16-bit
+     *   SOURCE       DATA16      value to copy
+     *   DESTINATION  out DATA16  copy of the value
+     */
+    opMOVE16_16 = 0x35,
+
+    /*
+     * Converts a value, 16-bit to 32-bit; NaN stays NaN
+     *   SOURCE       DATA16      value to copy
+     *   DESTINATION  out DATA32  copy of the value
+     */
+    opMOVE16_32 = 0x36,
+
+    /*
+     * Converts a value, 16-bit to floating-point; NaN stays NaN
+     *   SOURCE       DATA16     value to copy
+     *   DESTINATION  out DATAF  copy of the value
+     */
+    opMOVE16_F = 0x37,
+
+    /*
+     * Converts a value, 32-bit to 8-bit; limited to what fits, NaN stays NaN
+     *   SOURCE       DATA32     value to copy
+     *   DESTINATION  out DATA8  copy of the value
+     */
+    opMOVE32_8 = 0x38,
+
+    /*
+     * Converts a value, 32-bit to 16-bit; limited to what fits, NaN stays NaN
+     *   SOURCE       DATA32      value to copy
+     *   DESTINATION  out DATA16  copy of the value
+     */
+    opMOVE32_16 = 0x39,
+
+    /*
+     * Copies a value to another variable, both 32-bit
+     *   SOURCE       DATA32      value to copy
+     *   DESTINATION  out DATA32  copy of the value
+     */
+    opMOVE32_32 = 0x3A,
+
+    /*
+     * Converts a value, 32-bit to floating-point; NaN stays NaN
+     *   SOURCE       DATA32     value to copy
+     *   DESTINATION  out DATAF  copy of the value
+     */
+    opMOVE32_F = 0x3B,
+
+    /*
+     * Converts a value, floating-point to 8-bit; limited to what fits, NaN stays NaN
+     *   SOURCE       DATAF      value to copy
+     *   DESTINATION  out DATA8  copy of the value
+     */
+    opMOVEF_8 = 0x3C,
+
+    /*
+     * Converts a value, floating-point to 16-bit; limited to what fits, NaN stays NaN
+     *   SOURCE       DATAF       value to copy
+     *   DESTINATION  out DATA16  copy of the value
+     */
+    opMOVEF_16 = 0x3D,
+
+    /*
+     * Converts a value, floating-point to 32-bit; limited to what fits, NaN stays NaN
+     *   SOURCE       DATAF       value to copy
+     *   DESTINATION  out DATA32  copy of the value
+     */
+    opMOVEF_32 = 0x3E,
+
+    /*
+     * Copies a value to another variable, both floating-point
+     *   SOURCE       DATAF      value to copy
+     *   DESTINATION  out DATAF  copy of the value
+     */
+    opMOVEF_F = 0x3F,
+
+    /*
+     * Takes one element out of an array of 8-bit values
+     *   SOURCE       DATA8      first element of the array, as a variable
+     *   INDEX        DATA8      which element, counted from 0; the firmware does not check it (0 to 127)
+     *   DESTINATION  out DATA8  the element's value
+     */
+    opREAD8 = 0xC8,
+
+    /*
+     * Takes one element out of an array of 16-bit values
+     *   SOURCE       DATA16      first element of the array, as a variable
+     *   INDEX        DATA8       which element, counted from 0; the firmware does not check it (0 to 127)
+     *   DESTINATION  out DATA16  the element's value
+     */
+    opREAD16 = 0xC9,
+
+    /*
+     * Takes one element out of an array of 32-bit values
+     *   SOURCE       DATA32      first element of the array, as a variable
+     *   INDEX        DATA8       which element, counted from 0; the firmware does not check it (0 to 127)
+     *   DESTINATION  out DATA32  the element's value
+     */
+    opREAD32 = 0xCA,
+
+    /*
+     * Takes one element out of an array of floating-point values
+     *   SOURCE       DATAF      first element of the array, as a variable
+     *   INDEX        DATA8      which element, counted from 0; the firmware does not check it (0 to 127)
+     *   DESTINATION  out DATAF  the element's value
+     */
+    opREADF = 0xCB,
+
+    /*
+     * Sets one element of an array of 8-bit values
+     *   SOURCE       DATA8  value to set
+     *   INDEX        DATA8  which element, counted from 0; the firmware does not check it (0 to 127)
+     *   DESTINATION  DATA8  first element of the array, as a variable; element INDEX is written
+     */
+    opWRITE8 = 0xCC,
+
+    /*
+     * Sets one element of an array of 16-bit values
+     *   SOURCE       DATA16  value to set
+     *   INDEX        DATA8   which element, counted from 0; the firmware does not check it (0 to 127)
+     *   DESTINATION  DATA16  first element of the array, as a variable; element INDEX is written
+     */
+    opWRITE16 = 0xCD,
+
+    /*
+     * Sets one element of an array of 32-bit values
+     *   SOURCE       DATA32  value to set
+     *   INDEX        DATA8   which element, counted from 0; the firmware does not check it (0 to 127)
+     *   DESTINATION  DATA32  first element of the array, as a variable; element INDEX is written
+     */
+    opWRITE32 = 0xCE,
+
+    /*
+     * Sets one element of an array of floating-point values
+     *   SOURCE       DATAF  value to set
+     *   INDEX        DATA8  which element, counted from 0; the firmware does not check it (0 to 127)
+     *   DESTINATION  DATAF  first element of the array, as a variable; element INDEX is written
+     */
+    opWRITEF = 0xCF,
+};
+
+/* Jumps ------------------------------------------------------------------------------------------------------------ */
+
+enum {
+    /*
+     * Jumps always
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR = 0x40,
+
+    /*
+     * Jumps if a flag is 0
+     *   FLAG    DATA8  the condition: anything but 0 is true (0: false; 1: true)
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_FALSE = 0x41,
+
+    /*
+     * Jumps if a flag is not 0
+     *   FLAG    DATA8  the condition: anything but 0 is true (0: false; 1: true)
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_TRUE = 0x42,
+
+    /*
+     * Jumps if a value is not a number, as a sensor without data gives
+     *   VALUE   DATAF  value to look at
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_NAN = 0x43,
+
+    /*
+     * Jumps if LEFT is less than RIGHT, as 8-bit numbers
+     *   LEFT    DATA8  left side of the comparison
+     *   RIGHT   DATA8  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_LT8 = 0x64,
+
+    /*
+     * Jumps if LEFT is less than RIGHT, as 16-bit numbers
+     *   LEFT    DATA16  left side of the comparison
+     *   RIGHT   DATA16  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_LT16 = 0x65,
+
+    /*
+     * Jumps if LEFT is less than RIGHT, as 32-bit numbers
+     *   LEFT    DATA32  left side of the comparison
+     *   RIGHT   DATA32  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_LT32 = 0x66,
+
+    /*
+     * Jumps if LEFT is less than RIGHT, as floating-point numbers
+     *   LEFT    DATAF  left side of the comparison
+     *   RIGHT   DATAF  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_LTF = 0x67,
+
+    /*
+     * Jumps if LEFT is greater than RIGHT, as 8-bit numbers
+     *   LEFT    DATA8  left side of the comparison
+     *   RIGHT   DATA8  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_GT8 = 0x68,
+
+    /*
+     * Jumps if LEFT is greater than RIGHT, as 16-bit numbers
+     *   LEFT    DATA16  left side of the comparison
+     *   RIGHT   DATA16  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_GT16 = 0x69,
+
+    /*
+     * Jumps if LEFT is greater than RIGHT, as 32-bit numbers
+     *   LEFT    DATA32  left side of the comparison
+     *   RIGHT   DATA32  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_GT32 = 0x6A,
+
+    /*
+     * Jumps if LEFT is greater than RIGHT, as floating-point numbers
+     *   LEFT    DATAF  left side of the comparison
+     *   RIGHT   DATAF  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_GTF = 0x6B,
+
+    /*
+     * Jumps if LEFT is equal to RIGHT, as 8-bit numbers
+     *   LEFT    DATA8  left side of the comparison
+     *   RIGHT   DATA8  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_EQ8 = 0x6C,
+
+    /*
+     * Jumps if LEFT is equal to RIGHT, as 16-bit numbers
+     *   LEFT    DATA16  left side of the comparison
+     *   RIGHT   DATA16  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_EQ16 = 0x6D,
+
+    /*
+     * Jumps if LEFT is equal to RIGHT, as 32-bit numbers
+     *   LEFT    DATA32  left side of the comparison
+     *   RIGHT   DATA32  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_EQ32 = 0x6E,
+
+    /*
+     * Jumps if LEFT is equal to RIGHT, as floating-point numbers
+     *   LEFT    DATAF  left side of the comparison
+     *   RIGHT   DATAF  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_EQF = 0x6F,
+
+    /*
+     * Jumps if LEFT is different from RIGHT, as 8-bit numbers
+     *   LEFT    DATA8  left side of the comparison
+     *   RIGHT   DATA8  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_NEQ8 = 0x70,
+
+    /*
+     * Jumps if LEFT is different from RIGHT, as 16-bit numbers
+     *   LEFT    DATA16  left side of the comparison
+     *   RIGHT   DATA16  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_NEQ16 = 0x71,
+
+    /*
+     * Jumps if LEFT is different from RIGHT, as 32-bit numbers
+     *   LEFT    DATA32  left side of the comparison
+     *   RIGHT   DATA32  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_NEQ32 = 0x72,
+
+    /*
+     * Jumps if LEFT is different from RIGHT, as floating-point numbers
+     *   LEFT    DATAF  left side of the comparison
+     *   RIGHT   DATAF  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_NEQF = 0x73,
+
+    /*
+     * Jumps if LEFT is less than or equal to RIGHT, as 8-bit numbers
+     *   LEFT    DATA8  left side of the comparison
+     *   RIGHT   DATA8  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_LTEQ8 = 0x74,
+
+    /*
+     * Jumps if LEFT is less than or equal to RIGHT, as 16-bit numbers
+     *   LEFT    DATA16  left side of the comparison
+     *   RIGHT   DATA16  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_LTEQ16 = 0x75,
+
+    /*
+     * Jumps if LEFT is less than or equal to RIGHT, as 32-bit numbers
+     *   LEFT    DATA32  left side of the comparison
+     *   RIGHT   DATA32  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_LTEQ32 = 0x76,
+
+    /*
+     * Jumps if LEFT is less than or equal to RIGHT, as floating-point numbers
+     *   LEFT    DATAF  left side of the comparison
+     *   RIGHT   DATAF  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_LTEQF = 0x77,
+
+    /*
+     * Jumps if LEFT is greater than or equal to RIGHT, as 8-bit numbers
+     *   LEFT    DATA8  left side of the comparison
+     *   RIGHT   DATA8  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_GTEQ8 = 0x78,
+
+    /*
+     * Jumps if LEFT is greater than or equal to RIGHT, as 16-bit numbers
+     *   LEFT    DATA16  left side of the comparison
+     *   RIGHT   DATA16  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_GTEQ16 = 0x79,
+
+    /*
+     * Jumps if LEFT is greater than or equal to RIGHT, as 32-bit numbers
+     *   LEFT    DATA32  left side of the comparison
+     *   RIGHT   DATA32  right side of the comparison
+     *   OFFSET  label   how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_GTEQ32 = 0x7A,
+
+    /*
+     * Jumps if LEFT is greater than or equal to RIGHT, as floating-point numbers
+     *   LEFT    DATAF  left side of the comparison
+     *   RIGHT   DATAF  right side of the comparison
+     *   OFFSET  label  how far to jump from the end of this operation; negative jumps back; or a label (bytes)
+     */
+    opJR_GTEQF = 0x7B,
+};
+
+/* Comparisons ------------------------------------------------------------------------------------------------------ */
+
+enum {
+    /*
+     * Tells whether LEFT is less than RIGHT, as 8-bit numbers
+     *   LEFT   DATA8      left side of the comparison
+     *   RIGHT  DATA8      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_LT8 = 0x44,
+
+    /*
+     * Tells whether LEFT is less than RIGHT, as 16-bit numbers
+     *   LEFT   DATA16     left side of the comparison
+     *   RIGHT  DATA16     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_LT16 = 0x45,
+
+    /*
+     * Tells whether LEFT is less than RIGHT, as 32-bit numbers
+     *   LEFT   DATA32     left side of the comparison
+     *   RIGHT  DATA32     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_LT32 = 0x46,
+
+    /*
+     * Tells whether LEFT is less than RIGHT, as floating-point numbers
+     *   LEFT   DATAF      left side of the comparison
+     *   RIGHT  DATAF      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_LTF = 0x47,
+
+    /*
+     * Tells whether LEFT is greater than RIGHT, as 8-bit numbers
+     *   LEFT   DATA8      left side of the comparison
+     *   RIGHT  DATA8      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_GT8 = 0x48,
+
+    /*
+     * Tells whether LEFT is greater than RIGHT, as 16-bit numbers
+     *   LEFT   DATA16     left side of the comparison
+     *   RIGHT  DATA16     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_GT16 = 0x49,
+
+    /*
+     * Tells whether LEFT is greater than RIGHT, as 32-bit numbers
+     *   LEFT   DATA32     left side of the comparison
+     *   RIGHT  DATA32     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_GT32 = 0x4A,
+
+    /*
+     * Tells whether LEFT is greater than RIGHT, as floating-point numbers
+     *   LEFT   DATAF      left side of the comparison
+     *   RIGHT  DATAF      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_GTF = 0x4B,
+
+    /*
+     * Tells whether LEFT is equal to RIGHT, as 8-bit numbers
+     *   LEFT   DATA8      left side of the comparison
+     *   RIGHT  DATA8      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_EQ8 = 0x4C,
+
+    /*
+     * Tells whether LEFT is equal to RIGHT, as 16-bit numbers
+     *   LEFT   DATA16     left side of the comparison
+     *   RIGHT  DATA16     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_EQ16 = 0x4D,
+
+    /*
+     * Tells whether LEFT is equal to RIGHT, as 32-bit numbers
+     *   LEFT   DATA32     left side of the comparison
+     *   RIGHT  DATA32     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_EQ32 = 0x4E,
+
+    /*
+     * Tells whether LEFT is equal to RIGHT, as floating-point numbers
+     *   LEFT   DATAF      left side of the comparison
+     *   RIGHT  DATAF      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_EQF = 0x4F,
+
+    /*
+     * Tells whether LEFT is different from RIGHT, as 8-bit numbers
+     *   LEFT   DATA8      left side of the comparison
+     *   RIGHT  DATA8      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_NEQ8 = 0x50,
+
+    /*
+     * Tells whether LEFT is different from RIGHT, as 16-bit numbers
+     *   LEFT   DATA16     left side of the comparison
+     *   RIGHT  DATA16     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_NEQ16 = 0x51,
+
+    /*
+     * Tells whether LEFT is different from RIGHT, as 32-bit numbers
+     *   LEFT   DATA32     left side of the comparison
+     *   RIGHT  DATA32     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_NEQ32 = 0x52,
+
+    /*
+     * Tells whether LEFT is different from RIGHT, as floating-point numbers
+     *   LEFT   DATAF      left side of the comparison
+     *   RIGHT  DATAF      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_NEQF = 0x53,
+
+    /*
+     * Tells whether LEFT is less than or equal to RIGHT, as 8-bit numbers
+     *   LEFT   DATA8      left side of the comparison
+     *   RIGHT  DATA8      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_LTEQ8 = 0x54,
+
+    /*
+     * Tells whether LEFT is less than or equal to RIGHT, as 16-bit numbers
+     *   LEFT   DATA16     left side of the comparison
+     *   RIGHT  DATA16     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_LTEQ16 = 0x55,
+
+    /*
+     * Tells whether LEFT is less than or equal to RIGHT, as 32-bit numbers
+     *   LEFT   DATA32     left side of the comparison
+     *   RIGHT  DATA32     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_LTEQ32 = 0x56,
+
+    /*
+     * Tells whether LEFT is less than or equal to RIGHT, as floating-point numbers
+     *   LEFT   DATAF      left side of the comparison
+     *   RIGHT  DATAF      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_LTEQF = 0x57,
+
+    /*
+     * Tells whether LEFT is greater than or equal to RIGHT, as 8-bit numbers
+     *   LEFT   DATA8      left side of the comparison
+     *   RIGHT  DATA8      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_GTEQ8 = 0x58,
+
+    /*
+     * Tells whether LEFT is greater than or equal to RIGHT, as 16-bit numbers
+     *   LEFT   DATA16     left side of the comparison
+     *   RIGHT  DATA16     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_GTEQ16 = 0x59,
+
+    /*
+     * Tells whether LEFT is greater than or equal to RIGHT, as 32-bit numbers
+     *   LEFT   DATA32     left side of the comparison
+     *   RIGHT  DATA32     right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_GTEQ32 = 0x5A,
+
+    /*
+     * Tells whether LEFT is greater than or equal to RIGHT, as floating-point numbers
+     *   LEFT   DATAF      left side of the comparison
+     *   RIGHT  DATAF      right side of the comparison
+     *   FLAG   out DATA8  whether it holds (0 to 1; 0: false; 1: true)
+     */
+    opCP_GTEQF = 0x5B,
+
+    /*
+     * Takes one of two 8-bit values, whichever the flag says
+     *   FLAG     DATA8      which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)
+     *   SOURCE1  DATA8      value taken if the flag is set
+     *   SOURCE2  DATA8      value taken if the flag is 0
+     *   RESULT   out DATA8  the value taken
+     */
+    opSELECT8 = 0x5C,
+
+    /*
+     * Takes one of two 16-bit values, whichever the flag says
+     *   FLAG     DATA8       which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)
+     *   SOURCE1  DATA16      value taken if the flag is set
+     *   SOURCE2  DATA16      value taken if the flag is 0
+     *   RESULT   out DATA16  the value taken
+     */
+    opSELECT16 = 0x5D,
+
+    /*
+     * Takes one of two 32-bit values, whichever the flag says
+     *   FLAG     DATA8       which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)
+     *   SOURCE1  DATA32      value taken if the flag is set
+     *   SOURCE2  DATA32      value taken if the flag is 0
+     *   RESULT   out DATA32  the value taken
+     */
+    opSELECT32 = 0x5E,
+
+    /*
+     * Takes one of two floating-point values, whichever the flag says
+     *   FLAG     DATA8      which to take: anything but 0 takes SOURCE1 (0: SOURCE2; 1: SOURCE1)
+     *   SOURCE1  DATAF      value taken if the flag is set
+     *   SOURCE2  DATAF      value taken if the flag is 0
+     *   RESULT   out DATAF  the value taken
+     */
+    opSELECTF = 0x5F,
+};
+
+/* Display, buttons, lights, battery -------------------------------------------------------------------------------- */
+
+enum {
+    /* Sends what was written for the terminal and is still in its buffer */
+    opUI_FLUSH = 0x80,
+
+    /* Reads the state of the brick or what the terminal received: a CMD follows, below */
+    opUI_READ = 0x81,
+
+    /* Writes to the terminal or sets lights and states of the brick: a CMD follows, below */
+    opUI_WRITE = 0x82,
+
+    /* Reads or simulates the buttons: a CMD follows, below */
+    opUI_BUTTON = 0x83,
+
+    /* Draws on the canvas of the display, or runs a dialogue on it: a CMD follows, below */
+    opUI_DRAW = 0x84,
+
+    /*
+     * Restarts the time after which the idle brick switches off, and reads it
+     *   MINUTES  out DATA8  idle time before switching off (min; 0: never)
+     */
+    opKEEP_ALIVE = 0x90,
+};
+
+/* CMDs of opUI_READ */
+enum {
+    /*
+     * Reads the battery voltage
+     *   VALUE  out DATAF  voltage (V)
+     */
+    GET_VBATT = 1,
+
+    /*
+     * Reads the battery current
+     *   VALUE  out DATAF  current (A)
+     */
+    GET_IBATT = 2,
+
+    /*
+     * Reads name and version of the operating system
+     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   DESTINATION  out string  system and kernel release, such as Linux 2.6.33-rc4 (LENGTH tells how long)
+     */
+    GET_OS_VERS = 3,
+
+    /*
+     * Reads and clears the pending event (used by the brick's own menus)
+     *   EVENT  out DATA8  what happened (0: nothing; 1: Bluetooth asks for a PIN; 2: Bluetooth asks to confirm a
+     *       connection)
+     */
+    GET_EVENT = 4,
+
+    /*
+     * Reads how much the batteries have warmed up, as estimated from the current
+     *   VALUE  out DATAF  estimated rise of the temperature (deg C)
+     */
+    GET_TBATT = 5,
+
+    /*
+     * Reads the battery current smoothed over time
+     *   IINT  out DATAF  integrated current (A)
+     */
+    GET_IINT = 6,
+
+    /*
+     * Reads the current of all motors together
+     *   VALUE  out DATAF  current (A)
+     */
+    GET_IMOTOR = 7,
+
+    /*
+     * Waits for a line typed at the terminal and reads it
+     *   LENGTH       DATA8       most bytes to return; the zero comes on top (0 to 127 bytes)
+     *   DESTINATION  out string  the line (LENGTH tells how long)
+     */
+    GET_STRING = 8,
+
+    /*
+     * Reads the hardware version
+     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   DESTINATION  out string  hardware version, such as V0.60 (LENGTH tells how long)
+     */
+    GET_HW_VERS = 9,
+
+    /*
+     * Reads the firmware version
+     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   DESTINATION  out string  firmware version, such as V1.04H (LENGTH tells how long)
+     */
+    GET_FW_VERS = 10,
+
+    /*
+     * Reads when the firmware was built
+     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   DESTINATION  out string  build time as yymmddhhmm (LENGTH tells how long)
+     */
+    GET_FW_BUILD = 11,
+
+    /*
+     * Reads when the operating system was built
+     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   DESTINATION  out string  build time as yymmddhhmm (LENGTH tells how long)
+     */
+    GET_OS_BUILD = 12,
+
+    /*
+     * Waits for a decimal number typed at the terminal and reads it (debugging)
+     *   VALUE  out DATA32  the number, meant as an address
+     */
+    GET_ADDRESS = 13,
+
+    /*
+     * Waits for byte code typed as hex at the terminal and makes a program of it (debugging)
+     *   LENGTH  DATA32      most bytes of the program, headers included (bytes)
+     *   IMAGE   DATA32      address of the memory where the program is built
+     *   GLOBAL  out DATA32  address of the program's global variables
+     *   FLAG    out DATA8   whether the program can be started; 1 or left as it was (1: ready)
+     */
+    GET_CODE = 14,
+
+    /*
+     * Takes one key from the terminal without waiting
+     *   VALUE  out DATA8  character code of the key (0: no key)
+     */
+    KEY = 15,
+
+    /*
+     * Reads and clears the wish to shut down (used by the brick's own menus)
+     *   FLAG  out DATA8  whether the brick wants to shut down (0 to 1; 0: no; 1: yes)
+     */
+    GET_SHUTDOWN = 16,
+
+    /*
+     * Reads what the brick warns of
+     *   WARNINGS  out DATA8  one bit for each warning (WARNING; 0: none)
+     */
+    GET_WARNING = 17,
+
+    /*
+     * Reads how full the battery is, derived from its voltage
+     *   PCT  out DATA8  battery level (0 to 100 %)
+     */
+    GET_LBATT = 18,
+
+    /*
+     * Reads one line of the text of a text box
+     *   TEXT         string      whole text of the box, its lines separated by DEL
+     *   SIZE         DATA32      bytes that the box has for its text, the zero included (bytes)
+     *   DEL          DATA8       what separates the lines (DEL)
+     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   LINE         DATA16      which line, counted from 1
+     *   DESTINATION  out string  the line, empty where there is no such line (LENGTH tells how long)
+     */
+    TEXTBOX_READ = 21,
+
+    /*
+     * Reads name, version and build date of the firmware in one
+     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   DESTINATION  out string  such as LMS2012 V1.04H(Jul 26 2013 12:00:00) (LENGTH tells how long)
+     */
+    GET_VERSION = 26,
+
+    /*
+     * Reads the brick's IP address
+     *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
+     *   DESTINATION  out string  address in dotted notation (LENGTH tells how long)
+     */
+    GET_IP = 27,
+
+    /*
+     * Reads all values of the power supply at once
+     *   VBATT   out DATAF  battery voltage (V)
+     *   IBATT   out DATAF  battery current (A)
+     *   IINT    out DATAF  battery current smoothed over time (A)
+     *   IMOTOR  out DATAF  current of all motors together (A)
+     */
+    GET_POWER = 29,
+
+    /*
+     * Reads whether an SD card is in and its space
+     *   STATE  out DATA8   whether one is present (0 to 1; 0: absent; 1: present)
+     *   TOTAL  out DATA32  size (KiB)
+     *   FREE   out DATA32  free space (KiB)
+     */
+    GET_SDCARD = 30,
+
+    /*
+     * Reads whether a USB stick is in and its space
+     *   STATE  out DATA8   whether one is present (0 to 1; 0: absent; 1: present)
+     *   TOTAL  out DATA32  size (KiB)
+     *   FREE   out DATA32  free space (KiB)
+     */
+    GET_USBSTICK = 31,
+};
+
+/* CMDs of opUI_WRITE */
+enum {
+    /* Sends what is still in the terminal's buffer, like UI_FLUSH */
+    WRITE_FLUSH = 1,
+
+    /*
+     * Writes a number in a fixed format to the terminal
+     *   VALUE     DATAF  number to write
+     *   FIGURES   DATA8  characters in all, decimal point included; negative aligns left
+     *   DECIMALS  DATA8  digits after the decimal point
+     */
+    FLOATVALUE = 2,
+
+    /*
+     * Writes time, program, object, position and a remark to the terminal
+     *   VALUE  string  remark
+     */
+    STAMP = 3,
+
+    /*
+     * Writes text to the terminal
+     *   STRING  string  text to write
+     */
+    PUT_STRING = 8,
+
+    /*
+     * Writes a whole number to the terminal
+     *   VALUE  DATA8  number to write
+     */
+    VALUE8 = 9,
+
+    /*
+     * Writes a whole number to the terminal, without its sign
+     *   VALUE  DATA16  number to write
+     */
+    VALUE16 = 10,
+
+    /*
+     * Writes a whole number to the terminal
+     *   VALUE  DATA32  number to write
+     */
+    VALUE32 = 11,
+
+    /*
+     * Writes a number to the terminal
+     *   VALUE  DATAF  number to write
+     */
+    VALUEF = 12,
+
+    /*
+     * Has a number but no code in the firmware: the program that runs it fails
+     *   VALUE  out DATA32  address; never written
+     */
+    ADDRESS = 13,
+
+    /*
+     * Writes bytes of memory as hex to the terminal
+     *   ARRAY   DATA32  address of the bytes
+     *   LENGTH  DATA32  how many bytes (bytes)
+     */
+    CODE = 14,
+
+    /* Plays the sound of a finished download and refreshes the file browser */
+    DOWNLOAD_END = 15,
+
+    /*
+     * Blocks or frees the display and the buttons for programs
+     *   STATUS  DATA8  whether drawing is ignored (0 to 1; 0: normal; 1: blocked)
+     */
+    SCREEN_BLOCK = 16,
+
+    /*
+     * Selects the debug pulses that are shown (only in firmware built for it)
+     *   VALUE  DATA8  sum of bits (1: menu background; 2: browser; 4: key)
+     */
+    ALLOW_PULSE = 17,
+
+    /*
+     * Raises debug pulses (only in firmware built for it)
+     *   VALUE  DATA8  sum of bits (1: menu background; 2: browser; 4: key)
+     */
+    SET_PULSE = 18,
+
+    /*
+     * Appends a line to the text of a text box
+     *   TEXT    in/out string  whole text of the box, its lines separated by DEL (SIZE tells how long)
+     *   SIZE    DATA32         bytes that the box has for its text, the zero included (bytes)
+     *   DEL     DATA8          what separates the lines (DEL)
+     *   SOURCE  string         line to append
+     */
+    TEXTBOX_APPEND = 21,
+
+    /*
+     * Sets or clears the busy bit among the warnings
+     *   VALUE  DATA8  whether the brick counts as busy (0 to 1; 0: no; 1: yes)
+     */
+    SET_BUSY = 22,
+
+    /*
+     * Sets the test pin on the brick's circuit board
+     *   STATE  DATA8  level of the pin (0 to 1; 0: low; 1: high)
+     */
+    SET_TESTPIN = 24,
+
+    /* Shows the animation of a running program until something draws */
+    INIT_RUN = 25,
+
+    /* Does nothing */
+    UPDATE_RUN = 26,
+
+    /*
+     * Sets colour and blinking of the light around the buttons
+     *   PATTERN  DATA8  colour and rhythm (LEDPATTERN)
+     */
+    LED = 27,
+
+    /*
+     * Sets the power driver's flag for switching off when the firmware ends
+     *   VALUE  DATA8  the flag (0 to 1)
+     */
+    POWER = 29,
+
+    /* Adds the present values to the graph that GRAPH_SETUP has set up */
+    GRAPH_SAMPLE = 30,
+
+    /*
+     * Switches the debug terminal on or off
+     *   STATE  DATA8  whether the terminal is on (0 to 1; 0: off; 1: on)
+     */
+    TERMINAL = 31,
+};
+
+/* CMDs of opUI_BUTTON */
+enum {
+    /*
+     * Tells whether a button was pressed since last asked, and forgets it
+     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   STATE   out DATA8  whether the button was pressed (0 to 1; 0: no; 1: yes)
+     */
+    SHORTPRESS = 1,
+
+    /*
+     * Tells whether a button was held for 3 s since last asked, and forgets it
+     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   STATE   out DATA8  whether the button was held for 3 s (0 to 1; 0: no; 1: yes)
+     */
+    LONGPRESS = 2,
+
+    /* Waits until any button has been pressed, by hand or by PRESS */
+    WAIT_FOR_PRESS = 3,
+
+    /* Forgets all presses that nobody has asked for */
+    FLUSH = 4,
+
+    /*
+     * Presses a button as if by hand and holds it until RELEASE
+     *   BUTTON  DATA8  which button (BUTTONTYPE)
+     */
+    PRESS = 5,
+
+    /*
+     * Releases a button that PRESS holds
+     *   BUTTON  DATA8  which button (BUTTONTYPE)
+     */
+    RELEASE = 6,
+
+    /*
+     * Reads the left and right buttons as one axis, and forgets their presses
+     *   VALUE  out DATA16  direction (-1 to 1; -1: left; 1: right; 0: not pressed)
+     */
+    GET_HORZ = 7,
+
+    /*
+     * Reads the up and down buttons as one axis, and forgets their presses
+     *   VALUE  out DATA16  direction (-1 to 1; -1: up; 1: down; 0: not pressed)
+     */
+    GET_VERT = 8,
+
+    /*
+     * Tells whether a button is down at the moment
+     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   STATE   out DATA8  whether the button is down (0 to 1; 0: no; 1: yes)
+     */
+    PRESSED = 9,
+
+    /*
+     * Sets whether the back button is kept from ending the running program
+     *   BLOCKED  DATA8  whether the back button is blocked (0 to 1; 0: not blocked; 1: blocked)
+     */
+    SET_BACK_BLOCK = 10,
+
+    /*
+     * Tells whether the back button is kept from ending the running program
+     *   BLOCKED  out DATA8  whether the back button is blocked (0 to 1; 0: not blocked; 1: blocked)
+     */
+    GET_BACK_BLOCK = 11,
+
+    /*
+     * Tells like SHORTPRESS whether a button was pressed, without forgetting it
+     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   STATE   out DATA8  whether the button was pressed (0 to 1; 0: no; 1: yes)
+     */
+    TESTSHORTPRESS = 12,
+
+    /*
+     * Tells like LONGPRESS whether a button was held for 3 s, without forgetting it
+     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   STATE   out DATA8  whether the button was held for 3 s (0 to 1; 0: no; 1: yes)
+     */
+    TESTLONGPRESS = 13,
+
+    /*
+     * Tells whether a button was pressed and let go since last asked, and forgets it (official and xtended firmware
+     *     only)
+     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   STATE   out DATA8  whether the button was pressed and let go (0 to 1; 0: no; 1: yes)
+     */
+    GET_BUMBED = 14,
+
+    /*
+     * Tells whether a button was pressed and let go since last asked, and forgets it (compat firmware only)
+     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   STATE   out DATA8  whether the button was pressed and let go (0 to 1; 0: no; 1: yes)
+     */
+    GET_BUMPED = 14,
+
+    /*
+     * Tells whether a key click is due because a press was handled, and forgets it
+     *   CLICK  out DATA8  whether a click is due (0 to 1; 0: no; 1: yes)
+     */
+    GET_CLICK = 15,
+};
+
+/* CMDs of opUI_DRAW */
+enum {
+    /* Shows on the display what has been drawn, and returns to the normal font */
+    UPDATE = 0,
+
+    /* Wipes the canvas white, and returns to the normal font */
+    CLEAN = 1,
+
+    /*
+     * Draws one pixel
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  column (0 to 177 px)
+     *   Y0     DATA16  row (0 to 127 px)
+     */
+    PIXEL = 2,
+
+    /*
+     * Draws a line between two points
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  column of the start (0 to 177 px)
+     *   Y0     DATA16  row of the start (0 to 127 px)
+     *   X1     DATA16  column of the end (0 to 177 px)
+     *   Y1     DATA16  row of the end (0 to 127 px)
+     */
+    LINE = 3,
+
+    /*
+     * Draws a circle
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  column of the centre (0 to 177 px)
+     *   Y0     DATA16  row of the centre (0 to 127 px)
+     *   R      DATA16  radius (px; 0: draws nothing)
+     */
+    CIRCLE = 4,
+
+    /*
+     * Draws text in the font that SELECT_FONT has chosen
+     *   COLOR   DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0      DATA16  left edge (0 to 177 px)
+     *   Y0      DATA16  top edge (0 to 127 px)
+     *   STRING  string  text to draw
+     */
+    TEXT = 5,
+
+    /*
+     * Draws one of the built-in icons
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  left edge (0 to 177 px)
+     *   Y0     DATA16  top edge (0 to 127 px)
+     *   TYPE   DATA8   set of icons (ICONTYPE)
+     *   NO     DATA8   number of the icon in its set
+     */
+    ICON = 6,
+
+    /*
+     * Draws a picture that is in memory
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  left edge (0 to 177 px)
+     *   Y0     DATA16  top edge (0 to 127 px)
+     *   IP     DATA32  address of the picture (0: draws nothing)
+     */
+    PICTURE = 7,
+
+    /*
+     * Draws a number, or dashes where it is not a number
+     *   COLOR     DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0        DATA16  left edge (0 to 177 px)
+     *   Y0        DATA16  top edge (0 to 127 px)
+     *   VALUE     DATAF   number to draw
+     *   FIGURES   DATA8   characters in all, decimal point included; negative aligns left
+     *   DECIMALS  DATA8   digits after the decimal point
+     */
+    VALUE = 8,
+
+    /*
+     * Draws a filled rectangle
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  left edge (0 to 177 px)
+     *   Y0     DATA16  top edge (0 to 127 px)
+     *   X1     DATA16  width (0 to 178 px)
+     *   Y1     DATA16  height (0 to 128 px)
+     */
+    FILLRECT = 9,
+
+    /*
+     * Draws the outline of a rectangle (official firmware only)
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  left edge (0 to 177 px)
+     *   Y0     DATA16  top edge (0 to 127 px)
+     *   X1     DATA16  width (0 to 178 px)
+     *   Y1     DATA16  height (0 to 128 px)
+     */
+    RECT = 10,
+
+    /*
+     * Draws the outline of a rectangle (xtended and compat firmware only)
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  left edge (0 to 177 px)
+     *   Y0     DATA16  top edge (0 to 127 px)
+     *   X1     DATA16  width (0 to 178 px)
+     *   Y1     DATA16  height (0 to 128 px)
+     */
+    RECTANGLE = 10,
+
+    /*
+     * Shows icons and text in a window and waits for the centre button
+     *   COLOR   DATA8         colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0      DATA16        left edge (0 to 177 px)
+     *   Y0      DATA16        top edge (0 to 127 px)
+     *   ICON1   DATA8         first large icon (L_ICON_NO; -1: none)
+     *   ICON2   DATA8         second large icon (L_ICON_NO; -1: none)
+     *   ICON3   DATA8         third large icon (L_ICON_NO; -1: none)
+     *   STRING  string        text beside the icons; may be empty
+     *   STATE   in/out DATA8  variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or
+     *       done; 1: being shown)
+     */
+    NOTIFICATION = 11,
+
+    /*
+     * Shows icons in a window and waits for yes or no
+     *   COLOR   DATA8         colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0      DATA16        left edge (0 to 177 px)
+     *   Y0      DATA16        top edge (0 to 127 px)
+     *   ICON1   DATA8         first large icon (L_ICON_NO; -1: none)
+     *   ICON2   DATA8         second large icon (L_ICON_NO; -1: none)
+     *   STRING  string        text of the question (LEGO's firmware does not show it)
+     *   STATE   in/out DATA8  variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or
+     *       done; 1: being shown)
+     *   OK      out DATA8     answer; what the variable holds before is selected first (-1 to 1; 0: no; 1: yes; -1:
+     *       left with the back button)
+     */
+    QUESTION = 12,
+
+    /*
+     * Shows a keyboard on the display and waits until a text has been entered
+     *   COLOR    DATA8         colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0       DATA16        left edge (0 to 177 px)
+     *   Y0       DATA16        top edge (0 to 127 px)
+     *   ICON     DATA8         normal icon before the caption (N_ICON_NO)
+     *   LENGTH   DATA8         most bytes to return, the zero included (0 to 127 bytes)
+     *   DEFAULT  string        caption above the text, not a preset as its name says (0: none)
+     *   CHARSET  in/out DATA8  variable with the sum of what may be typed; becomes 0 once the keyboard shows
+     *   STRING   out string    text entered; what the variable holds before is edited, back button empties it
+     *       (LENGTH tells how long)
+     */
+    KEYBOARD = 13,
+
+    /*
+     * Shows files and folders and waits until one is chosen
+     *   TYPE       DATA8       what is listed (BROWSERTYPE)
+     *   X0         DATA16      left edge (0 to 177 px)
+     *   Y0         DATA16      top edge (0 to 127 px)
+     *   X1         DATA16      width (0 to 178 px)
+     *   Y1         DATA16      height (0 to 128 px)
+     *   LENGTH     DATA8       most bytes to return, the zero included (0 to 127 bytes)
+     *   ITEM_TYPE  out DATA8   kind of what was chosen; set the variable to 0 before (FILETYPE)
+     *   STRING     out string  path of what was chosen; the variable holds the top folder before (LENGTH tells how
+     *       long)
+     */
+    BROWSE = 14,
+
+    /*
+     * Draws a vertical scroll bar
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  left edge (0 to 177 px)
+     *   Y0     DATA16  top edge (0 to 127 px)
+     *   X1     DATA16  width (0 to 178 px)
+     *   Y1     DATA16  height (0 to 128 px)
+     *   MIN    DATA16  value at one end of the bar
+     *   MAX    DATA16  value at the other end of the bar
+     *   ACT    DATA16  value that the knob shows
+     */
+    VERTBAR = 15,
+
+    /*
+     * Swaps black and white in a rectangle
+     *   X0  DATA16  left edge (0 to 177 px)
+     *   Y0  DATA16  top edge (0 to 127 px)
+     *   X1  DATA16  width (0 to 178 px)
+     *   Y1  DATA16  height (0 to 128 px)
+     */
+    INVERSERECT = 16,
+
+    /*
+     * Chooses the font for text until UPDATE, CLEAN or FILLWINDOW
+     *   TYPE  DATA8  font (0 to 3; FONTTYPE)
+     */
+    SELECT_FONT = 17,
+
+    /*
+     * Switches the status line at the top on or off
+     *   ENABLE  DATA8  whether the status line is shown (0 to 1; 0: disabled; 1: enabled)
+     */
+    TOPLINE = 18,
+
+    /*
+     * Fills rows over the whole width, and returns to the normal font
+     *   COLOR  DATA8   colour to fill with; any other value makes a test pattern (0: white; 1: black)
+     *   Y0     DATA16  top edge (0 to 127 px)
+     *   Y1     DATA16  height; nothing is filled where Y0 and it make 128 or more (0 to 127 px; 0: down to the
+     *       bottom)
+     */
+    FILLWINDOW = 19,
+
+    /*
+     * Moves the canvas up
+     *   Y  DATA16  how far (1 to 127 px)
+     */
+    SCROLL = 20,
+
+    /*
+     * Draws a dashed line between two points
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  column of the start (0 to 177 px)
+     *   Y0     DATA16  row of the start (0 to 127 px)
+     *   X1     DATA16  column of the end (0 to 177 px)
+     *   Y1     DATA16  row of the end (0 to 127 px)
+     *   ON     DATA16  length of a dash (px)
+     *   OFF    DATA16  length of a gap (px)
+     */
+    DOTLINE = 21,
+
+    /*
+     * Draws a number centred in its place, with > instead of digits where it does not fit
+     *   COLOR     DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0        DATA16  left edge (0 to 177 px)
+     *   Y0        DATA16  top edge (0 to 127 px)
+     *   VALUE     DATAF   number to draw
+     *   FIGURES   DATA8   characters in all, decimal point included
+     *   DECIMALS  DATA8   digits after the decimal point
+     */
+    VIEW_VALUE = 22,
+
+    /*
+     * Draws a number in large figures and its unit in small letters
+     *   COLOR     DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0        DATA16  left edge (0 to 177 px)
+     *   Y0        DATA16  top edge (0 to 127 px)
+     *   VALUE     DATAF   number to draw
+     *   FIGURES   DATA8   characters in all, decimal point included
+     *   DECIMALS  DATA8   digits after the decimal point
+     *   LENGTH    DATA8   most bytes of the unit, the zero included (0 to 127 bytes)
+     *   STRING    string  unit to draw behind the number
+     */
+    VIEW_UNIT = 23,
+
+    /*
+     * Draws a filled circle
+     *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16  column of the centre (0 to 177 px)
+     *   Y0     DATA16  row of the centre (0 to 127 px)
+     *   R      DATA16  radius (px; 0: draws nothing)
+     */
+    FILLCIRCLE = 24,
+
+    /*
+     * Keeps a copy of the canvas
+     *   NO  DATA8  memory for one screen; 0 holds the one from before the program ran (0 to 2)
+     */
+    STORE = 25,
+
+    /*
+     * Brings back a canvas kept by STORE
+     *   NO  DATA8  memory for one screen; 0 holds the one from before the program ran (0 to 2)
+     */
+    RESTORE = 26,
+
+    /*
+     * Shows a row of icons and waits until one is chosen
+     *   COLOR  DATA8          colour to draw in (0 to 1; 0: white; 1: black)
+     *   X0     DATA16         left edge (0 to 177 px)
+     *   Y0     DATA16         top edge (0 to 127 px)
+     *   STATE  in/out DATA8   variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or
+     *       done; 1: being shown)
+     *   ICONS  in/out DATA32  bit n stands for large icon n: before those to show, then the one chosen (0: none:
+     *       left with the back button)
+     */
+    ICON_QUESTION = 27,
+
+    /*
+     * Draws a picture file in LEGO's own format .rgf (no .bmp despite the name)
+     *   COLOR  DATA8   colour of the set pixels (0 to 1; 0: white, picture inverted; 1: black)
+     *   X0     DATA16  left edge (0 to 177 px)
+     *   Y0     DATA16  top edge (0 to 127 px)
+     *   NAME   string  file with extension .rgf, absolute or relative to /home/root/lms2012/sys
+     */
+    BMPFILE = 28,
+
+    /*
+     * Opens a window that only its opener draws on, or closes it and brings back the display
+     *   OPEN  DATA8  what to do (0 to 1; 0: close; 1: open)
+     */
+    POPUP = 29,
+
+    /*
+     * Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands
+     *   X0      DATA16  left edge (0 to 177 px)
+     *   X1      DATA16  width (0 to 178 px)
+     *   ITEMS   DATA8   how many curves (0 to 8)
+     *   OFFSET  DATA16  top edge of each curve (0 to 127 px; ITEMS tells how long)
+     *   SPAN    DATA16  height of each curve (0 to 128 px; ITEMS tells how long)
+     *   MIN     DATAF   value at the bottom of each curve (ITEMS tells how long)
+     *   MAX     DATAF   value at the top of each curve (ITEMS tells how long)
+     *   SAMPLE  DATAF   present value of each curve, read anew at each GRAPH_SAMPLE (ITEMS tells how long)
+     */
+    GRAPH_SETUP = 30,
+
+    /*
+     * Draws the graph and measures the curve it shows
+     *   VIEW     DATA8      curve to draw, counted from 0; any other value draws all and measures none (-1: all)
+     *   ACTUAL   out DATAF  latest value, not a number where there is none
+     *   LOWEST   out DATAF  lowest value in the graph
+     *   HIGHEST  out DATAF  highest value in the graph
+     *   AVERAGE  out DATAF  mean of the values in the graph
+     */
+    GRAPH_DRAW = 31,
+
+    /*
+     * Shows a text with a scroll bar and waits until a line is chosen
+     *   X0    DATA16         left edge (0 to 177 px)
+     *   Y0    DATA16         top edge (0 to 127 px)
+     *   X1    DATA16         width (0 to 178 px)
+     *   Y1    DATA16         height (0 to 128 px)
+     *   TEXT  string         whole text of the box, its lines separated by DEL
+     *   SIZE  DATA32         bytes that the box has for its text, the zero included (bytes)
+     *   DEL   DATA8          what separates the lines (DEL)
+     *   LINE  in/out DATA16  variable, set to -1 before; then the line chosen, counted from 1 (-1: start, or left
+     *       with the back button; 0: being shown)
+     */
+    TEXTBOX = 32,
+};
+
+/* Timers ----------------------------------------------------------------------------------------------------------- */
+
+enum {
+    /*
+     * Notes when a wait will be over and returns at once; TIMER_READY does the waiting
+     *   TIME   DATA32      how long to wait (0 to 2147483647 ms)
+     *   TIMER  out DATA32  variable that gets the end of the wait, on the brick's millisecond clock
+     */
+    opTIMER_WAIT = 0x85,
+
+    /*
+     * Waits until the time that TIMER_WAIT noted has come
+     *   TIMER  DATA32  variable that TIMER_WAIT has set
+     */
+    opTIMER_READY = 0x86,
+
+    /*
+     * Reads the time since the program or direct command that asks was started
+     *   TIME  out DATA32  time since the start (ms)
+     */
+    opTIMER_READ = 0x87,
+
+    /*
+     * Reads the free-running microsecond clock, for differences only
+     *   TIME  out DATA32  low 32 bits of the clock, back to 0 every 71.6 minutes (us)
+     */
+    opTIMER_READ_US = 0x8F,
+};
+
+/* Sound ------------------------------------------------------------------------------------------------------------ */
+
+enum {
+    /* Plays or stops a sound: a CMD follows, below */
+    opSOUND = 0x94,
+
+    /*
+     * Tells whether a sound is playing
+     *   BUSY  out DATA8  whether a sound is playing (0 to 1; 0: ready; 1: busy)
+     */
+    opSOUND_TEST = 0x95,
+
+    /* Waits until the sound has ended (for ever after REPEAT or a tone without end) */
+    opSOUND_READY = 0x96,
+};
+
+/* CMDs of opSOUND */
+enum {
+    /* Stops the tone or file that is playing */
+    BREAK = 0,
+
+    /*
+     * Plays one tone and returns at once
+     *   VOLUME     DATA8   how loud (0 to 100 %; 0: silent)
+     *   FREQUENCY  DATA16  pitch; the driver moves others into the range (250 to 10000 Hz)
+     *   DURATION   DATA16  how long, read without sign (-1 is 65535) (ms; 0: until BREAK or the next sound)
+     */
+    TONE = 1,
+
+    /*
+     * Plays a sound file once and returns at once
+     *   VOLUME  DATA8   how loud (0 to 100 %; 0: silent)
+     *   NAME    string  sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys
+     */
+    PLAY = 2,
+
+    /*
+     * Plays a sound file over and over until BREAK and returns at once
+     *   VOLUME  DATA8   how loud (0 to 100 %; 0: silent)
+     *   NAME    string  sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys
+     */
+    REPEAT = 3,
+
+    /* Does nothing here: the firmware itself feeds its sound driver by this number */
+    SERVICE = 4,
+};
+
+/* Sensors ---------------------------------------------------------------------------------------------------------- */
+
+enum {
+    /*
+     * Reads one SI value of each of several devices, sampled in the background
+     *   TIME      DATA32     time between two samples (ms)
+     *   SAMPLES   DATA16     how many devices the arrays list
+     *   INIT      DATA16     place in the sample buffer of each device, -1 starts it anew (SAMPLES tells how long)
+     *   DEVICES   DATA8      ports, 0 to 3 for sensors, 4 to 7 for motors A to D (SAMPLES tells how long)
+     *   TYPES     DATA8      type each device shall have (TYPE; SAMPLES tells how long)
+     *   MODES     DATA8      mode each device shall have (SAMPLES tells how long)
+     *   DATASETS  DATA8      which of its values to read from each device, from 0 (SAMPLES tells how long)
+     *   VALUES    out DATAF  one value per device, NaN where there is none (SAMPLES tells how long)
+     */
+    opINPUT_SAMPLE = 0x97,
+
+    /*
+     * Lists the types of all devices, sensor ports of each layer first, then motor ports
+     *   LENGTH   DATA8      room in the array, 32 takes the whole daisy chain
+     *   ARRAY    out DATA8  type of device at each port (TYPE; LENGTH tells how long)
+     *   CHANGED  out DATA8  whether devices came or went since the last call (0: no change)
+     */
+    opINPUT_DEVICE_LIST = 0x98,
+
+    /* Asks about devices, calibrates them, reads several values: a CMD follows, below */
+    opINPUT_DEVICE = 0x99,
+
+    /*
+     * Sets type and mode and reads the first value in percent at once
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   TYPE   DATA8      type the device shall have (TYPE; 0: keep the type)
+     *   MODE   DATA8      mode the device shall have (0 to 7; -1: keep the mode)
+     *   PCT    out DATA8  value, NaN where there is none (%)
+     */
+    opINPUT_READ = 0x9A,
+
+    /*
+     * Tells whether a device is still changing type or mode
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   BUSY   out DATA8  whether to wait (0 to 1; 0: ready; 1: busy)
+     */
+    opINPUT_TEST = 0x9B,
+
+    /*
+     * Waits until a device has valid values
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
+     */
+    opINPUT_READY = 0x9C,
+
+    /*
+     * Sets type and mode and reads the first value in SI units at once
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   TYPE   DATA8      type the device shall have (TYPE; 0: keep the type)
+     *   MODE   DATA8      mode the device shall have (0 to 7; -1: keep the mode)
+     *   SI     out DATAF  value in the mode's unit, NaN where there is none
+     */
+    opINPUT_READSI = 0x9D,
+
+    /*
+     * Sets type and mode and reads several values at once, in the format asked for
+     *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   TYPE    DATA8  type the device shall have (TYPE; 0: keep the type)
+     *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
+     *   FORMAT  DATA8  DATA_PCT, DATA_RAW or DATA_SI, others give NaN (DATA_FORMAT)
+     *   VALUES  count  how many values follow, each in FORMAT (each is what FORMAT says)
+     */
+    opINPUT_READEXT = 0x9E,
+
+    /*
+     * Sends bytes to a UART sensor
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8  sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
+     *   BYTES  DATA8  how many bytes to send (1 to 32 bytes)
+     *   DATA   DATA8  bytes to send (BYTES tells how long)
+     */
+    opINPUT_WRITE = 0x9F,
+
+    /*
+     * Sets how a port is connected, for ports whose automatic detection is off (xtended and compat firmware only)
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8  sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
+     *   CONN   DATA8  CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE (CONN)
+     */
+    opINPUT_SET_CONN = 0xE0,
+
+    /*
+     * Fetches the bytes that an I2C sensor answered to INPUT_IIC_WRITE (xtended and compat firmware only)
+     *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
+     *   RDLNG   DATA8      how many bytes to read (0 to 32 bytes)
+     *   RDDATA  out DATA8  bytes read (RDLNG tells how long)
+     *   RESULT  out DATA8  OK or FAIL (RESULT)
+     */
+    opINPUT_IIC_READ = 0xE1,
+
+    /*
+     * Tells the state of the I2C bus of a port (xtended and compat firmware only)
+     *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
+     *   RESULT  out DATA8  state of the bus (RESULT)
+     */
+    opINPUT_IIC_STATUS = 0xE2,
+
+    /*
+     * Sends bytes to an I2C sensor once and does not wait for its answer (xtended and compat firmware only)
+     *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
+     *   WRLNG   DATA8      how many bytes to write (0 to 32 bytes)
+     *   WRDATA  DATA8      bytes to write: I2C address, register, data (WRLNG tells how long)
+     *   RDLNG   DATA8      how many bytes the sensor will answer (0 to 32 bytes)
+     *   RESULT  out DATA8  state of the bus after the request (RESULT)
+     */
+    opINPUT_IIC_WRITE = 0xE3,
+
+    /*
+     * Switches the automatic detection of sensors at a port on or off (xtended and compat firmware only)
+     *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO      DATA8  sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
+     *   ENABLE  DATA8  whether to detect (0 to 1; 0: off; 1: on)
+     */
+    opINPUT_SET_AUTOID = 0xE4,
+};
+
+/* CMDs of opINPUT_DEVICE */
+enum {
+    /*
+     * Adds a line to the table of device types, for third party types (50 to 98) only
+     *   TYPEDATA  string     the line as in typedata.rcf, starting with the type's number
+     *   FORCE     DATA8      whether to replace a known type (0 to 1; 0: refuse a known type; 1: replace a known
+     *       type)
+     *   ERROR     out DATA8  whether it failed (0 to 1; 0: done; 1: failed or known)
+     */
+    INSERT_TYPE = 1,
+
+    /*
+     * Tells the shape of a device's values in its present mode
+     *   LAYER     DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO        DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   DATASETS  out DATA8  how many values one reading has
+     *   FORMAT    out DATA8  type of one raw value (0 to 3; DATA_FORMAT)
+     *   MODES     out DATA8  how many modes the device has (1 to 8)
+     *   VIEWS     out DATA8  how many of the modes are shown to users (1 to 8)
+     */
+    GET_FORMAT = 2,
+
+    /*
+     * Sets the raw values that scale a type and mode to percent and SI
+     *   TYPE     DATA8   type of device the calibration is for (TYPE)
+     *   MODE     DATA8   mode the calibration is for (0 to 7)
+     *   CAL_MIN  DATA32  raw value at the lower end
+     *   CAL_MAX  DATA32  raw value at full scale
+     */
+    CAL_MINMAX = 3,
+
+    /*
+     * Goes back to the built-in scaling of a type and mode
+     *   TYPE  DATA8  type of device the calibration is for (TYPE)
+     *   MODE  DATA8  mode the calibration is for (0 to 7)
+     */
+    CAL_DEFAULT = 4,
+
+    /*
+     * Tells which device is at a port and in which mode
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   TYPE   out DATA8  type of the device (TYPE)
+     *   MODE   out DATA8  mode the device is in (0 to 7)
+     */
+    GET_TYPEMODE = 5,
+
+    /*
+     * Reads the symbol of the unit of the present mode
+     *   LAYER        DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO           DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   LENGTH       DATA8       room for the text with its zero (bytes; -1: as long as it is (handles only))
+     *   DESTINATION  out string  symbol, filled up with blanks (LENGTH tells how long)
+     */
+    GET_SYMBOL = 6,
+
+    /*
+     * Sets the lower end of the scaling of a type and mode
+     *   TYPE     DATA8   type of device the calibration is for (TYPE)
+     *   MODE     DATA8   mode the calibration is for (0 to 7)
+     *   CAL_MIN  DATA32  value at the lower end, in SI units once calibrated
+     */
+    CAL_MIN = 7,
+
+    /*
+     * Sets the full scale of a type and mode
+     *   TYPE     DATA8   type of device the calibration is for (TYPE)
+     *   MODE     DATA8   mode the calibration is for (0 to 7)
+     *   CAL_MAX  DATA32  value at full scale, in SI units once calibrated
+     */
+    CAL_MAX = 8,
+
+    /*
+     * Writes to an I2C sensor and reads its answer, again and again if asked to
+     *   LAYER       DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO          DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
+     *   REPEAT      DATA8      how often to write and read (0: without end)
+     *   TIME        DATA16     time between repeats (10 to 1000 ms; 0: 10 ms)
+     *   WRITE_LEN   DATA8      how many bytes to write (0 to 32 bytes)
+     *   WRITE_DATA  DATA8      bytes to write: I2C address, register, data (WRITE_LEN tells how long)
+     *   READ_LEN    DATA8      how many bytes to read, negative: in reverse order (-32 to 32 bytes)
+     *   READ_DATA   out DATA8  bytes read (READ_LEN tells how long)
+     */
+    SETUP = 9,
+
+    /*
+     * Clears counters and angles of all devices
+     *   LAYER  DATA8  brick in the daisy chain (0 to 3; -1: all layers)
+     */
+    CLR_ALL = 10,
+
+    /*
+     * Reads the first raw value of a device
+     *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   VALUE  out DATA32  raw value, NaN where there is none
+     */
+    GET_RAW = 11,
+
+    /*
+     * Tells how the device at a port is connected
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   CONN   out DATA8  kind of connection (CONN)
+     */
+    GET_CONNECTION = 12,
+
+    /*
+     * Stops all devices, motors among them
+     *   LAYER  DATA8  brick in the daisy chain (0 to 3; -1: all layers)
+     */
+    STOP_ALL = 13,
+
+    /*
+     * Renumbers an entry of the table of device types, third party types only
+     *   TYPE     DATA8      type the entry has (50 to 98; TYPE)
+     *   MODE     DATA8      mode the entry has (0 to 7)
+     *   NEWTYPE  DATA8      type the entry shall have (50 to 98; TYPE)
+     *   NEWMODE  DATA8      mode the entry shall have (0 to 7)
+     *   ERROR    out DATA8  whether it failed (0 to 1; 0: done; 1: failed or not found)
+     */
+    SET_TYPEMODE = 14,
+
+    /*
+     * Writes to an I2C sensor once, waits for its answer and tells how it went
+     *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
+     *   WRLNG   DATA8      how many bytes to write (0 to 32 bytes)
+     *   WRDATA  DATA8      bytes to write: I2C address, register, data (WRLNG tells how long)
+     *   RDLNG   DATA8      how many bytes to read, negative: in reverse order (-32 to 32 bytes)
+     *   RDDATA  out DATA8  bytes read (RDLNG tells how long)
+     *   RESULT  out DATA8  how the transfer ended (RESULT)
+     */
+    READY_IIC = 15,
+
+    /*
+     * Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT
+     *   LAYER        DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO           DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   LENGTH       DATA8       room for the text with its zero (bytes; -1: as long as it is (handles only))
+     *   DESTINATION  out string  name, filled up with blanks (LENGTH tells how long)
+     */
+    GET_NAME = 21,
+
+    /*
+     * Reads the name of any mode of a device
+     *   LAYER        DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO           DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   MODE         DATA8       mode to name (0 to 7)
+     *   LENGTH       DATA8       room for the text with its zero (bytes; -1: as long as it is (handles only))
+     *   DESTINATION  out string  name, filled up with blanks (LENGTH tells how long)
+     */
+    GET_MODENAME = 22,
+
+    /*
+     * Pretends that a device has read this raw value
+     *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8   port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   TYPE   DATA8   type the device shall have (TYPE; 0: keep the type)
+     *   VALUE  DATA32  raw value to pretend
+     */
+    SET_RAW = 23,
+
+    /*
+     * Tells how many digits a value of the present mode needs
+     *   LAYER     DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO        DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   FIGURES   out DATA8  characters in all, with point and decimals
+     *   DECIMALS  out DATA8  digits after the point
+     */
+    GET_FIGURES = 24,
+
+    /*
+     * Reads how often a touch sensor changed in positive direction since CLR_CHANGES
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   VALUE  out DATAF  number of changes, 0 for other sensors
+     */
+    GET_CHANGES = 25,
+
+    /*
+     * Sets the counts of GET_CHANGES and GET_BUMPS to zero
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
+     */
+    CLR_CHANGES = 26,
+
+    /*
+     * Sets type and mode, waits until the device is ready and reads percent values
+     *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   TYPE    DATA8  type the device shall have (TYPE; 0: keep the type)
+     *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
+     *   VALUES  count  how many values follow, each in percent (each is DATA8)
+     */
+    READY_PCT = 27,
+
+    /*
+     * Sets type and mode, waits until the device is ready and reads raw values
+     *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   TYPE    DATA8  type the device shall have (TYPE; 0: keep the type)
+     *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
+     *   VALUES  count  how many raw values follow (each is DATA32)
+     */
+    READY_RAW = 28,
+
+    /*
+     * Sets type and mode, waits until the device is ready and reads SI values
+     *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   TYPE    DATA8  type the device shall have (TYPE; 0: keep the type)
+     *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
+     *   VALUES  count  how many values follow, each in SI units (each is DATAF)
+     */
+    READY_SI = 29,
+
+    /*
+     * Tells between which SI values the present mode moves
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   MIN    out DATAF  smallest value in SI units
+     *   MAX    out DATAF  largest value in SI units
+     */
+    GET_MINMAX = 30,
+
+    /*
+     * Reads how often a touch sensor changed in negative direction since CLR_CHANGES
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
+     *   VALUE  out DATAF  number of changes, 0 for other sensors
+     */
+    GET_BUMPS = 31,
+};
+
+/* Motors ----------------------------------------------------------------------------------------------------------- */
+
+enum {
+    /*
+     * Tells the type of motor at a port, in headers only: no firmware runs it (no firmware has it)
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8      port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
+     *   TYPE   out DATA8  type of the motor (TYPE)
+     */
+    opOUTPUT_GET_TYPE = 0xA0,
+
+    /*
+     * Declares which type of motor is at a port
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8  port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
+     *   TYPE   DATA8  type of the motor (TYPE)
+     */
+    opOUTPUT_SET_TYPE = 0xA1,
+
+    /*
+     * Sets the tacho counts that moves and OUTPUT_READ use to zero
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     */
+    opOUTPUT_RESET = 0xA2,
+
+    /*
+     * Stops motors
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   BRAKE  DATA8  what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)
+     */
+    opOUTPUT_STOP = 0xA3,
+
+    /*
+     * Sets the power of motors, OUTPUT_START makes them run
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   POWER  DATA8  unregulated power, negative: backward (-100 to 100 %)
+     */
+    opOUTPUT_POWER = 0xA4,
+
+    /*
+     * Sets the speed of motors, OUTPUT_START makes them run
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   SPEED  DATA8  regulated speed, negative: backward (-100 to 100 %)
+     */
+    opOUTPUT_SPEED = 0xA5,
+
+    /*
+     * Starts motors with the power or speed set before
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     */
+    opOUTPUT_START = 0xA6,
+
+    /*
+     * Sets the direction of motors
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   POL    DATA8  direction (-1 to 1; -1: backward; 0: opposite of the present one; 1: forward)
+     */
+    opOUTPUT_POLARITY = 0xA7,
+
+    /*
+     * Reads speed and tacho count of one motor, 0 on layers other than 0
+     *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NO     DATA8       port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
+     *   SPEED  out DATA8   present speed (-100 to 100 %)
+     *   TACHO  out DATA32  angle since OUTPUT_RESET (degrees)
+     */
+    opOUTPUT_READ = 0xA8,
+
+    /*
+     * Tells whether one of the motors is still in a move that ends by itself
+     *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8      ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   BUSY   out DATA8  whether to wait (0 to 1; 0: ready; 1: busy)
+     */
+    opOUTPUT_TEST = 0xA9,
+
+    /*
+     * Waits until the moves of the motors have ended, OUTPUT_START does not count
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     */
+    opOUTPUT_READY = 0xAA,
+
+    /*
+     * Tells the position of motors, in headers only: no firmware runs it (no firmware has it)
+     *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8       ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   POS    out DATA32  position (degrees)
+     */
+    opOUTPUT_POSITION = 0xAB,
+
+    /*
+     * Turns motors by an angle with unregulated power
+     *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   POWER  DATA8   unregulated power, negative: backward (-100 to 100 %)
+     *   STEP1  DATA32  angle of the ramp up (0 to 2147483647 degrees)
+     *   STEP2  DATA32  angle at constant drive (0 to 2147483647 degrees)
+     *   STEP3  DATA32  angle of the ramp down (0 to 2147483647 degrees)
+     *   BRAKE  DATA8   what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)
+     */
+    opOUTPUT_STEP_POWER = 0xAC,
+
+    /*
+     * Runs motors for a time with unregulated power
+     *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   POWER  DATA8   unregulated power, negative: backward (-100 to 100 %)
+     *   TIME1  DATA32  time of the ramp up (0 to 2147483647 ms)
+     *   TIME2  DATA32  time at constant drive (0 to 2147483647 ms)
+     *   TIME3  DATA32  time of the ramp down (0 to 2147483647 ms)
+     *   BRAKE  DATA8   what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)
+     */
+    opOUTPUT_TIME_POWER = 0xAD,
+
+    /*
+     * Turns motors by an angle with regulated speed
+     *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   SPEED  DATA8   regulated speed, negative: backward (-100 to 100 %)
+     *   STEP1  DATA32  angle of the ramp up (0 to 2147483647 degrees)
+     *   STEP2  DATA32  angle at constant drive (0 to 2147483647 degrees)
+     *   STEP3  DATA32  angle of the ramp down (0 to 2147483647 degrees)
+     *   BRAKE  DATA8   what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)
+     */
+    opOUTPUT_STEP_SPEED = 0xAE,
+
+    /*
+     * Runs motors for a time with regulated speed
+     *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   SPEED  DATA8   regulated speed, negative: backward (-100 to 100 %)
+     *   TIME1  DATA32  time of the ramp up (0 to 2147483647 ms)
+     *   TIME2  DATA32  time at constant drive (0 to 2147483647 ms)
+     *   TIME3  DATA32  time of the ramp down (0 to 2147483647 ms)
+     *   BRAKE  DATA8   what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)
+     */
+    opOUTPUT_TIME_SPEED = 0xAF,
+
+    /*
+     * Turns two motors in step by an angle
+     *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   SPEED  DATA8   regulated speed, negative: backward (-100 to 100 %)
+     *   TURN   DATA16  how tight the turn is, positive slows the higher port, negative the lower (-200 to 200; -200:
+     *       spin, lower port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200:
+     *       spin, higher port runs backward)
+     *   STEP   DATA32  angle of the faster motor (0 to 2147483647 degrees; 0: no end)
+     *   BRAKE  DATA8   what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)
+     */
+    opOUTPUT_STEP_SYNC = 0xB0,
+
+    /*
+     * Runs two motors in step for a time
+     *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8   ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     *   SPEED  DATA8   regulated speed, negative: backward (-100 to 100 %)
+     *   TURN   DATA16  how tight the turn is, positive slows the higher port, negative the lower (-200 to 200; -200:
+     *       spin, lower port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200:
+     *       spin, higher port runs backward)
+     *   TIME   DATA32  how long to run (0 to 2147483647 ms; 0: no end)
+     *   BRAKE  DATA8   what the motors do at the end (0 to 1; 0: coast; 1: brake and hold)
+     */
+    opOUTPUT_TIME_SYNC = 0xB1,
+
+    /*
+     * Sets the tacho counts that motors have as sensors to zero
+     *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8  ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
+     */
+    opOUTPUT_CLR_COUNT = 0xB2,
+
+    /*
+     * Reads the tacho count that a motor has as a sensor
+     *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
+     *   NOS    DATA8       port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
+     *   TACHO  out DATA32  angle since OUTPUT_CLR_COUNT (degrees)
+     */
+    opOUTPUT_GET_COUNT = 0xB3,
+
+    /* Stops and resets all motors as the end of a program does */
+    opOUTPUT_PRG_STOP = 0xB4,
+};
+
+/* Files and arrays ------------------------------------------------------------------------------------------------- */
+
+enum {
+    /*
+     * Writes bytes into the variables of a running program
+     *   PRGID   DATA16  slot of the program, which has to be running (0 to 4; SLOT)
+     *   OBJID   DATA16  object whose local memory is meant (0: the program's global memory)
+     *   OFFSET  DATA32  first byte in that memory (0 to 2147483647 bytes)
+     *   SIZE    DATA32  how many bytes (0 to 2147483647 bytes)
+     *   ARRAY   DATA8   the bytes; those beyond the end of the memory are dropped (SIZE tells how long)
+     */
+    opMEMORY_WRITE = 0x7E,
+
+    /*
+     * Reads bytes from the variables of a running program
+     *   PRGID   DATA16     slot of the program, which has to be running (0 to 4; SLOT)
+     *   OBJID   DATA16     object whose local memory is meant (0: the program's global memory)
+     *   OFFSET  DATA32     first byte in that memory (0 to 2147483647 bytes)
+     *   SIZE    DATA32     how many bytes (0 to 2147483647 bytes)
+     *   ARRAY   out DATA8  the bytes, zeros beyond the end of the memory (SIZE tells how long)
+     */
+    opMEMORY_READ = 0x7F,
+
+    /* Works on files, folders, data logs, program images and the list of recent files: a CMD follows, below */
+    opFILE = 0xC0,
+
+    /* Makes, fills, copies and resizes arrays: a CMD follows, below */
+    opARRAY = 0xC1,
+
+    /*
+     * Writes one element of an array, which grows where needed
+     *   HANDLE  handle       the array
+     *   INDEX   DATA32       which element, the first is 0 (0 to 2147483647)
+     *   VALUE   array-typed  the value, of the array's type
+     */
+    opARRAY_WRITE = 0xC2,
+
+    /*
+     * Reads one element of an array
+     *   HANDLE  handle           the array
+     *   INDEX   DATA32           which element, the first is 0 (0 to 2147483647)
+     *   VALUE   out array-typed  the value, of the array's type
+     */
+    opARRAY_READ = 0xC3,
+
+    /*
+     * Adds one element to the end of an array
+     *   HANDLE  handle       the array
+     *   VALUE   array-typed  the value, of the array's type
+     */
+    opARRAY_APPEND = 0xC4,
+
+    /*
+     * Tells how much memory for user files there is and how much of it is free
+     *   TOTAL  out DATA32  all of it (KiB)
+     *   FREE   out DATA32  what is free (KiB)
+     */
+    opMEMORY_USAGE = 0xC5,
+
+    /* Takes file names apart, checks them, and packs files: a CMD follows, below */
+    opFILENAME = 0xC6,
+
+    /*
+     * Computes the MD5 digest of a file (xtended and compat firmware only)
+     *   NAME     string     path of the file
+     *   MD5SUM   out DATA8  the digest, as 16 bytes (16 values)
+     *   SUCCESS  out DATA8  whether the file could be read (0: no; 1: yes)
+     */
+    opFILE_MD5SUM = 0xE6,
+};
+
+/* CMDs of opFILE */
+enum {
+    /*
+     * Opens a file to write at its end, creates it where there is none
+     *   NAME    string      path of the file; a bare name is taken from the program's own folder
+     *   HANDLE  out handle  what names the file from now on
+     */
+    OPEN_APPEND = 0,
+
+    /*
+     * Opens a file to read
+     *   NAME    string      path of the file; a bare name is taken from the program's own folder
+     *   HANDLE  out handle  what names the file from now on
+     *   SIZE    out DATA32  size of the file (bytes; 0: not found)
+     */
+    OPEN_READ = 1,
+
+    /*
+     * Creates a file or empties the one there is, and opens it to write
+     *   NAME    string      path of the file; a bare name is taken from the program's own folder
+     *   HANDLE  out handle  what names the file from now on
+     */
+    OPEN_WRITE = 2,
+
+    /*
+     * Reads the text up to the next delimiter and turns it into a number
+     *   HANDLE  handle     the open file
+     *   DEL     DATA8      what stands between two values in the file (DEL)
+     *   VALUE   out DATAF  the number, 0 where the text is none
+     */
+    READ_VALUE = 3,
+
+    /*
+     * Writes a number as text, and a delimiter after it
+     *   HANDLE    handle  the open file
+     *   DEL       DATA8   what stands between two values in the file (DEL)
+     *   VALUE     DATAF   the number
+     *   FIGURES   DATA8   least width in characters, the decimal point included
+     *   DECIMALS  DATA8   digits after the decimal point
+     */
+    WRITE_VALUE = 4,
+
+    /*
+     * Reads text up to the next delimiter
+     *   HANDLE  handle      the open file
+     *   DEL     DATA8       what stands between two values in the file (DEL)
+     *   LENGTH  DATA16      most bytes to read; LEGO's firmware keeps the low 8 bits, so 127 (bytes)
+     *   TEXT    out string  the text, without a zero at its end when it fills all the room (LENGTH tells how long)
+     */
+    READ_TEXT = 5,
+
+    /*
+     * Writes text without its zero, and a delimiter after it
+     *   HANDLE  handle  the open file
+     *   DEL     DATA8   what stands between two values in the file (DEL)
+     *   TEXT    string  the text
+     */
+    WRITE_TEXT = 6,
+
+    /*
+     * Closes a file and gives its handle back
+     *   HANDLE  handle  the open file
+     */
+    CLOSE = 7,
+
+    /*
+     * Loads a program file into a stopped slot, for PROGRAM_START to run
+     *   PRGID  DATA16      slot to load it into (0 to 4; SLOT)
+     *   NAME   string      path of the program, relative to /home/root/lms2012/sys; .rbf may be left out
+     *   SIZE   out DATA32  size of the program (bytes; 0: not loaded)
+     *   IP     out DATA32  where it was loaded, to be handed to PROGRAM_START (0: not loaded)
+     */
+    LOAD_IMAGE = 8,
+
+    /*
+     * Finds the handle of a file that is already open
+     *   NAME    string      path of the file; a bare name is taken from the program's own folder
+     *   HANDLE  out handle  the open file (-1: not open)
+     *   WRITE   out DATA8   whether it is open to write or append (0: no; 1: yes)
+     */
+    GET_HANDLE = 9,
+
+    /*
+     * Creates a folder unless it is there
+     *   NAME     string     path of the folder, relative to /home/root/lms2012/sys
+     *   SUCCESS  out DATA8  whether the folder is there now (0: no; 1: yes)
+     */
+    MAKE_FOLDER = 10,
+
+    /*
+     * Reserves a block of memory for the program
+     *   SIZE    DATA32      how much memory (0 to 2147483647 bytes)
+     *   HANDLE  out handle  what names the block from now on
+     *   IP      out DATA32  address of the block
+     */
+    GET_POOL = 11,
+
+    /*
+     * Stores the time and tick by which data logs are lined up
+     *   TIME  DATA32  the common time
+     *   TICK  DATA32  the brick's tick at that time
+     */
+    SET_LOG_SYNC_TIME = 12,
+
+    /*
+     * Counts the entries of a folder, hidden ones left out
+     *   NAME   string     path of the folder with its closing slash, such as ../prjs/
+     *   ITEMS  out DATA8  how many entries there are
+     */
+    GET_FOLDERS = 13,
+
+    /*
+     * Tells the time and tick by which data logs are lined up
+     *   TIME  out DATA32  the common time
+     *   TICK  out DATA32  the brick's tick at that time
+     */
+    GET_LOG_SYNC_TIME = 14,
+
+    /*
+     * Tells the name of one entry of a folder
+     *   NAME    string      path of the folder with its closing slash, such as ../prjs/
+     *   ITEM    DATA8       which entry of the folder, the first is 1 (1 to 127)
+     *   LENGTH  DATA8       room for the string, its zero included (bytes)
+     *   STRING  out string  its name without extension, empty where there is no such entry (LENGTH tells how long)
+     */
+    GET_SUBFOLDER_NAME = 15,
+
+    /*
+     * Adds one row of samples to a data log
+     *   HANDLE  handle  the open data log
+     *   TIME    DATA32  time of the samples since the log began (ms)
+     *   ITEMS   DATA8   how many samples; with 0 nothing is written (0 to 127)
+     *   VALUES  DATAF   the samples, in one array (ITEMS tells how long)
+     */
+    WRITE_LOG = 16,
+
+    /*
+     * Writes a data log to its end and closes it
+     *   HANDLE  handle  the open data log
+     *   NAME    string  path of the log as given to OPEN_LOG; .rdf may be left out
+     */
+    CLOSE_LOG = 17,
+
+    /*
+     * Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails
+     *   NAME   string      path of the folder with its closing slash, such as ../prjs/
+     *   PRGID  DATA16      slot to load it into (SLOT)
+     *   ITEM   DATA8       which entry of the folder, the first is 1 (1 to 127)
+     *   IP     out DATA32  where it was loaded
+     */
+    GET_IMAGE = 18,
+
+    /*
+     * Finds an entry of a folder by its name
+     *   NAME    string     path of the folder with its closing slash, such as ../prjs/
+     *   STRING  string     name to look for, without extension
+     *   ITEM    out DATA8  which entry it is, the first is 1 (1 to 127; 0: not found)
+     */
+    GET_ITEM = 19,
+
+    /*
+     * Counts the recently run files
+     *   ITEMS  out DATA8  how many there are, 10 at most
+     */
+    GET_CACHE_FILES = 20,
+
+    /*
+     * Puts a file first in the list of recently run files
+     *   STRING  string  path of the file
+     */
+    PUT_CACHE_FILE = 21,
+
+    /*
+     * Tells the path of one recently run file
+     *   ITEM    DATA8       which one, 1 is the latest (1 to 10)
+     *   LENGTH  DATA8       room for the string, its zero included (bytes)
+     *   STRING  out string  path of the file, empty where there is none (LENGTH tells how long)
+     */
+    GET_CACHE_FILE = 22,
+
+    /*
+     * Takes a file off the list of recently run files
+     *   STRING  string  path of the file, as PUT_CACHE_FILE got it
+     */
+    DEL_CACHE_FILE = 23,
+
+    /*
+     * Deletes one entry of a folder together with the files in it
+     *   NAME  string  path of the folder with its closing slash, such as ../prjs/
+     *   ITEM  DATA8   which entry of the folder, the first is 1 (1 to 127)
+     */
+    DEL_SUBFOLDER = 24,
+
+    /*
+     * Tells the path of the data log that is open
+     *   LENGTH  DATA8       room for the string, its zero included (bytes)
+     *   NAME    out string  path of the log, empty where none is open (LENGTH tells how long)
+     */
+    GET_LOG_NAME = 25,
+
+    /*
+     * Creates a data log and writes its header
+     *   NAME                   string      path of the log; .rdf may be left out; with an empty one it stays in
+     *       memory
+     *   syncedTime             DATA32      the common time, as GET_LOG_SYNC_TIME tells it
+     *   syncedTick             DATA32      the brick's tick at that time
+     *   nowTick                DATA32      the brick's tick at the start of the log
+     *   sample_interval_in_ms  DATA32      time between samples; fast logs are kept in memory first (ms)
+     *   duration_in_ms         DATA32      how long the log is to run (ms)
+     *   SDATA                  string      text that describes the sensors, copied into the header
+     *   HANDLE                 out handle  what names the log from now on
+     */
+    OPEN_LOG = 27,
+
+    /*
+     * Reads bytes from a file as they are
+     *   HANDLE       handle     the open file
+     *   BYTES        DATA16     how many bytes (0 to 32767 bytes)
+     *   DESTINATION  out DATA8  the bytes; a zero follows where the file ended early (BYTES tells how long)
+     */
+    READ_BYTES = 28,
+
+    /*
+     * Writes bytes to a file as they are
+     *   HANDLE  handle  the open file
+     *   BYTES   DATA16  how many bytes (0 to 32767 bytes)
+     *   SOURCE  DATA8   the bytes (BYTES tells how long)
+     */
+    WRITE_BYTES = 29,
+
+    /*
+     * Deletes a file, or a folder with the files in it
+     *   NAME  string  path of the file; a bare name is taken from the program's own folder
+     */
+    REMOVE = 30,
+
+    /*
+     * Copies a file or folder over whatever is at the destination; the source stays
+     *   SOURCE  string  path to copy from
+     *   DEST    string  path to copy to; what is there is deleted first
+     */
+    MOVE = 31,
+};
+
+/* CMDs of opARRAY */
+enum {
+    /*
+     * Deletes an array and gives its handle back (official firmware only)
+     *   HANDLE  handle  the array
+     */
+    DELETE = 0,
+
+    /*
+     * Deletes an array and gives its handle back (LEGO's name for it is DELETE) (xtended and compat firmware only)
+     *   HANDLE  handle  the array
+     */
+    DESTROY = 0,
+
+    /*
+     * Creates an array of DATA8 elements
+     *   ELEMENTS  DATA32      how many elements it has at first (0 to 2147483647)
+     *   HANDLE    out handle  what names the array from now on
+     */
+    CREATE8 = 1,
+
+    /*
+     * Creates an array of DATA16 elements
+     *   ELEMENTS  DATA32      how many elements it has at first (0 to 2147483647)
+     *   HANDLE    out handle  what names the array from now on
+     */
+    CREATE16 = 2,
+
+    /*
+     * Creates an array of DATA32 elements
+     *   ELEMENTS  DATA32      how many elements it has at first (0 to 2147483647)
+     *   HANDLE    out handle  what names the array from now on
+     */
+    CREATE32 = 3,
+
+    /*
+     * Creates an array of DATAF elements
+     *   ELEMENTS  DATA32      how many elements it has at first (0 to 2147483647)
+     *   HANDLE    out handle  what names the array from now on
+     */
+    CREATEF = 4,
+
+    /*
+     * Changes how many elements an array has
+     *   HANDLE    handle  the array
+     *   ELEMENTS  DATA32  how many elements it has from now on (0 to 2147483647)
+     */
+    RESIZE = 5,
+
+    /*
+     * Sets every element of an array to one value
+     *   HANDLE  handle       the array
+     *   VALUE   array-typed  the value, of the array's type
+     */
+    FILL = 6,
+
+    /*
+     * Copies the content of one array into another of the same type, which takes its size
+     *   HSOURCE  handle  array to copy from
+     *   HDEST    handle  array to copy into, which has to exist
+     */
+    COPY = 7,
+
+    /*
+     * Writes several elements of a DATA8 array, all within its size
+     *   HANDLE    handle  the array
+     *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
+     *   ELEMENTS  DATA32  how many values follow (0 to 2147483647)
+     *   VALUES    values  the values, one parameter each (each is DATA8)
+     */
+    INIT8 = 8,
+
+    /*
+     * Writes several elements of a DATA16 array, all within its size
+     *   HANDLE    handle  the array
+     *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
+     *   ELEMENTS  DATA32  how many values follow (0 to 2147483647)
+     *   VALUES    values  the values, one parameter each (each is DATA16)
+     */
+    INIT16 = 9,
+
+    /*
+     * Writes several elements of a DATA32 array, all within its size
+     *   HANDLE    handle  the array
+     *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
+     *   ELEMENTS  DATA32  how many values follow (0 to 2147483647)
+     *   VALUES    values  the values, one parameter each (each is DATA32)
+     */
+    INIT32 = 10,
+
+    /*
+     * Writes several elements of a DATAF array, all within its size
+     *   HANDLE    handle  the array
+     *   INDEX     DATA32  first element to write, counted from 0 (0 to 2147483647)
+     *   ELEMENTS  DATA32  how many values follow (0 to 2147483647)
+     *   VALUES    values  the values, one parameter each (each is DATAF)
+     */
+    INITF = 11,
+
+    /*
+     * Tells how many elements an array has (official firmware only)
+     *   HANDLE    handle      the array
+     *   ELEMENTS  out DATA32  how many elements it has, 0 where there is no such array
+     */
+    SIZE = 12,
+
+    /*
+     * Tells how many elements an array has (LEGO's name for it is SIZE) (xtended and compat firmware only)
+     *   HANDLE    handle      the array
+     *   ELEMENTS  out DATA32  how many elements it has, 0 where there is no such array
+     */
+    SET_SIZE = 12,
+
+    /*
+     * Reads an array's content as bytes, of another program too
+     *   PRGID   DATA16     slot of the program that owns the array (SLOT)
+     *   HANDLE  handle     the array
+     *   INDEX   DATA32     first byte in the array's content, whatever its elements (0 to 2147483647)
+     *   BYTES   DATA32     how many bytes (0 to 2147483647 bytes)
+     *   ARRAY   out DATA8  the bytes, zeros beyond the end of the array (BYTES tells how long)
+     */
+    READ_CONTENT = 13,
+
+    /*
+     * Writes an array's content as bytes; the array then ends with them
+     *   PRGID   DATA16  slot of the program that owns the array (SLOT)
+     *   HANDLE  handle  the array
+     *   INDEX   DATA32  first byte in the array's content, whatever its elements (0 to 2147483647)
+     *   BYTES   DATA32  how many bytes (0 to 2147483647 bytes)
+     *   ARRAY   DATA8   the bytes (BYTES tells how long)
+     */
+    WRITE_CONTENT = 14,
+
+    /*
+     * Tells how many bytes an array's content has, of another program too
+     *   PRGID   DATA16      slot of the program that owns the array (SLOT)
+     *   HANDLE  handle      the array
+     *   BYTES   out DATA32  how many bytes, 0 where there is no such array (bytes)
+     */
+    READ_SIZE = 15,
+};
+
+/* CMDs of opFILENAME */
+enum {
+    /*
+     * Tells whether a file or folder is there
+     *   NAME  string     path of the file; a bare name is taken from the program's own folder
+     *   FLAG  out DATA8  whether it is there (0: no; 1: yes)
+     */
+    EXIST = 16,
+
+    /*
+     * Tells how many files a folder has and their size
+     *   NAME   string      path of the folder or file
+     *   FILES  out DATA32  how many entries, with . and .. counted in; 0 for a file
+     *   SIZE   out DATA32  size of all of them, rounded up (KiB)
+     */
+    TOTALSIZE = 17,
+
+    /*
+     * Takes a path apart into folder, name and extension
+     *   FILENAME  string      the path
+     *   LENGTH    DATA8       room for each of the three parts, its zero included (bytes)
+     *   FOLDER    out string  the folder, on LEGO's firmware with its closing slash (LENGTH tells how long)
+     *   NAME      out string  the name, without folder and extension (LENGTH tells how long)
+     *   EXT       out string  the extension with its dot (LENGTH tells how long)
+     */
+    SPLIT = 18,
+
+    /*
+     * Puts a path together from folder, name and extension
+     *   FOLDER    string      the folder, without a slash at its end
+     *   NAME      string      the name
+     *   EXT       string      the extension with its dot
+     *   LENGTH    DATA8       room for the string, its zero included (bytes)
+     *   FILENAME  out string  the path (LENGTH tells how long)
+     */
+    MERGE = 19,
+
+    /*
+     * Tells whether a path has allowed characters and lengths; the file need not exist
+     *   FILENAME  string     the path
+     *   OK        out DATA8  whether the path can be used (0: not allowed; 1: allowed)
+     */
+    CHECK = 20,
+
+    /*
+     * Packs a file or folder into a .raf archive beside it
+     *   FILENAME  string  path of what to pack
+     */
+    PACK = 21,
+
+    /*
+     * Unpacks a .raf archive into the folder it is in
+     *   FILENAME  string  path of the archive; whatever its extension, .raf is taken
+     */
+    UNPACK = 22,
+
+    /*
+     * Tells the program's own folder
+     *   LENGTH      DATA8       room for the string, its zero included (bytes)
+     *   FOLDERNAME  out string  path of the folder, without a slash at its end (LENGTH tells how long)
+     */
+    GET_FOLDERNAME = 23,
+};
+
+/* Communication ---------------------------------------------------------------------------------------------------- */
+
+enum {
+    /* Fetches direct commands, for the brick's own command program: a CMD follows, below */
+    opCOM_READ = 0x91,
+
+    /* Answers direct commands, for the brick's own command program: a CMD follows, below */
+    opCOM_WRITE = 0x92,
+
+    /*
+     * Waits until nothing is being sent to a device
+     *   HARDWARE  DATA8   which way to communicate (HWTYPE)
+     *   NAME      string  name of the other device, empty: the brick's own adapter
+     */
+    opCOM_READY = 0xD0,
+
+    /*
+     * Does nothing in the firmware, meant to receive data
+     *   VALUE1  DATA8   which way to communicate, ignored (HWTYPE)
+     *   VALUE2  DATA8   name of the other device, ignored
+     *   VALUE3  DATA16  number of bytes, ignored (bytes)
+     *   VALUE4  DATA8   the bytes, ignored
+     */
+    opCOM_READDATA = 0xD1,
+
+    /*
+     * Does nothing in the firmware, meant to send data
+     *   VALUE1  DATA8   which way to communicate, ignored (HWTYPE)
+     *   VALUE2  DATA8   name of the other device, ignored
+     *   VALUE3  DATA16  number of bytes, ignored (bytes)
+     *   VALUE4  DATA8   the bytes, ignored
+     */
+    opCOM_WRITEDATA = 0xD2,
+
+    /* Asks about the brick's connections and the devices around it: a CMD follows, below */
+    opCOM_GET = 0xD3,
+
+    /* Changes the brick's name, its connections and its lists of devices: a CMD follows, below */
+    opCOM_SET = 0xD4,
+
+    /*
+     * Tells whether something is still being sent to a device
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   NAME      string     name of the other device, empty: the brick's own adapter
+     *   BUSY      out DATA8  whether to wait (0 to 1; 0: ready; 1: busy)
+     */
+    opCOM_TEST = 0xD5,
+
+    /*
+     * Forgets a paired device or a known network
+     *   HARDWARE     DATA8   which way to communicate (HWTYPE)
+     *   REMOTE_NAME  string  name of the other device or network
+     */
+    opCOM_REMOVE = 0xD6,
+
+    /*
+     * Sends a file or a folder to another brick, Bluetooth only
+     *   HARDWARE     DATA8   which way to communicate (HWTYPE)
+     *   REMOTE_NAME  string  name of the other device or network
+     *   FILE_NAME    string  path of the file or folder on this brick
+     *   FILE_TYPE    DATA8   TYPE_FOLDER for a folder, else a file (FILETYPE)
+     */
+    opCOM_WRITEFILE = 0xD7,
+
+    /*
+     * Opens a mailbox on this brick, at most 250 bytes of content
+     *   NO        DATA8   number of the mailbox on this brick (0 to 29)
+     *   BOXNAME   string  name of the mailbox, at most 49 characters
+     *   TYPES     DATA8   type of its values (DATA_FORMAT)
+     *   FIFOSIZE  DATA8   depth of the queue, ignored by the firmware
+     *   VALUES    DATA8   number of values, ignored by the firmware
+     */
+    opMAILBOX_OPEN = 0xD8,
+
+    /*
+     * Sends values to a mailbox of another brick, Bluetooth only
+     *   BRICKNAME  string  name of the other brick, empty: all connected ones
+     *   HARDWARE   DATA8   which way to communicate (HWTYPE)
+     *   BOXNAME    string  name of the mailbox
+     *   TYPE       DATA8   type of the values (DATA_FORMAT)
+     *   VALUES     count   how many values of TYPE follow, one only for a string (each is what TYPE says)
+     */
+    opMAILBOX_WRITE = 0xD9,
+
+    /*
+     * Reads the content of a mailbox and marks it read
+     *   NO      DATA8  number of the mailbox on this brick (0 to 29)
+     *   LENGTH  DATA8  most bytes to read, ignored by the firmware (bytes)
+     *   VALUES  count  how many values follow, of the type given to MAILBOX_OPEN (each is array-typed)
+     */
+    opMAILBOX_READ = 0xDA,
+
+    /*
+     * Tells whether a mailbox has an unread message
+     *   NO    DATA8      number of the mailbox on this brick (0 to 29)
+     *   BUSY  out DATA8  whether to wait (0 to 1; 0: a new message is there; 1: nothing new)
+     */
+    opMAILBOX_TEST = 0xDB,
+
+    /*
+     * Waits for an unread message in a mailbox
+     *   NO  DATA8  number of the mailbox on this brick (0 to 29)
+     */
+    opMAILBOX_READY = 0xDC,
+
+    /*
+     * Closes a mailbox on this brick
+     *   NO  DATA8  number of the mailbox on this brick (0 to 29)
+     */
+    opMAILBOX_CLOSE = 0xDD,
+
+    /*
+     * Tells how many bytes the content of a mailbox has (xtended and compat firmware only)
+     *   NO    DATA8      number of the mailbox on this brick (0 to 29)
+     *   SIZE  out DATA8  size of the content (bytes)
+     */
+    opMAILBOX_SIZE = 0xE5,
+};
+
+/* CMDs of opCOM_READ */
+enum {
+    /*
+     * Tells where the direct command received last lies in the brick's memory
+     *   LENGTH  DATA32      most bytes of code, ignored by the firmware (bytes)
+     *   IMAGE   out DATA32  address of the code
+     *   GLOBAL  out DATA32  address of its global memory
+     *   FLAG    out DATA8   whether a command waits (0 to 1; 0: none; 1: ready to run)
+     */
+    COMMAND = 14,
+};
+
+/* CMDs of opCOM_WRITE */
+enum {
+    /*
+     * Sends the global memory of a direct command that has run as its reply
+     *   IMAGE   DATA32  address of the code
+     *   GLOBAL  DATA32  address of its global memory
+     *   STATUS  DATA8   how it ended, all but OK give DIRECT_REPLY_ERROR (RESULT)
+     */
+    REPLY = 14,
+};
+
+/* CMDs of opCOM_GET */
+enum {
+    /*
+     * Tells whether Bluetooth or WiFi is on
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   ACTIVE    out DATA8  whether it is on (0 to 1; 0: off; 1: on)
+     */
+    GET_ON_OFF = 1,
+
+    /*
+     * Tells whether other devices can see the brick by Bluetooth
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   VISIBLE   out DATA8  whether it is visible (0 to 1; 0: no; 1: yes)
+     */
+    GET_VISIBLE = 2,
+
+    /*
+     * Tells how a search or connection request is going
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   ITEM      DATA8      place in the list, ignored by the firmware
+     *   RESULT    out DATA8  state of the request (RESULT)
+     */
+    GET_RESULT = 4,
+
+    /*
+     * Reads the PIN for a device, always 1234
+     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   NAME      string      name of the other device or network
+     *   LENGTH    DATA8       room for the PIN with its zero (bytes)
+     *   PINCODE   out string  the PIN (LENGTH tells how long)
+     */
+    GET_PIN = 5,
+
+    /*
+     * Reads a number that changes when a device enters or leaves a list (compat firmware only)
+     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   STATE     out DATA16  number to compare with the one of the last call
+     */
+    LIST_STATE = 7,
+
+    /*
+     * Tells how many devices or networks a search found
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   ITEMS     out DATA8  how many the list has
+     */
+    SEARCH_ITEMS = 8,
+
+    /*
+     * Describes one device or network that a search found
+     *   HARDWARE   DATA8       which way to communicate (HWTYPE)
+     *   ITEM       DATA8       place in the list, counted from 0
+     *   LENGTH     DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   NAME       out string  name of the other device or network (LENGTH tells how long)
+     *   PAIRED     out DATA8   whether it is paired (Bluetooth) or known (WiFi) (0 to 1; 0: no; 1: yes)
+     *   CONNECTED  out DATA8   whether it is connected (0 to 1; 0: no; 1: yes)
+     *   TYPE       out DATA8   kind of device (Bluetooth) or encryption (WiFi) (BTTYPE; 0: WiFi, not encrypted; 1:
+     *       WiFi, WPA2)
+     *   VISIBLE    out DATA8   whether it is in sight (0 to 1; 0: no; 1: yes)
+     */
+    SEARCH_ITEM = 9,
+
+    /*
+     * Tells how many devices are paired, in sight or not
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   ITEMS     out DATA8  how many the list has
+     */
+    FAVOUR_ITEMS = 10,
+
+    /*
+     * Describes one paired device or known network
+     *   HARDWARE   DATA8       which way to communicate (HWTYPE)
+     *   ITEM       DATA8       place in the list, counted from 0
+     *   LENGTH     DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   NAME       out string  name of the other device or network (LENGTH tells how long)
+     *   PAIRED     out DATA8   whether it is paired (Bluetooth) or known (WiFi) (0 to 1; 0: no; 1: yes)
+     *   CONNECTED  out DATA8   whether it is connected (0 to 1; 0: no; 1: yes)
+     *   TYPE       out DATA8   kind of device (Bluetooth) or encryption (WiFi) (BTTYPE; 0: WiFi, not encrypted; 1:
+     *       WiFi, WPA2)
+     */
+    FAVOUR_ITEM = 11,
+
+    /*
+     * Reads the brick's Bluetooth address
+     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   LENGTH    DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   STRING    out string  12 hex digits (LENGTH tells how long)
+     */
+    GET_ID = 12,
+
+    /*
+     * Reads the brick's name
+     *   LENGTH  DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   NAME    out string  name of the brick (LENGTH tells how long)
+     */
+    GET_BRICKNAME = 13,
+
+    /*
+     * Reads network name and addresses, WiFi only
+     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   LENGTH    DATA8       room for each of the three texts with its zero (bytes; -1: as long as it gets (handles
+     *       only))
+     *   NAME      out string  name of the network, NONE without one (LENGTH tells how long)
+     *   MAC       out string  MAC address of the brick, ?? when WiFi is off (LENGTH tells how long)
+     *   IP        out string  IP address of the brick, ?? when not connected (LENGTH tells how long)
+     */
+    GET_NETWORK = 14,
+
+    /*
+     * Tells whether the hardware is there, for WiFi a known dongle
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   OK        out DATA8  whether it is there (0 to 1; 0: no; 1: yes)
+     */
+    GET_PRESENT = 15,
+
+    /*
+     * Tells the encryption of a network, WiFi only
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   ITEM      DATA8      place in the list, counted from 0
+     *   TYPE      out DATA8  kind of encryption, the 2013 firmware says none (ENCRYPT)
+     */
+    GET_ENCRYPT = 16,
+
+    /*
+     * Tells how many devices are connected, Bluetooth only
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   ITEMS     out DATA8  how many the list has
+     */
+    CONNEC_ITEMS = 17,
+
+    /*
+     * Describes one connected device, Bluetooth only
+     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   ITEM      DATA8       place in the list, counted from 0
+     *   LENGTH    DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   NAME      out string  name of the device (LENGTH tells how long)
+     *   TYPE      out DATA8   kind of device (BTTYPE)
+     */
+    CONNEC_ITEM = 18,
+
+    /*
+     * Tells which device asks for a connection, Bluetooth only
+     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   LENGTH    DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
+     *   NAME      out string  name of the device (LENGTH tells how long)
+     *   TYPE      out DATA8   kind of device (BTTYPE)
+     */
+    GET_INCOMING = 19,
+
+    /*
+     * Tells whether Bluetooth is in its mode for Apple devices
+     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   ACTIVE    out DATA8  whether it is on (0 to 1; 0: off; 1: on)
+     */
+    GET_MODE2 = 20,
+};
+
+/* CMDs of opCOM_SET */
+enum {
+    /*
+     * Switches Bluetooth or WiFi on or off
+     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   ACTIVE    DATA8  whether to switch it on (0 to 1; 0: off; 1: on)
+     */
+    SET_ON_OFF = 1,
+
+    /*
+     * Makes the brick visible or invisible, Bluetooth only
+     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   VISIBLE   DATA8  whether other devices shall see it (0 to 1; 0: invisible; 1: visible)
+     */
+    SET_VISIBLE = 2,
+
+    /*
+     * Starts or stops the search for devices or networks
+     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   SEARCH    DATA8  whether to search (0 to 1; 0: stop (Bluetooth only); 1: start)
+     */
+    SET_SEARCH = 3,
+
+    /*
+     * Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)
+     *   HARDWARE  DATA8   which way to communicate (HWTYPE)
+     *   NAME      string  name of the other device or network
+     *   PINCODE   string  PIN or password
+     */
+    SET_PIN = 5,
+
+    /*
+     * Answers the request to confirm a passkey, Bluetooth only
+     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   ACCEPT    DATA8  the answer (0 to 1; 0: reject; 1: accept)
+     */
+    SET_PASSKEY = 6,
+
+    /*
+     * Connects a device or network, or ends a Bluetooth connection
+     *   HARDWARE    DATA8   which way to communicate (HWTYPE)
+     *   NAME        string  name of the other device or network
+     *   CONNECTION  DATA8   what to do (0 to 1; 0: disconnect; 1: connect)
+     */
+    SET_CONNECTION = 7,
+
+    /*
+     * Renames the brick
+     *   NAME  string  new name, at most 118 characters, else refused
+     */
+    SET_BRICKNAME = 8,
+
+    /*
+     * Moves a network up in the list, WiFi only
+     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   ITEM      DATA8  place in the list, counted from 0
+     */
+    SET_MOVEUP = 9,
+
+    /*
+     * Moves a network down in the list, WiFi only
+     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   ITEM      DATA8  place in the list, counted from 0
+     */
+    SET_MOVEDOWN = 10,
+
+    /*
+     * Sets the encryption of a network, WiFi only
+     *   HARDWARE  DATA8   which way to communicate (HWTYPE)
+     *   ITEM      string  name of the network
+     *   ENCRYPT   DATA8   kind of encryption (ENCRYPT)
+     */
+    SET_ENCRYPT = 11,
+
+    /*
+     * Adds a network to the end of the list, WiFi only
+     *   HARDWARE  DATA8   which way to communicate (HWTYPE)
+     *   NAME      string  name of the network
+     */
+    SET_SSID = 12,
+
+    /*
+     * Switches the Bluetooth mode for Apple devices on or off
+     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   ACTIVE    DATA8  whether to switch it on (0 to 1; 0: off; 1: on)
+     */
+    SET_MODE2 = 13,
+};
+
+/* Enumerations ----------------------------------------------------------------------------------------------------- */
+
+/* Names of the values of parameters. */
+
+/* TYPE: Types of devices on the ports; MODE_KEEP and TYPE_KEEP ask to leave mode or type as it is */
+enum {
+    MODE_KEEP = -1,
+    TYPE_KEEP = 0,
+    TYPE_NXT_TOUCH = 1,
+    TYPE_NXT_LIGHT = 2,
+    TYPE_NXT_SOUND = 3,
+    TYPE_NXT_COLOR = 4,
+    TYPE_NXT_ULTRASONIC = 5,
+    TYPE_NXT_TEMPERATURE = 6,
+    TYPE_TACHO = 7,
+    TYPE_MINITACHO = 8,
+    TYPE_NEWTACHO = 9,
+    TYPE_TOUCH = 16,
+    TYPE_COLOR = 29,
+    TYPE_ULTRASONIC = 30,
+    TYPE_GYRO = 32,
+    TYPE_IR = 33,
+    TYPE_THIRD_PARTY_START = 50,
+    TYPE_THIRD_PARTY_END = 98,
+    TYPE_ENERGYMETER = 99,
+    TYPE_IIC_UNKNOWN = 100,
+    TYPE_NXT_TEST = 101,
+    TYPE_NXT_IIC = 123,
+    TYPE_TERMINAL = 124,
+    TYPE_UNKNOWN = 125,
+    TYPE_NONE = 126,
+    TYPE_ERROR = 127,
+};
+
+/* SLOT: Program slots of the virtual machine; direct commands run in CMD_SLOT */
+enum {
+    GUI_SLOT = 0,
+    USER_SLOT = 1,
+    CMD_SLOT = 2,
+    TERM_SLOT = 3,
+    DEBUG_SLOT = 4,
+    CURRENT_SLOT = -1,
+    SLOTS = 5,
+};
+
+/* BUTTONTYPE: Buttons of the brick */
+enum {
+    NO_BUTTON = 0,
+    UP_BUTTON = 1,
+    ENTER_BUTTON = 2,
+    DOWN_BUTTON = 3,
+    RIGHT_BUTTON = 4,
+    LEFT_BUTTON = 5,
+    BACK_BUTTON = 6,
+    ANY_BUTTON = 7,
+    BUTTONTYPES = 8,
+};
+
+/* BROWSERTYPE: What the file browser on the display lists */
+enum {
+    BROWSE_FOLDERS = 0,
+    BROWSE_FOLDS_FILES = 1,
+    BROWSE_CACHE = 2,
+    BROWSE_FILES = 3,
+    BROWSERTYPES = 4,
+};
+
+/* FONTTYPE: Fonts of the display */
+enum {
+    NORMAL_FONT = 0,
+    SMALL_FONT = 1,
+    LARGE_FONT = 2,
+    TINY_FONT = 3,
+    FONTTYPES = 4,
+};
+
+/* ICONTYPE: Sets of icons; the set decides what an icon's number means */
+enum {
+    NORMAL_ICON = 0,
+    SMALL_ICON = 1,
+    LARGE_ICON = 2,
+    MENU_ICON = 3,
+    ARROW_ICON = 4,
+    ICONTYPES = 5,
+};
+
+/* S_ICON_NO: Icons of the set SMALL_ICON: battery, Bluetooth, WiFi and USB in the top line */
+enum {
+    SICON_CHARGING = 0,
+    SICON_BATT_4 = 1,
+    SICON_BATT_3 = 2,
+    SICON_BATT_2 = 3,
+    SICON_BATT_1 = 4,
+    SICON_BATT_0 = 5,
+    SICON_WAIT1 = 6,
+    SICON_WAIT2 = 7,
+    SICON_BT_ON = 8,
+    SICON_BT_VISIBLE = 9,
+    SICON_BT_CONNECTED = 10,
+    SICON_BT_CONNVISIB = 11,
+    SICON_WIFI_3 = 12,
+    SICON_WIFI_2 = 13,
+    SICON_WIFI_1 = 14,
+    SICON_WIFI_CONNECTED = 15,
+    SICON_USB = 21,
+    S_ICON_NOS = 22,
+};
+
+/* N_ICON_NO: Icons of the set NORMAL_ICON: files, folders and settings */
+enum {
+    ICON_NONE = -1,
+    ICON_RUN = 0,
+    ICON_FOLDER = 1,
+    ICON_FOLDER2 = 2,
+    ICON_USB = 3,
+    ICON_SD = 4,
+    ICON_SOUND = 5,
+    ICON_IMAGE = 6,
+    ICON_SETTINGS = 7,
+    ICON_ONOFF = 8,
+    ICON_SEARCH = 9,
+    ICON_WIFI = 10,
+    ICON_CONNECTIONS = 11,
+    ICON_ADD_HIDDEN = 12,
+    ICON_TRASHBIN = 13,
+    ICON_VISIBILITY = 14,
+    ICON_KEY = 15,
+    ICON_CONNECT = 16,
+    ICON_DISCONNECT = 17,
+    ICON_UP = 18,
+    ICON_DOWN = 19,
+    ICON_WAIT1 = 20,
+    ICON_WAIT2 = 21,
+    ICON_BLUETOOTH = 22,
+    ICON_INFO = 23,
+    ICON_TEXT = 24,
+    ICON_QUESTIONMARK = 27,
+    ICON_INFO_FILE = 28,
+    ICON_DISC = 29,
+    ICON_CONNECTED = 30,
+    ICON_OBP = 31,
+    ICON_OBD = 32,
+    ICON_OPENFOLDER = 33,
+    ICON_BRICK1 = 34,
+    N_ICON_NOS = 35,
+};
+
+/* L_ICON_NO: Icons of the set LARGE_ICON: answers, warnings and file operations */
+enum {
+    YES_NOTSEL = 0,
+    YES_SEL = 1,
+    NO_NOTSEL = 2,
+    NO_SEL = 3,
+    OFF = 4,
+    WAIT_VERT = 5,
+    WAIT_HORZ = 6,
+    TO_MANUAL = 7,
+    WARNSIGN = 8,
+    WARN_BATT = 9,
+    WARN_POWER = 10,
+    WARN_TEMP = 11,
+    NO_USBSTICK = 12,
+    TO_EXECUTE = 13,
+    TO_BRICK = 14,
+    TO_SDCARD = 15,
+    TO_USBSTICK = 16,
+    TO_BLUETOOTH = 17,
+    TO_WIFI = 18,
+    TO_TRASH = 19,
+    TO_COPY = 20,
+    TO_FILE = 21,
+    CHAR_ERROR = 22,
+    COPY_ERROR = 23,
+    PROGRAM_ERROR = 24,
+    WARN_MEMORY = 27,
+    L_ICON_NOS = 28,
+};
+
+/* M_ICON_NO: Icons of the set MENU_ICON: kinds of Bluetooth peers, locks and check boxes */
+enum {
+    ICON_STAR = 0,
+    ICON_LOCKSTAR = 1,
+    ICON_LOCK = 2,
+    ICON_PC = 3,
+    ICON_PHONE = 4,
+    ICON_BRICK = 5,
+    ICON_UNKNOWN = 6,
+    ICON_FROM_FOLDER = 7,
+    ICON_CHECKBOX = 8,
+    ICON_CHECKED = 9,
+    ICON_XED = 10,
+    M_ICON_NOS = 11,
+};
+
+/* A_ICON_NO: Icons of the set ARROW_ICON: small arrows */
+enum {
+    ICON_LEFT = 1,
+    ICON_RIGHT = 2,
+    A_ICON_NOS = 3,
+};
+
+/* BTTYPE: Kinds of Bluetooth peers, numbered like their icons in the set MENU_ICON */
+enum {
+    BTTYPE_PC = 3,
+    BTTYPE_PHONE = 4,
+    BTTYPE_BRICK = 5,
+    BTTYPE_UNKNOWN = 6,
+    BTTYPES = 7,
+};
+
+/* LEDPATTERN: Colours and rhythms of the light behind the buttons */
+enum {
+    LED_BLACK = 0,
+    LED_GREEN = 1,
+    LED_RED = 2,
+    LED_ORANGE = 3,
+    LED_GREEN_FLASH = 4,
+    LED_RED_FLASH = 5,
+    LED_ORANGE_FLASH = 6,
+    LED_GREEN_PULSE = 7,
+    LED_RED_PULSE = 8,
+    LED_ORANGE_PULSE = 9,
+    LEDPATTERNS = 10,
+};
+
+/* LEDTYPE: Single lights behind the buttons: right or left, red or green */
+enum {
+    LED_ALL = 0,
+    LED_RR = 1,
+    LED_RG = 2,
+    LED_LR = 3,
+    LED_LG = 4,
+};
+
+/* FILETYPE: Kinds of files in the browser; it ORs TYPE_SDCARD or TYPE_USBSTICK to the kind found there */
+enum {
+    FILETYPE_UNKNOWN = 0,
+    TYPE_FOLDER = 1,
+    TYPE_SOUND = 2,
+    TYPE_BYTECODE = 3,
+    TYPE_GRAPHICS = 4,
+    TYPE_DATALOG = 5,
+    TYPE_PROGRAM = 6,
+    TYPE_TEXT = 7,
+    TYPE_SDCARD = 16,
+    TYPE_USBSTICK = 32,
+    TYPE_RESTART_BROWSER = -1,
+    TYPE_REFRESH_BROWSER = -2,
+    FILETYPES = 33,
+};
+
+/* RESULT: How an operation went, or whether it is still going on */
+enum {
+    OK = 0,
+    BUSY = 1,
+    FAIL = 2,
+    STOP = 4,
+    START = 8,
+};
+
+/* DATA_FORMAT: Formats of values, for sensors and mailboxes; FORMAT_TYPES has their types */
+enum {
+    DATA_8 = 0,
+    DATA_16 = 1,
+    DATA_32 = 2,
+    DATA_F = 3,
+    DATA_S = 4,
+    DATA_A = 5,
+    DATA_V = 7,
+    DATA_PCT = 16,
+    DATA_RAW = 18,
+    DATA_SI = 19,
+    DATA_FORMATS = 20,
+};
+
+/* DEL: What stands between two values in a text file */
+enum {
+    DEL_NONE = 0,
+    DEL_TAB = 1,
+    DEL_SPACE = 2,
+    DEL_RETURN = 3,
+    DEL_COLON = 4,
+    DEL_COMMA = 5,
+    DEL_LINEFEED = 6,
+    DEL_CRLF = 7,
+    DELS = 8,
+};
+
+/* HWTYPE: Carriers of the protocol */
+enum {
+    HW_USB = 1,
+    HW_BT = 2,
+    HW_WIFI = 3,
+    HWTYPES = 4,
+};
+
+/* ENCRYPT: Encryption of a WiFi network (official and compat firmware only) */
+enum {
+    ENCRYPT_NONE = 0,
+    ENCRYPT_WPA2 = 1,
+    ENCRYPTS = 2,
+};
+
+/* LMS_ENCRYPT: Encryption of a WiFi network, under the names of the extended firmware (xtended firmware only) */
+enum {
+    LMS_ENCRYPT_NONE = 0,
+    LMS_ENCRYPT_WPA2 = 1,
+    LMS_ENCRYPTS = 2,
+};
+
+/* COLOR: Colour channels of the NXT colour sensor; BLANK is the reading without light */
+enum {
+    RED = 0,
+    GREEN = 1,
+    BLUE = 2,
+    BLANK = 3,
+    COLORS = 4,
+};
+
+/* NXTCOLOR: Colours that a colour sensor recognises */
+enum {
+    BLACKCOLOR = 1,
+    BLUECOLOR = 2,
+    GREENCOLOR = 3,
+    YELLOWCOLOR = 4,
+    REDCOLOR = 5,
+    WHITECOLOR = 6,
+};
+
+/* WARNING: Warnings of the brick, one bit each; WARNINGS masks those shown to the user */
+enum {
+    WARNING_TEMP = 1,
+    WARNING_CURRENT = 2,
+    WARNING_VOLTAGE = 4,
+    WARNING_MEMORY = 8,
+    WARNING_DSPSTAT = 16,
+    WARNING_RAM = 32,
+    WARNING_BATTLOW = 64,
+    WARNING_BUSY = 128,
+    WARNINGS = 63,
+};
+
+/* OBJSTAT: State of a program or object; one at a time, though each number is a single bit */
+enum {
+    RUNNING = 16,
+    WAITING = 32,
+    STOPPED = 64,
+    HALTED = 128,
+};
+
+/* DEVCMD: Commands to a UART sensor; DEVCMD_FIRE is another name of DEVCMD_RESET (compat lacks it) */
+enum {
+    DEVCMD_RESET = 17,
+    DEVCMD_FIRE = 17,
+    DEVCMD_CHANNEL = 18,
+    DEVCMDS = 19,
+};
+
+/* CONN: What kind of connection a port has found */
+enum {
+    CONN_UNKNOWN = 111,
+    CONN_DAISYCHAIN = 117,
+    CONN_NXT_COLOR = 118,
+    CONN_NXT_DUMB = 119,
+    CONN_NXT_IIC = 120,
+    CONN_INPUT_DUMB = 121,
+    CONN_INPUT_UART = 122,
+    CONN_OUTPUT_DUMB = 123,
+    CONN_OUTPUT_INTELLIGENT = 124,
+    CONN_OUTPUT_TACHO = 125,
+    CONN_NONE = 126,
+    CONN_ERROR = 127,
+};
+
+/* System commands -------------------------------------------------------------------------------------------------- */
+
+/* The byte behind the message type, and what follows it. */
+
+enum {
+    /*
+     * Opens a file on the brick for writing and says how long it will be
+     *   asks with: size (u32), path (text)
+     *   gets: handle (u8)
+     */
+    BEGIN_DOWNLOAD = 0x92,
+
+    /*
+     * Writes the next piece of a file; the file closes itself when it is complete
+     *   asks with: handle (u8), data (data)
+     *   gets: handle (u8)
+     */
+    CONTINUE_DOWNLOAD = 0x93,
+
+    /*
+     * Opens a file on the brick for reading and fetches its first piece
+     *   asks with: max_bytes (u16), path (text)
+     *   gets: size (u32), handle (u8), data (data)
+     */
+    BEGIN_UPLOAD = 0x94,
+
+    /*
+     * Fetches the next piece of a file
+     *   asks with: handle (u8), max_bytes (u16)
+     *   gets: handle (u8), data (data)
+     */
+    CONTINUE_UPLOAD = 0x95,
+
+    /*
+     * Opens a file that may still be growing, such as a data log, and fetches its first piece
+     *   asks with: max_bytes (u16), path (text)
+     *   gets: size (u32), handle (u8), data (data)
+     */
+    BEGIN_GETFILE = 0x96,
+
+    /*
+     * Fetches the next piece of a file that may still be growing
+     *   asks with: handle (u8), max_bytes (u16)
+     *   gets: size (u32), handle (u8), data (data)
+     */
+    CONTINUE_GETFILE = 0x97,
+
+    /*
+     * Closes an open file before its end
+     *   asks with: handle (u8), hash (optional data)
+     *   gets: handle (optional u8)
+     */
+    CLOSE_FILEHANDLE = 0x98,
+
+    /*
+     * Lists a folder and fetches the first piece of the listing
+     *   asks with: max_bytes (u16), path (text)
+     *   gets: list_size (u32), handle (u8), list (listing)
+     */
+    LIST_FILES = 0x99,
+
+    /*
+     * Fetches the next piece of a listing
+     *   asks with: handle (u8), max_bytes (u16)
+     *   gets: handle (u8), list (listing)
+     */
+    CONTINUE_LIST_FILES = 0x9A,
+
+    /*
+     * Makes a folder
+     *   asks with: path (text)
+     */
+    CREATE_DIR = 0x9B,
+
+    /*
+     * Deletes a file or an empty folder
+     *   asks with: path (text)
+     */
+    DELETE_FILE = 0x9C,
+
+    /*
+     * Asks which file handles are in use
+     *   gets: handles (data)
+     */
+    LIST_OPEN_HANDLES = 0x9D,
+
+    /*
+     * Puts a message into a mailbox of the program that runs on the brick
+     *   asks with: name_length (u8), name (counted text), payload_length (u16), payload (data)
+     *   gets no reply
+     */
+    WRITEMAILBOX = 0x9E,
+
+    /*
+     * Hands over the PIN for a Bluetooth device (USB only)
+     *   asks with: mac_length (u8), mac (counted text), pin_length (u8), pin (counted text)
+     *   gets: mac_length (u8), mac (counted text), pin_length (u8), pin (counted text)
+     */
+    BLUETOOTHPIN = 0x9F,
+
+    /*
+     * Restarts the brick into its firmware updater
+     *   gets no reply
+     */
+    ENTERFWUPDATE = 0xA0,
+
+    /*
+     * Sets the bundle identifier with which the brick shows itself to Apple devices
+     *   asks with: id (text)
+     */
+    SETBUNDLEID = 0xA1,
+
+    /*
+     * Sets the bundle seed identifier with which the brick shows itself to Apple devices
+     *   asks with: id (text)
+     */
+    SETBUNDLESEEDID = 0xA2,
+
+    /*
+     * Erases a region of the flash memory and makes ready to write it
+     *   asks with: address (u32), image_size (u32)
+     */
+    BOOTLOADER_BEGIN_DOWNLOAD_WITH_ERASE = 0xF0,
+
+    /*
+     * Makes ready to write a region of the flash memory that is already erased
+     *   asks with: address (u32), image_size (u32)
+     */
+    BOOTLOADER_BEGIN_DOWNLOAD = 0xF1,
+
+    /*
+     * Writes the next piece of the image
+     *   asks with: data (data)
+     */
+    BOOTLOADER_DOWNLOAD_DATA = 0xF2,
+
+    /* Erases the whole flash memory */
+    BOOTLOADER_CHIP_ERASE = 0xF3,
+
+    /* Leaves the updater and starts the firmware */
+    BOOTLOADER_START_APP = 0xF4,
+
+    /*
+     * Asks for the checksum of a region of the flash memory
+     *   asks with: address (u32), image_size (u32)
+     *   gets: checksum (u32)
+     */
+    BOOTLOADER_GET_CHECKSUM = 0xF5,
+
+    /*
+     * Asks for the versions of hardware and firmware
+     *   gets: hardware_version (u32), firmware_version (u32)
+     */
+    BOOTLOADER_GET_VERSION = 0xF6,
+};
+
+/* The byte behind the command's number in a reply */
+enum {
+    SYSTEM_SUCCESS = 0,
+    SYSTEM_UNKNOWN_HANDLE = 1,
+    SYSTEM_HANDLE_NOT_READY = 2,
+    SYSTEM_CORRUPT_FILE = 3,
+    SYSTEM_NO_HANDLES_AVAILABLE = 4,
+    SYSTEM_NO_PERMISSION = 5,
+    SYSTEM_ILLEGAL_PATH = 6,
+    SYSTEM_FILE_EXITS = 7,
+    SYSTEM_END_OF_FILE = 8,
+    SYSTEM_SIZE_ERROR = 9,
+    SYSTEM_UNKNOWN_ERROR = 10,
+    SYSTEM_ILLEGAL_FILENAME = 11,
+    SYSTEM_ILLEGAL_CONNECTION = 12,
+};
+
+/* Daisy chain ------------------------------------------------------------------------------------------------------ */
+
+/* The byte behind the message type, between bricks that are joined by USB. */
+
+enum {
+    /* Hands operations on to a brick further down */
+    DAISY_DOWNSTREAM = 0xA0,
+
+    /* Hands sensor data up towards the first brick */
+    DAISY_UPSTREAM = 0xA1,
+
+    /* Asks which sensors a brick further down has */
+    DAISY_INFO = 0xA2,
+
+    /* Lets the brick below answer again */
+    DAISY_UNLOCK_SLAVE = 0xA3,
+
+    /* Sets type and mode of a sensor further down */
+    DAISY_SET_TYPE = 0xA4,
+
+    /* Hands operations on, with the motors that are to be reported busy */
+    DAISY_DOWNSTREAM_WITH_BUSY = 0xA5,
+};
+
+/* Constants -------------------------------------------------------------------------------------------------------- */
+
+/* Sizes, limits, folders, files and positions, as the firmware has them. */
+
+enum {
+    OUTPUTS = 4,
+    INPUTS = 4,
+    BUTTONS = 6,
+    LEDS = 4,
+    LCD_WIDTH = 178,
+    LCD_HEIGHT = 128,
+    TOPLINE_HEIGHT = 10,
+    LCD_STORE_LEVELS = 3,
+    FG_COLOR = 1,
+    BG_COLOR = 0,
+    DEFAULT_VOLUME = 100,
+    DEFAULT_SLEEPMINUTES = 30,
+    CHAIN_DEPT = 4,
+    PATHSIZE = 84,
+    NAMESIZE = 32,
+    EXTSIZE = 5,
+    FILENAMESIZE = 120,
+    MACSIZE = 18,
+    IPSIZE = 16,
+    BTADRSIZE = 13,
+    ERR_STRING_SIZE = 32,
+    BRICKNAMESIZE = 120,
+    BTPASSKEYSIZE = 7,
+    WIFIPASSKEYSIZE = 33,
+    EVENT_NONE = 0,
+    EVENT_BT_PIN = 1,
+    EVENT_BT_REQ_CONF = 2,
+    MAX_VALID_TYPE = 101,
+    DIR_DEEPT = 127,
+    CHARSET_NAME = 1,
+    CHARSET_FILENAME = 2,
+    CHARSET_BTPASSKEY = 4,
+    CHARSET_WIFIPASSKEY = 8,
+    CHARSET_WIFISSID = 16,
+    DATA8_MIN = -127,
+    DATA8_MAX = 127,
+    DATA16_MIN = -32767,
+    DATA16_MAX = 32767,
+    DATA32_MIN = -2147483647,
+    DATA32_MAX = 2147483647,
+    DATAF_MIN = -2147483647,
+    DATAF_MAX = 2147483647,
+    DATA8_NAN = 128,
+    DATA16_NAN = 32768,
+    DATAF_NAN = 2143289344,
+    PULSE_GUI_BACKGROUND = 1,
+    PULSE_BROWSER = 2,
+    PULSE_KEY = 4,
+    POP3_ABS_X = 16,
+    POP3_ABS_Y = 50,
+    POP3_ABS_WARN_ICON_X = 64,
+    POP3_ABS_WARN_ICON_X1 = 40,
+    POP3_ABS_WARN_ICON_X2 = 72,
+    POP3_ABS_WARN_ICON_X3 = 104,
+    POP3_ABS_WARN_ICON_Y = 60,
+    POP3_ABS_WARN_SPEC_ICON_X = 88,
+    POP3_ABS_WARN_SPEC_ICON_Y = 60,
+    POP3_ABS_WARN_TEXT_X = 80,
+    POP3_ABS_WARN_TEXT_Y = 68,
+    POP3_ABS_WARN_YES_X = 72,
+    POP3_ABS_WARN_YES_Y = 90,
+    POP3_ABS_WARN_LINE_X = 21,
+    POP3_ABS_WARN_LINE_Y = 89,
+    POP3_ABS_WARN_LINE_ENDX = 155,
+};
+
+#define MEMORY_FOLDER "/mnt/ramdisk"
+#define PROGRAM_FOLDER "../prjs/BrkProg_SAVE"
+#define DATALOG_FOLDER "../prjs/BrkDL_SAVE"
+#define SDCARD_FOLDER "../prjs/SD_Card"
+#define USBSTICK_FOLDER "../prjs/USB_Stick"
+#define PRJS_DIR "../prjs"
+#define APPS_DIR "../apps"
+#define TOOLS_DIR "../tools"
+#define TMP_DIR "../tmp"
+#define SETTINGS_DIR "../sys/settings"
+#define LASTRUN_FILE_NAME "lastrun"
+#define CALDATA_FILE_NAME "caldata"
+#define SLEEP_FILE_NAME "Sleep"
+#define VOLUME_FILE_NAME "Volume"
+#define WIFI_FILE_NAME "WiFi"
+#define BLUETOOTH_FILE_NAME "Bluetooth"
+#define EXT_SOUND ".rsf"
+#define EXT_GRAPHICS ".rgf"
+#define EXT_BYTECODE ".rbf"
+#define EXT_TEXT ".rtf"
+#define EXT_DATALOG ".rdf"
+#define EXT_PROGRAM ".rpf"
+#define EXT_CONFIG ".rcf"
+#define EXT_ARCHIVE ".raf"
+#define DATA32_NAN 0x80000000u
+
+
+/* Filling a frame ------------------------------------------------------------------------------------------------ */
+
+/*
+ * A frame on its way. What does not fit is left out, and ev3_end then says 0.
+ *
+ *   bytes  the frame, to be sent as it is; on USB all of the array is sent
+ *   size   bytes that it has so far
+ *   full   not 0 once something did not fit or could not be encoded
+ */
+typedef struct {
+    uint8_t bytes[EV3_MAX_FRAME];
+    size_t size;
+    int full;
+} ev3_frame;
+
+/* Bytes as they are */
+static inline void ev3_raw(ev3_frame *frame, const void *bytes, size_t count)
+{
+    if (count > EV3_MAX_FRAME - frame->size) {
+        frame->full = 1;
+        return;
+    }
+    memcpy(frame->bytes + frame->size, bytes, count);
+    frame->size += count;
+}
+
+/* A number of 1, 2 or 4 bytes without anything around it, as system commands have them */
+static inline void ev3_number(ev3_frame *frame, uint32_t value, size_t count)
+{
+    uint8_t bytes[] = {EV3_BYTE(value, 0), EV3_BYTE(value, 8), EV3_BYTE(value, 16), EV3_BYTE(value, 24)};
+    ev3_raw(frame, bytes, count);
+}
+
+/* A text and its zero without anything around it, as system commands have them; ISO-8859-1 */
+static inline void ev3_text(ev3_frame *frame, const char *text)
+{
+    ev3_raw(frame, text, strlen(text) + 1);
+}
+
+static inline void ev3_begin(ev3_frame *frame, uint16_t counter, int type)
+{
+    memset(frame, 0, sizeof *frame);
+    ev3_number(frame, 0, 2);
+    ev3_number(frame, counter, 2);
+    ev3_number(frame, (uint32_t)type, 1);
+}
+
+/* Starts a direct command: a message type and bytes of memory, global 0 to 1023, local 0 to 63 */
+static inline void ev3_begin_direct(ev3_frame *frame, uint16_t counter, int type, unsigned globals, unsigned locals)
+{
+    ev3_begin(frame, counter, type);
+    frame->full = globals > 1023 || locals > 63;
+    ev3_number(frame, (uint32_t)locals << 10 | globals, 2);
+}
+
+/* Starts a system command: a message type and the command's number */
+static inline void ev3_begin_system(ev3_frame *frame, uint16_t counter, int type, int command)
+{
+    ev3_begin(frame, counter, type);
+    ev3_number(frame, (uint32_t)command, 1);
+}
+
+/* A whole number in its shortest encoding */
+static inline void ev3_integer(ev3_frame *frame, int32_t value)
+{
+    const uint32_t bits = (uint32_t)value;
+    const uint8_t lc0[] = {LC0(bits)}, lc1[] = {LC1(bits)}, lc2[] = {LC2(bits)}, lc4[] = {LC4(bits)};
+    if (-32 <= value && value <= 31)
+        ev3_raw(frame, lc0, sizeof lc0);
+    else if (-127 <= value && value <= 127)
+        ev3_raw(frame, lc1, sizeof lc1);
+    else if (-32767 <= value && value <= 32767)
+        ev3_raw(frame, lc2, sizeof lc2);
+    else
+        ev3_raw(frame, lc4, sizeof lc4);
+}
+
+/* The bits of a float; of all that are not a number, the one that the firmware knows */
+static inline uint32_t ev3_float_bits(float value)
+{
+    uint32_t bits;
+    if (value != value)
+        return 0x7FC00000;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* One byte of a float, for LCF */
+static inline uint8_t ev3_float_byte(double value, unsigned bits)
+{
+    return EV3_BYTE(ev3_float_bits((float)value), bits);
+}
+
+/* A float */
+static inline void ev3_float(ev3_frame *frame, float value)
+{
+    const uint8_t lcf[] = {LC4(ev3_float_bits(value))};
+    ev3_raw(frame, lcf, sizeof lcf);
+}
+
+/* A string */
+static inline void ev3_string(ev3_frame *frame, const char *text)
+{
+    ev3_number(frame, LCS, 1);
+    ev3_text(frame, text);
+}
+
+/* The local variable at an index, in its shortest encoding */
+static inline void ev3_local(ev3_frame *frame, uint32_t index)
+{
+    const uint8_t lv0[] = {LV0(index)}, lv1[] = {LV1(index)}, lv2[] = {LV2(index)}, lv4[] = {LV4(index)};
+    if (index <= 31)
+        ev3_raw(frame, lv0, sizeof lv0);
+    else if (index <= 0xFF)
+        ev3_raw(frame, lv1, sizeof lv1);
+    else if (index <= 0xFFFF)
+        ev3_raw(frame, lv2, sizeof lv2);
+    else
+        ev3_raw(frame, lv4, sizeof lv4);
+}
+
+/* The same of a global variable: what the reply carries from byte 5 + index on */
+static inline void ev3_global(ev3_frame *frame, uint32_t index)
+{
+    const uint8_t gv0[] = {GV0(index)}, gv1[] = {GV1(index)}, gv2[] = {GV2(index)}, gv4[] = {GV4(index)};
+    if (index <= 31)
+        ev3_raw(frame, gv0, sizeof gv0);
+    else if (index <= 0xFF)
+        ev3_raw(frame, gv1, sizeof gv1);
+    else if (index <= 0xFFFF)
+        ev3_raw(frame, gv2, sizeof gv2);
+    else
+        ev3_raw(frame, gv4, sizeof gv4);
+}
+
+/* Starts an operation that has no CMD */
+static inline void ev3_opcode(ev3_frame *frame, int opcode)
+{
+    ev3_number(frame, (uint32_t)opcode, 1);
+}
+
+/* Starts an operation that has a CMD */
+static inline void ev3_operation(ev3_frame *frame, int opcode, int command)
+{
+    ev3_opcode(frame, opcode);
+    ev3_integer(frame, command);
+}
+
+/* Writes the length field. Returns the bytes of the frame, 0 where something did not fit */
+static inline size_t ev3_end(ev3_frame *frame)
+{
+    const size_t length = frame->size - 2;
+    if (frame->full)
+        return 0;
+    frame->bytes[0] = EV3_BYTE(length, 0);
+    frame->bytes[1] = EV3_BYTE(length, 8);
+    return frame->size;
+}
+
+#endif /* EV3PROTO_H */

@@ -1,0 +1,203 @@
+"""What holds for every frame: a check never raises, says why the brick refuses, has nothing against what is right."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import ev3proto
+from ev3proto import GV, LV, Operation, check
+from ev3proto.checking.checking import CARRIERS
+from ev3proto.checking.codes import CODES
+from ev3proto.checking.verdict import verdict
+from ev3proto.messages import DirectCommand, Variable
+from ev3proto.tables import operations
+from ev3proto.tables.branch import OFFSET
+from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Type
+from ev3proto.tables.encoding import RANGES
+from ev3proto.tables.validation import NEWER
+from ev3proto.testing import direct_commands, frames, mutated_frames, system_commands
+
+many = settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+
+ROOM = 60
+"""Bytes of each memory in the commands of a careful sender."""
+
+NOT_FOR_COMMANDS = {"ERROR", "OBJECT_END", "RETURN"} | NEWER
+
+ANYTHING = frames() | mutated_frames() | st.binary(max_size=40) | st.binary(max_size=1100)
+
+
+def careful_value(parameter: Parameter, lengths: set[str]) -> st.SearchStrategy[Any]:
+    """Values as a careful sender gives them.
+
+    lengths  the parameters that tell how long others are
+    """
+    size = max(parameter.type.size, 1)
+    step = 4 if parameter.type in (Type.ARRAY_TYPED, Type.STRING) else size
+    variables = st.integers(0, ROOM // 2 // step - 1).map(lambda index: index * step)
+    if parameter.is_output:
+        return variables.map(GV) | variables.map(LV)
+    if parameter.length is not None or parameter.type is Type.HANDLE:
+        return variables.map(LV)
+    if parameter is OFFSET:
+        return st.just(0)
+    if parameter.name in lengths:
+        return st.integers(1, 4)
+    if parameter.type is Type.STRING:
+        return st.text("abcxyz./", max_size=4)
+    if parameter.type is Type.DATAF:
+        return st.floats(-1000, 1000, width=32)
+    if parameter.range is not None:
+        return st.integers(*parameter.range) | st.sampled_from(list(parameter.special) or [parameter.range[0]])
+    if parameter.enum is not None:
+        return st.sampled_from(list(parameter.enum.members))
+    limits = RANGES[parameter.type]
+    return st.integers(limits.low, limits.high) | st.integers(-40, 40)
+
+
+@st.composite
+def careful_operation(draw: st.DrawFn, declaration: Declaration) -> Operation:
+    lengths = {str(parameter.length) for parameter in declaration.parameters}
+    values: list[Any] = []
+    for parameter in declaration.parameters:
+        if parameter.type is Type.COUNT:
+            values.append(draw(st.lists(st.integers(0, 10).map(lambda index: GV(4 * index)), max_size=4)))
+        elif parameter.type is Type.VALUES:
+            assert isinstance(parameter.element, Type)
+            numbers: st.SearchStrategy[Any] = (
+                st.floats(-9, 9, width=32) if parameter.element is Type.DATAF else st.integers(-100, 100)
+            )
+            elements = draw(st.lists(numbers, max_size=4))
+            values[-1:] = [len(elements), elements]
+        else:
+            values.append(draw(careful_value(parameter, lengths)))
+    return ev3proto.operation(declaration.name, *values)
+
+
+KNOWN = [declaration for name, declaration in operations().items() if name not in NOT_FOR_COMMANDS]
+
+
+@st.composite
+def careful_frames(draw: st.DrawFn) -> bytes:
+    """Direct commands as a careful sender builds them."""
+    found = draw(st.lists(st.sampled_from(KNOWN).flatmap(careful_operation), min_size=1, max_size=5))
+    return ev3proto.direct_command(
+        *found, counter=draw(st.integers(0, 65535)), reply=draw(st.booleans()), global_size=ROOM, local_size=ROOM
+    ).build()
+
+
+@many
+@given(ANYTHING, st.sampled_from(DIALECTS), st.sampled_from((None, *CARRIERS)))
+def test_a_check_never_raises_and_points_into_the_frame(frame: bytes, dialect: str, carrier: str | None) -> None:
+    report = check(frame, dialect=dialect, carrier=carrier)
+    assert report.frame == frame
+    assert report.accepted == (report.rejected_at is None)
+    assert report.rejected_at is None or 0 <= report.rejected_at <= len(frame)
+    for finding in report.findings:
+        assert CODES[finding.code].severity is finding.severity
+        assert 0 <= finding.offset <= finding.offset + finding.length <= len(frame)
+        assert finding.message
+        assert finding.mend
+    assert [it.offset for it in report.findings] == sorted(it.offset for it in report.findings)
+    assert len(set(report.findings)) == len(report.findings)
+
+
+@many
+@given(ANYTHING)
+def test_what_is_refused_has_a_reason(frame: bytes) -> None:
+    report = check(frame)
+    kind = ev3proto.parse(frame, strict=False).type
+    if kind is not None and not kind.is_command:
+        return
+    if not report.accepted:
+        assert report.errors
+    if kind is not None and kind.kind == "direct-command":
+        assert (report.accepted, report.rejected_at) == verdict(frame)[:2]
+
+
+@many
+@given(careful_frames())
+def test_what_is_built_from_valid_values_has_no_errors(frame: bytes) -> None:
+    report = check(frame)
+    assert report.accepted
+    assert report.errors == ()
+
+
+@pytest.mark.parametrize("declaration", KNOWN, ids=lambda declaration: declaration.name)
+@settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.data())
+def test_no_operation_raises_a_false_alarm(declaration: Declaration, data: st.DataObject) -> None:
+    """Of each operation with values that the tables provide for, nothing is said about its values or encodings."""
+    operation = data.draw(careful_operation(declaration))
+    frame = ev3proto.direct_command(operation, reply=True, global_size=ROOM, local_size=ROOM).build()
+    found = {finding.code for finding in check(frame).findings}
+    # A single operation uses less than all memory, may store two results in one place, or only draw.
+    assert found <= {"H401", "W401", "W402", "W405", "W603", "W702"}
+
+
+@many
+@given(system_commands(), st.booleans())
+def test_system_commands_from_valid_values(command: ev3proto.SystemCommand, is_usb: bool) -> None:
+    codes = {finding.code for finding in check(command.build(), carrier="usb" if is_usb else None).errors}
+    # Texts without meaning are long extensions and empty names, too.
+    assert codes <= {"E803"}
+
+
+@many
+@given(careful_frames(), st.data())
+def test_a_changed_byte_is_another_meaning_or_is_reported(frame: bytes, data: st.DataObject) -> None:
+    at, flip = data.draw(st.integers(0, len(frame) - 1)), data.draw(st.integers(1, 255))
+    changed = frame[:at] + bytes((frame[at] ^ flip,)) + frame[at + 1 :]
+    report = check(changed)
+    if report.findings and not report.accepted:
+        return
+    message = ev3proto.parse(changed, strict=False)
+    if report.errors:
+        return
+    # What raises no error reads to its end, and says what its bytes say.
+    assert report.accepted
+    assert message.fault is None
+    assert message.build() == changed
+
+
+def test_every_changed_byte_of_a_tone() -> None:
+    """All 4080 of them: what raises no error is another tone, another counter, or asks for other memory or a reply."""
+    frame = bytes.fromhex("0E002A0080000094010182B80182E803")
+    silent: set[int] = set()
+    for at in range(len(frame)):
+        for value in range(256):
+            changed = frame[:at] + bytes((value,)) + frame[at + 1 :]
+            report = check(changed)
+            if changed != frame and not report.errors and report.accepted:
+                assert ev3proto.parse(changed) != ev3proto.parse(frame)
+                silent.add(at)
+    # Neither the length field nor CMD is among them.
+    assert silent == set(range(16)) - {0, 1, 8}
+
+
+@many
+@given(direct_commands())
+def test_verdicts_do_not_depend_on_counter_and_type(command: DirectCommand) -> None:
+    frame = command.build()
+    other = frame[:2] + b"\x12\x34" + bytes((frame[4] ^ 0x80,)) + frame[5:]
+    assert verdict(frame) == verdict(other)
+
+
+@many
+@given(mutated_frames())
+def test_a_check_of_what_was_checked_says_the_same(frame: bytes) -> None:
+    assert check(frame) == check(frame)
+
+
+def test_a_command_full_of_results_is_checked_at_once() -> None:
+    """Everything in it overlaps: work grows no faster than the frame."""
+    crowded = [ev3proto.operation("INPUT_DEVICE_LIST", 127, Variable("global", 0), GV(200)) for _ in range(160)]
+    frame = ev3proto.direct_command(*crowded, reply=True, global_size=1000).build()
+    started = time.perf_counter()
+    assert len(check(frame).findings) >= 159
+    assert time.perf_counter() - started < 1

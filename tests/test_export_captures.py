@@ -1,0 +1,213 @@
+"""Captures made of frames: Wireshark finds nothing wrong with them, and everybody reads the same frames back."""
+
+from __future__ import annotations
+
+import io
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from frames import drawn
+from hypothesis import strategies as st
+from wireshark import Tshark
+
+from ev3proto import GV, BuildError, capture, direct_command, direct_reply, operation, system_command, system_reply
+from ev3proto.capture import Announcement, Carrier, Record, Said
+from ev3proto.generate.captures import CaptureWriter, TimedFrame, write_pcapng
+from ev3proto.messages import Message
+from ev3proto.testing import frames
+
+CARRIERS = ("wifi", "usb", "bluetooth")
+BEGIN_NS = 1_767_261_600_000_000_000
+"""2026-01-01 10:00 UTC, when a conversation begins of which nobody says it."""
+
+NOTE = 0x00400000
+"""Wireshark's number for remarks that are no warnings: a connection is closed, a command has no reply."""
+
+CHUNK = bytes(range(256)) * 3 + bytes(249)
+
+DIALOGUE: list[Message] = [
+    direct_command(operation("UI_READ.GET_VBATT", GV(0)), counter=1, reply=True, global_size=4),
+    direct_reply(bytes.fromhex("a470fd40"), counter=1),
+    direct_command(operation("SOUND.TONE", 1, 440, 1000), counter=2),
+    direct_command(operation("UI_WRITE.LED", "LED_RED_FLASH"), counter=3),
+    # The largest frame there is, to the brick and back.
+    system_command("CONTINUE_DOWNLOAD", counter=4, handle=0, data=CHUNK),
+    system_reply("CONTINUE_DOWNLOAD", counter=4, handle=0),
+    system_command("BEGIN_UPLOAD", counter=5, max_bytes=1012, path="../prjs/log/values.rtf"),
+    system_reply("BEGIN_UPLOAD", counter=5, size=1000, handle=1, data=CHUNK[:1000]),
+    direct_command(operation("SOUND_READY"), counter=6, reply=True),
+    direct_reply(counter=6),
+]
+
+
+def made(told: Sequence[Message | bytes | TimedFrame], carrier: str, **times: int) -> bytes:
+    stream = io.BytesIO()
+    assert write_pcapng(told, stream, carrier=carrier, **times) == len(told)
+    return stream.getvalue()
+
+
+def records(data: bytes) -> list[Record]:
+    return [event for event in capture.read(io.BytesIO(data)).events() if isinstance(event, Record)]
+
+
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_what_is_written_is_read_again(carrier: str) -> None:
+    found = records(made(DIALOGUE, carrier))
+    assert [record.frame for record in found] == [message.build() for message in DIALOGUE]
+    assert {record.carrier for record in found} == {Carrier(carrier)}
+    assert [record.direction and record.direction.value for record in found] == [
+        *("sent", "received", "sent", "sent", "sent", "received", "sent", "received", "sent", "received")
+    ]
+    assert [record.time_ns - BEGIN_NS for record in found] == [number * 1_000_000 for number in range(10)]
+    assert [value.value for value in found[1].values] == [pytest.approx(7.92)]
+
+
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_nothing_but_frames_is_left_over(carrier: str) -> None:
+    read = capture.read(io.BytesIO(made(DIALOGUE, carrier)))
+    kinds = {type(event) for event in read.events()}
+    assert kinds == ({Record, Announcement} if carrier == "wifi" else {Record})
+
+
+def test_a_brick_on_wifi_is_found_and_unlocked_first() -> None:
+    events = list(capture.read(io.BytesIO(made(DIALOGUE, "wifi"))).events())
+    said = [event.said for event in events if isinstance(event, Announcement)]
+    assert said == [Said.BEACON, Said.ANSWER, Said.UNLOCK, Said.ACCEPT]
+    assert isinstance(events[4], Record)
+
+
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_times_that_are_given(carrier: str) -> None:
+    moments = [BEGIN_NS + moment for moment in (0, 1, 1, 5_000_000_123, 5_000_000_124)]
+    told = [TimedFrame(message.build(), moment) for message, moment in zip(DIALOGUE, moments, strict=False)]
+    assert [record.time_ns for record in records(made(told, carrier))] == moments
+    packets = [event.time_ns for event in capture.read(io.BytesIO(made(told, carrier))).events()]
+    assert packets == sorted(packets)
+    spaced = records(made(DIALOGUE, carrier, begin_ns=1_000_000_000, step_ns=250))
+    assert [record.time_ns for record in spaced] == [1_000_000_000 + 250 * number for number in range(10)]
+
+
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_a_conversation_may_begin_with_time_itself(carrier: str) -> None:
+    assert [record.time_ns for record in records(made(DIALOGUE, carrier, begin_ns=0, step_ns=1))] == [*range(10)]
+
+
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_the_same_frames_make_the_same_file(carrier: str) -> None:
+    assert made(DIALOGUE, carrier) == made([message.build() for message in DIALOGUE], carrier)
+
+
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_wireshark_has_nothing_to_complain_about(carrier: str, tshark: Tshark) -> None:
+    path = tshark.place(made(DIALOGUE, carrier), f"export-{carrier}.pcapng")
+    settings = ("ip.check_checksum", "tcp.check_checksum", "udp.check_checksum")
+    checks = [word for name in settings for word in ("-o", f"{name}:TRUE")]
+    assert tshark.run(path, *checks, "-2", "-Y", f"_ws.malformed || _ws.expert.severity > {NOTE}") == ""
+    form = ("-T", "fields", "-e", "_ws.col.Info")
+    told = [line for line in tshark.run(path, "-Y", "ev3.msg_len", *form).splitlines() if line]
+    assert len(told) == len(DIALOGUE)
+    assert told[1] == "reply: VBATT=7.92 V"
+    assert told[2] == "SOUND TONE volume=1 frequency=440 duration=1000"
+    assert tshark.lua_errors(path) == []
+
+
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_any_frame_on_any_carrier(carrier: str, tshark: Tshark) -> None:
+    told = drawn(frames(), 150)
+    data = made(told, carrier)
+    assert [record.frame for record in records(data)] == told
+    path = tshark.place(data, f"export-any-{carrier}.pcapng")
+    assert tshark.run(path, "-Y", "_ws.malformed") == ""
+    # The dissector may have warnings for frames; of what stands around them there are none.
+    others = f"(tcp || usb || btrfcomm || btl2cap) && !ev3 && _ws.expert.severity > {NOTE}"
+    assert tshark.run(path, "-2", "-Y", others) == ""
+
+
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_many_commands_that_nobody_answers(carrier: str, tshark: Tshark) -> None:
+    # TCP's window, RFCOMM's credits and the numbers of packets come to their ends.
+    told = [direct_command(operation("SOUND_READY"), counter=number % 65536) for number in range(400)]
+    data = made(told, carrier)
+    assert len(records(data)) == 400
+    path = tshark.place(data, f"export-many-{carrier}.pcapng")
+    assert tshark.run(path, "-2", "-Y", f"_ws.malformed || _ws.expert.severity > {NOTE}") == ""
+
+
+def test_numbers_of_packets_start_again() -> None:
+    told = [direct_command(operation("SOUND_READY"), counter=number) for number in range(65536)]
+    stream = io.BytesIO()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert write_pcapng(told, stream) == 65536
+    assert (
+        sum(1 for event in capture.read(io.BytesIO(stream.getvalue())).events() if isinstance(event, Record)) == 65536
+    )
+
+
+def test_a_conversation_without_frames() -> None:
+    for carrier in CARRIERS:
+        assert records(made([], carrier)) == []
+
+
+@pytest.mark.parametrize(
+    ("frame", "reason"),
+    [
+        (b"", "its length field says that 0 bytes follow, 0 do"),
+        (bytes.fromhex("0300010080"), None),
+        (bytes.fromhex("0400010080"), "its length field says that 4 bytes follow, 3 do"),
+        (
+            bytes.fromhex("ff03010080") + bytes(1020),
+            "its length field says 1023; a frame has 3 to 1022 bytes behind it",
+        ),
+    ],
+)
+def test_frames_that_no_receiver_could_cut(frame: bytes, reason: str | None) -> None:
+    stream = io.BytesIO()
+    if reason is None:
+        assert write_pcapng([frame], stream) == 1
+        return
+    with pytest.raises(BuildError) as error:
+        write_pcapng([DIALOGUE[0], frame], stream)
+    assert str(error.value) == f"frame 2: it cannot be carried: {reason}"
+
+
+def test_times_that_go_back_and_carriers_that_are_none() -> None:
+    writer = CaptureWriter(io.BytesIO())
+    writer.add(TimedFrame(DIALOGUE[0].build(), 2000))
+    with pytest.raises(BuildError, match="the frame has the time 1999 ns, but the one in front of it has 2000 ns"):
+        writer.add(TimedFrame(DIALOGUE[1].build(), 1999))
+    with pytest.raises(ValueError, match="carrier 'serial' is not known: it is one of wifi, usb, bluetooth"):
+        write_pcapng([], io.BytesIO(), carrier="serial")
+
+
+def test_a_refused_frame_leaves_the_rest_as_it_was() -> None:
+    stream = io.BytesIO()
+    writer = CaptureWriter(stream, carrier="bluetooth")
+    for message in DIALOGUE:
+        writer.add(message)
+        with pytest.raises(BuildError):
+            writer.add(b"\x00\x00")
+    writer.close()
+    assert stream.getvalue() == made(DIALOGUE, "bluetooth")
+
+
+def test_frames_are_taken_one_by_one(tmp_path: Path) -> None:
+    written: list[int] = []
+    with (tmp_path / "tones.pcapng").open("wb") as stream:
+
+        def told() -> object:
+            for message in DIALOGUE:
+                written.append(stream.tell())
+                yield message
+
+        write_pcapng(told(), stream)  # type: ignore[arg-type]
+    assert written == sorted(set(written))
+
+
+def test_strategies_reach_every_size() -> None:
+    sizes = [*drawn(st.integers(5, 1024), 40), 1007, 1008, 1009, 1024]
+    told = [direct_reply(bytes(size - 5)) for size in sizes]
+    for carrier in CARRIERS:
+        assert [len(record.frame) for record in records(made(told, carrier))] == sizes

@@ -1,0 +1,147 @@
+"""The tables as JSON: every entry of the tables is there, and the schema says what stands in it."""
+
+from __future__ import annotations
+
+import copy
+import json
+from typing import Any
+
+import jsonschema  # type: ignore[import-untyped]
+import pytest
+
+from ev3proto.generate.tables_json.build import build_schema, build_tables
+from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
+from ev3proto.tables import AREAS, OPCODES, enumerations
+from ev3proto.tables.declaration import Enumeration, Parameter, Type
+from ev3proto.tables.system import SYSTEM
+
+TABLES: dict[str, Any] = json.loads(build_tables())
+SCHEMA: dict[str, Any] = json.loads(build_schema())
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+
+
+def entry(area: str, name: str) -> dict[str, Any]:
+    found: dict[str, Any] = next(opcode for opcode in TABLES["areas"][area] if opcode["name"] == name)
+    return found
+
+
+def test_the_schema_is_one_and_the_tables_follow_it() -> None:
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+    assert [error.message for error in VALIDATOR.iter_errors(TABLES)] == []
+
+
+def test_an_operation() -> None:
+    tone = entry("sound", "SOUND")["commands"][1]
+    assert (tone["number"], tone["name"], tone["text"]) == (1, "TONE", "Plays one tone and returns at once")
+    assert tone["parameters"][1] == {
+        "name": "FREQUENCY",
+        "type": "DATA16",
+        "direction": "in",
+        "text": "pitch; the driver moves others into the range",
+        "unit": "Hz",
+        "range": [250, 10000],
+    }
+    assert tone["parameters"][0]["special"] == {"0": "silent"}
+
+
+def test_a_list_whose_type_another_parameter_tells() -> None:
+    values = entry("input", "INPUT_READEXT")["parameters"][-1]
+    assert (values["type"], values["element_from"], values["elements"]) == ("count", "FORMAT", "out")
+
+
+def test_dialects() -> None:
+    assert "dialects" not in entry("sound", "SOUND")
+    assert entry("output", "OUTPUT_POSITION")["dialects"] == []
+    assert entry("input", "INPUT_SET_CONN")["dialects"] == ["xtended", "compat"]
+
+
+def parameters(declared: tuple[Parameter, ...], found: list[dict[str, Any]]) -> None:
+    assert [(one.name, one.type.label, one.direction.value, one.text) for one in declared] == [
+        (one["name"], one["type"], one["direction"], one["text"]) for one in found
+    ]
+    for one, other in zip(declared, found, strict=True):
+        assert one.unit == other.get("unit")
+        assert list(one.range or ()) == other.get("range", [])
+        assert (one.enum and one.enum.name) == other.get("enum")
+        assert {str(value): text for value, text in one.special.items()} == other.get("special", {})
+        assert one.length == other.get("length", other.get("length_from"))
+        element = one.element.label if isinstance(one.element, Type) else one.element
+        assert element == other.get("element", other.get("element_from"))
+
+
+def test_every_opcode_and_cmd_is_there() -> None:
+    assert list(TABLES["areas"]) == list(AREAS)
+    found = [opcode for area in TABLES["areas"].values() for opcode in area]
+    assert [(one.number, one.name, one.text) for one in OPCODES] == [
+        (one["number"], one["name"], one["text"]) for one in found
+    ]
+    for opcode, other in zip(OPCODES, found, strict=True):
+        parameters(opcode.parameters, other.get("parameters", []))
+        commands = other.get("commands", [])
+        assert [(one.number, one.name) for one in opcode.commands] == [(one["number"], one["name"]) for one in commands]
+        for command, told in zip(opcode.commands, commands, strict=True):
+            parameters(command.parameters, told["parameters"])
+
+
+def test_every_enumeration_and_system_command_is_there() -> None:
+    declared = [enum for enum in vars(enumerations).values() if isinstance(enum, Enumeration)]
+    assert {enum.name: dict(enum.members) for enum in declared} == {
+        name: enum["members"] for name, enum in TABLES["enumerations"].items()
+    }
+    assert TABLES["enumerations"]["WARNING"]["flags"] is True
+    assert [(one.number, one.name, [field.name for field in one.request]) for one in SYSTEM] == [
+        (one["number"], one["name"], [field["name"] for field in one["request"]]) for one in TABLES["system_commands"]
+    ]
+
+
+def test_every_identification_byte_can_be_looked_up() -> None:
+    told: dict[int, tuple[str, int | None]] = {}
+    for run in TABLES["encodings"]:
+        for byte in range(run["first"], run["last"] + 1):
+            told[byte] = (run["name"], run["value"] + byte - run["first"] if "value" in run else None)
+    expected = {
+        byte: (encoding.name, value)
+        for byte, (encoding, value) in enumerate(zip(ENCODINGS, SHORT_VALUES, strict=True))
+        if encoding is not None
+    }
+    assert told == expected
+    assert told[0x3F] == ("LC0", -1)
+    assert told[0x82] == ("LC2", None)
+
+
+def _misspelt(tables: dict[str, Any]) -> None:
+    tables["areas"]["sound"][0]["txt"] = tables["areas"]["sound"][0].pop("text")
+
+
+def _both(tables: dict[str, Any]) -> None:
+    tables["areas"]["sound"][0]["parameters"] = []
+
+
+def _unknown_type(tables: dict[str, Any]) -> None:
+    tables["areas"]["sound"][1]["parameters"][0]["type"] = "DATA64"
+
+
+def _too_large(tables: dict[str, Any]) -> None:
+    tables["system_commands"][0]["number"] = 256
+
+
+def _unknown_enumeration(tables: dict[str, Any]) -> None:
+    tables["areas"]["sound"][1]["parameters"][0]["enum"] = "COLOURS"
+
+
+@pytest.mark.parametrize("damage", [_misspelt, _both, _unknown_type, _too_large, _unknown_enumeration])
+def test_the_schema_finds_mistakes(damage: Any) -> None:
+    tables = copy.deepcopy(TABLES)
+    damage(tables)
+    assert not VALIDATOR.is_valid(tables)
+
+
+def test_the_form_of_the_files() -> None:
+    for text in (build_tables(), build_schema()):
+        assert text.endswith("}\n")
+        assert [line for line in text.split("\n") if line != line.rstrip()] == []
+    # What fits one line stands on one.
+    assert '            {"number": 0, "name": "BREAK", "text": "Stops the tone' not in build_tables()
+    assert (
+        '          {"number": 0, "name": "BREAK", "text": "Stops the tone or file that is playing", ' in build_tables()
+    )

@@ -239,6 +239,10 @@ def test_counts() -> None:
         "E203",
         "LENGTH says that 5 values follow, and 2 bytes do",
     )
+    frame = raw("2F 40 82F401 01 02", memory=500 % 64 << 10)
+    assert "LENGTH says that 500 values follow, and 2 bytes do" in [it.message for it in check(frame).findings]
+    frame = raw("94 07 2F 40 3F 01", memory=4 << 10)
+    assert codes(frame) == ["E208", "E207"]
     frame = raw("99 1D 00 00 00 3F 3F 01", type=0)
     assert (only(frame).code, only(frame).parameter) == ("E211", "VALUES")
 
@@ -430,6 +434,7 @@ def test_what_stands_behind_the_end() -> None:
     frame = raw("82 1B 01 0A 82 1B 02")
     assert (only(frame).code, span(only(frame), frame)) == ("E202", "82 1b 02")
     assert codes(raw("82 1B 01 0A")) == ["H601"]
+    assert codes(raw("82 1B 01 0A B5 81", memory=4)) == ["E202"]
 
 
 # 7: sounds, drawings, moves

@@ -14,7 +14,7 @@ from ev3proto.checking.rules.memory import check_memory
 from ev3proto.checking.rules.refusals import check_refusals
 from ev3proto.checking.rules.system import check_daisy, check_system
 from ev3proto.checking.rules.values import check_values
-from ev3proto.checking.subject import Subject, step_of
+from ev3proto.checking.subject import Subject, steps_of
 from ev3proto.checking.verdict import verdict
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
 from ev3proto.schema.frame import HEADER_SIZE, frame_schema
@@ -68,7 +68,7 @@ def _subject(frame: bytes, dialect: str, carrier: str | None) -> Subject:
             end = min(max(stated, HEADER_SIZE), size)
             content = (end - LENGTH_FIELD & 0xFFFF).to_bytes(LENGTH_FIELD, "little") + frame[LENGTH_FIELD:end]
     message = frame_schema(dialect).read_leniently(content)
-    steps = tuple(map(step_of, message.operations)) if isinstance(message, DirectCommand) else ()
+    steps = steps_of(message.operations) if isinstance(message, DirectCommand) else ()
     return Subject(frame, end, message, verdict(frame, dialect), steps, dialect, carrier)
 
 

@@ -14,6 +14,9 @@ from ev3proto.schema.frame import HEADER_SIZE
 from ev3proto.tables.declaration import Declaration
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPORT_SIZES
 
+OBJECT_END = "OBJECT_END"
+"""The operation at which the firmware stops reading."""
+
 
 class Step(NamedTuple):
     """An operation with what is asked of it again and again.
@@ -55,6 +58,17 @@ def step_of(operation: Operation) -> Step:
     return Step(operation, traits, traits.name, operation.arguments, start, end)
 
 
+def steps_of(operations: tuple[Operation, ...]) -> tuple[Step, ...]:
+    """Operations as steps, up to an OBJECT_END."""
+    steps: list[Step] = []
+    for operation in operations:
+        step = step_of(operation)
+        steps.append(step)
+        if step.name == OBJECT_END:
+            break
+    return tuple(steps)
+
+
 class Subject(NamedTuple):
     """A frame that is checked.
 
@@ -62,7 +76,7 @@ class Subject(NamedTuple):
     end      where the message ends: where its length field says, or where the bytes do
     message  what `frame[:end]` says
     verdict  what the brick says to it
-    steps    the operations of a direct command
+    steps    the operations of a direct command, as far as the firmware reads them: up to an OBJECT_END
     dialect  the firmware whose instruction set it is read by
     carrier  what is to carry it, None for any
     """
@@ -77,8 +91,18 @@ class Subject(NamedTuple):
 
     @property
     def fault(self) -> Fault | None:
-        """What cannot be read in the message; None also for one that is too long, of which that alone is said."""
-        return None if self.end > MAX_FRAME else self.message.flaw.fault
+        """What cannot be read in the message.
+
+        None also for one that is too long, or where an OBJECT_END stands in front of it: that alone is said then.
+        """
+        if self.end > MAX_FRAME or (self.steps and self.steps[-1].name == OBJECT_END):
+            return None
+        return self.message.flaw.fault
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether the steps are all that there is."""
+        return self.fault is None and (not self.steps or self.steps[-1].end == self.end)
 
     @property
     def is_padded(self) -> bool:

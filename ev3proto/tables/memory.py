@@ -73,7 +73,7 @@ def _init(number: int, name: str, element: Type) -> Command:
         (
             ARRAY_HANDLE,
             In("INDEX", DATA32, "first element to write, counted from 0", range=NOT_NEGATIVE),
-            # A negative count makes the firmware's validator spin, see validator.md.
+            # A negative count makes the firmware's validator spin.
             In("ELEMENTS", DATA32, "how many values follow", range=NOT_NEGATIVE),
             Values("VALUES", "the values, one parameter each", element),
         ),

@@ -21,7 +21,7 @@ def check_effects(subject: Subject) -> Iterator[Finding]:
     yield from _sounds(steps)
     yield from _pictures(steps)
     yield from _moves(steps)
-    if subject.fault is None:
+    if subject.is_whole:
         yield from _not_shown(steps)
 
 

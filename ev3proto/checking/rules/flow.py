@@ -8,7 +8,7 @@ from ev3proto.checking import codes
 from ev3proto.checking.places import number_of
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
-from ev3proto.checking.subject import Step, Subject
+from ev3proto.checking.subject import OBJECT_END, Step, Subject
 from ev3proto.messages import Argument
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE
 from ev3proto.tables.behaviour import ENDS, MAY_END, OF_PROGRAMS
@@ -16,7 +16,6 @@ from ev3proto.tables.branch import OFFSET
 from ev3proto.tables.encoding import JUMP
 from ev3proto.tables.validation import LABELS
 
-_OBJECT_END = "OBJECT_END"
 _LABEL = "LABEL"
 _ALWAYS = "JR"
 _OWN_OBJECT = 1
@@ -27,11 +26,8 @@ def check_flow(subject: Subject) -> Iterator[Finding]:
     steps = subject.steps
     has_jumps = False
     for step in steps:
-        if step.name == _OBJECT_END:
+        if step.name == OBJECT_END:
             yield _object_end(step, subject.end)
-            if step.end < subject.end:
-                # The firmware reads no further.
-                return
         elif step.name in OF_PROGRAMS:
             yield from _of_programs(step)
         has_jumps = has_jumps or step.traits.is_jump
@@ -39,7 +35,7 @@ def check_flow(subject: Subject) -> Iterator[Finding]:
         return
     way = _Way(subject)
     yield from way.wrong_jumps()
-    if subject.fault is None:
+    if subject.is_whole:
         yield from way.dead_ends()
 
 
@@ -183,7 +179,7 @@ class _Way:
             while number < len(self._steps) and number not in reached:
                 last = self._steps[number]
                 number += 1
-            if first.name == _OBJECT_END:
+            if first.name == OBJECT_END:
                 # It is where the command ends in any case.
                 continue
             yield codes.UNREACHABLE.finding(

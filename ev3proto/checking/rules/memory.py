@@ -28,8 +28,8 @@ def check_memory(subject: Subject, command: DirectCommand) -> Iterator[Finding]:
             yield _misaligned(place)
         if place.end > sizes[place.is_global]:
             yield _beyond(place, sizes[place.is_global])
-    if subject.fault is not None:
-        # Of what cannot be read nobody knows which memory it uses.
+    if not subject.is_whole:
+        # Of what is not read nobody knows which memory it uses.
         return
     if len(places) > 1 and not any(step.traits.is_jump for step in steps):
         # With jumps nobody knows what comes first.

@@ -13,7 +13,9 @@ from ev3proto.messages import Argument
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS
 from ev3proto.schema.instructions import instruction_set
+from ev3proto.schema.operation import CMD
 from ev3proto.tables import OPCODES
+from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.validation import NEWER
 
@@ -29,13 +31,22 @@ def check_refusals(subject: Subject) -> Iterator[Finding]:
             )
     if subject.dialect == "official":
         yield from _newer(subject)
+    fault = subject.fault
     if subject.verdict.spins:
         yield _spins(subject)
-        return
-    fault = subject.fault
+        if fault is not None and _faulty_start(subject) == subject.verdict.rejected_at:
+            return
     # That the frame ends too early, or that its length is wrong, has been said already.
     if fault is not None and subject.end > COMMAND_HEADER_SIZE and not (subject.is_length_wrong and fault.truncated):
         yield _fault(subject, fault)
+
+
+def _faulty_start(subject: Subject) -> int:
+    """Where the operation starts that cannot be read."""
+    start: int = COMMAND_HEADER_SIZE
+    for last in subject.steps[-1:]:
+        start = last.end if last.operation.is_complete else last.start
+    return start
 
 
 def _newer(subject: Subject) -> Iterator[Finding]:
@@ -76,11 +87,9 @@ def _spins(subject: Subject) -> Finding:
 
 def _fault(subject: Subject, fault: Fault) -> Finding:
     """What the reader stops at. What the validator makes of the bytes behind it follows from that."""
-    steps = subject.steps
-    cut = steps[-1] if steps and not steps[-1].operation.is_complete else None
-    if cut is not None:
-        return _faulty_argument(subject, cut, fault)
-    start = steps[-1].end if steps else COMMAND_HEADER_SIZE
+    start = _faulty_start(subject)
+    if subject.steps and subject.steps[-1].start == start:
+        return _faulty_argument(subject, subject.steps[-1], fault)
     family = instruction_set(subject.dialect).families[subject.frame[start]]
     if family is None:
         return _unknown_opcode(subject, start)
@@ -124,21 +133,20 @@ def _faulty_cmd(subject: Subject, start: int, name: str, fault: Fault) -> Findin
         for number, schema in sorted(family.commands.items())[:_MOST_NAMES]
     )
     more = ", ..." if len(family.commands) > _MOST_NAMES else ""
-    length = _length(subject, at)
+    cmd, _ = CMD.read(subject.frame[: subject.end], at)
     if encoding.kind != CONSTANT:
         return codes.VARIABLE_CMD.finding(
             at,
-            length,
+            cmd.length,
             f"CMD of {name} is {encoding.name}, and has to be a number in the frame itself",
             f"give one of {known}{more}",
             name,
             "CMD",
         )
-    number = _number(subject.frame, at, length)
     return codes.UNKNOWN_CMD.finding(
         at,
-        length,
-        f"{name} has no CMD {number}{_consequence(subject, start)}",
+        cmd.length,
+        f"{name} has no CMD {cmd.value}{_consequence(subject, start)}",
         f"give one of {known}{more}",
         name,
         "CMD",
@@ -146,13 +154,6 @@ def _faulty_cmd(subject: Subject, start: int, name: str, fault: Fault) -> Findin
 
 
 _MOST_NAMES = 6
-
-
-def _number(frame: bytes, at: int, length: int) -> int:
-    """The value of a constant."""
-    if length == 1:
-        return frame[at] - 0x40 if frame[at] & 0x20 else frame[at]
-    return int.from_bytes(frame[at + 1 : at + length], "little", signed=True)
 
 
 def _consequence(subject: Subject, start: int) -> str:
@@ -163,17 +164,6 @@ def _consequence(subject: Subject, start: int) -> str:
     if rejected_at > start:
         return f"; the brick takes what follows for operations, and refuses the command at offset {rejected_at}"
     return ""
-
-
-def _length(subject: Subject, at: int) -> int:
-    """Bytes of the argument at an offset, as far as they are there."""
-    encoding = ENCODINGS[subject.frame[at]]
-    if encoding is None:
-        return 1
-    if encoding.width is None:
-        end = subject.frame.find(0, at + 1, subject.end) + 1
-        return (end or subject.end) - at
-    return min(1 + encoding.width, subject.end - at)
 
 
 def _undefined_form(at: int, first: int, name: str, parameter: str) -> Finding:
@@ -190,12 +180,11 @@ def _undefined_form(at: int, first: int, name: str, parameter: str) -> Finding:
 def _faulty_argument(subject: Subject, step: Step, fault: Fault) -> Finding:
     """The operation is known, and one of its arguments cannot be read."""
     at = fault.offset
-    schema = instruction_set(subject.dialect)[step.name]
     count = next((argument for argument in step.arguments if argument.offset == at), None)
     if count is not None:
         # An argument that can be read is no reason to stop, unless it tells how many follow.
         return _faulty_count(subject, step, count, fault)
-    parameters = schema.declaration.parameters
+    parameters = step.declaration.parameters
     parameter = parameters[min(len(step.arguments), len(parameters) - 1)]
     if fault.truncated:
         last = min(at, subject.end)
@@ -211,15 +200,16 @@ def _faulty_argument(subject: Subject, step: Step, fault: Fault) -> Finding:
 
 
 def _faulty_count(subject: Subject, step: Step, count: Argument, fault: Fault) -> Finding:
-    if count.kind == CONSTANT and isinstance(count.value, int) and count.value >= 0 and fault.truncated:
+    is_number = count.kind == CONSTANT and isinstance(count.value, int)
+    is_count = fault.truncated or step.declaration.parameters[-1].type is Type.VALUES
+    if is_number and is_count and int(count.value) >= 0:
         room = subject.end - count.offset - count.length
         return step.finding_at(
             codes.CUT_OFF,
             count,
-            f"{count.name} says that {plural(count.value, 'value')} follow, and {plural(room, 'byte')} do",
+            f"{count.name} says that {plural(int(count.value), 'value')} follow, and {plural(room, 'byte')} do",
             "give as many values as it says, or the number that there are",
         )
-    is_number = count.kind == CONSTANT and isinstance(count.value, int)
     told = f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is no number"
     return step.finding_at(
         codes.BAD_COUNT,

@@ -132,15 +132,15 @@ def _size(field: Field, value: int | str | bytes) -> int:
 
 def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
     """What the firmware has no room for, or what opens nothing."""
-    if not path:
+    if not path and not _lists(entry):
         yield codes.REFUSED_PATH.finding(
             at, 1, f"the path of {entry.name} is empty", "name a file or folder", entry.name, _PATH
         )
         return
     folder, slash, rest = path.rpartition("/")
     name, dot, extension = rest.partition(".")
-    if entry.transfer != _OPENED or entry.reply[0].name == "list_size":
-        # Folders have no names that are taken apart.
+    if entry.transfer != _OPENED or _lists(entry):
+        # The firmware takes the paths of files apart that it opens, and no others.
         parts: tuple[tuple[str, str, int, int], ...] = (("path", path, paths.WHOLE, 0),)
     else:
         start = len(folder + slash)
@@ -161,6 +161,11 @@ def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
                 _PATH,
             )
             return
+
+
+def _lists(entry: Entry) -> bool:
+    """Whether it is about what a folder holds."""
+    return any(field.kind is Kind.LISTING for field in entry.reply)
 
 
 def check_daisy(subject: Subject, command: DaisyCommand) -> Iterator[Finding]:

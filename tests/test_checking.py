@@ -8,7 +8,7 @@ import pytest
 
 import ev3proto
 from ev3proto import GV, LV, Finding, Operation, Report, Severity, check, operation
-from ev3proto.checking.codes import CARRIER_OF_EXAMPLES, CODES
+from ev3proto.checking.codes import CODES
 from ev3proto.schema.argument import encode_as
 from ev3proto.text.notation import read_text
 
@@ -49,7 +49,8 @@ def span(finding: Finding, frame: bytes) -> str:
 
 @pytest.mark.parametrize("name", CODES)
 def test_every_code_has_a_frame_that_raises_it_and_one_that_does_not(name: str) -> None:
-    code, carrier = CODES[name], CARRIER_OF_EXAMPLES.get(name)
+    code = CODES[name]
+    carrier = code.carrier
     found = [finding for finding in check(code.example, carrier=carrier).findings if finding.code == name]
     assert found
     assert {finding.severity for finding in found} == {code.severity}
@@ -58,7 +59,7 @@ def test_every_code_has_a_frame_that_raises_it_and_one_that_does_not(name: str) 
 
 @pytest.mark.parametrize("name", CODES)
 def test_a_counterexample_is_a_frame_to_be_proud_of(name: str) -> None:
-    report = check(CODES[name].counterexample, carrier=CARRIER_OF_EXAMPLES.get(name))
+    report = check(CODES[name].counterexample, carrier=CODES[name].carrier)
     assert (report.accepted, report.findings) == (True, ())
 
 
@@ -72,7 +73,7 @@ def test_names_and_stories(name: str) -> None:
     assert 5 < len(code.title) < 70
     assert code.story.endswith(".")
     assert len(code.story) > 80
-    for finding in check(code.example, carrier=CARRIER_OF_EXAMPLES.get(name)).findings:
+    for finding in check(code.example, carrier=CODES[name].carrier).findings:
         assert not finding.message.endswith(".")
         assert not finding.mend.removesuffix("...").endswith(".")
 
@@ -102,6 +103,30 @@ def test_a_finding_says_all_there_is_to_say() -> None:
         ),
     )
     assert (report.accepted, report.errors, len(report.warnings)) == (True, (), 1)
+
+
+def test_a_finding_for_other_tools() -> None:
+    report = check(raw("82 1B 1F"))
+    assert report.as_dict()["findings"] == [
+        {
+            "severity": "warning",
+            "code": "W304",
+            "offset": 9,
+            "length": 1,
+            "message": "PATTERN is 31, which LEDPATTERN has no name for",
+            "mend": report.findings[0].mend,
+            "operation": "UI_WRITE.LED",
+            "parameter": "PATTERN",
+        }
+    ]
+    assert list(check(raw("")).as_dict()["findings"][0]) == [
+        "severity",
+        "code",
+        "offset",
+        "length",
+        "message",
+        "mend",
+    ]
 
 
 def test_findings_stand_in_the_order_of_their_offsets() -> None:
@@ -259,6 +284,9 @@ def test_the_first_parameter_and_the_others() -> None:
     assert codes(raw("A3 00 82C801 00")) == ["E301"]
     assert codes(raw("A4 00 01 8180")) == ["W302"]
     assert codes(raw("A6 8180 01")) == ["E204"]
+    assert only(raw("30 82C801 40", memory=1 << 10)).mend == "give -127 to 127"
+    assert codes(raw("A6 8A0001 01")) == ["E204"]
+    assert only(raw("60 8AC801 40", memory=4 << 10)).mend == "give a text"
 
 
 def test_misaligned() -> None:
@@ -352,6 +380,27 @@ def test_arrays_take_as_much_as_their_length_says() -> None:
     read = operation("READ32", LV(0), 3, GV(0))
     assert codes(asking(read, global_size=4, local_size=16)) == []
     assert codes(asking(read, global_size=4, local_size=15)) == ["E401"]
+
+
+def test_elements_of_arrays() -> None:
+    write = operation("WRITE16", 7, 2, LV(0))
+    assert codes(command(write, local_size=6)) == []
+    assert codes(command(write, local_size=5)) == ["E401"]
+    assert codes(command(operation("WRITE16", 7, LV(6), LV(0)), local_size=8)) == []
+    assert codes(command(operation("WRITE16", 7, 2, GV(0)), global_size=6)) == ["W404"]
+    digest = ev3proto.operation("FILE_MD5SUM", "x", GV(0), GV(16), dialect="xtended")
+    assert codes(asking(digest, global_size=17), dialect="xtended") == []
+    assert codes(asking(digest, global_size=15), dialect="xtended") == ["E402", "E402"]
+
+
+def test_handles_are_two_bytes_and_addresses_four() -> None:
+    handle, address = (LV(2, handle=True), LV(4, address=True))
+    frame = command(operation("UI_DRAW.TEXT", 1, 0, 0, handle), operation("UI_DRAW.UPDATE"), local_size=4)
+    assert codes(frame) == []
+    assert codes(frame.replace(b"\x10\x84", b"\x0c\x84")) == ["E401"]
+    assert codes(command(operation("UI_WRITE.PUT_STRING", address), local_size=8)) == []
+    assert codes(command(operation("UI_WRITE.PUT_STRING", address), local_size=7)) == ["E401"]
+    assert codes(command(operation("UI_WRITE.PUT_STRING", LV(3, handle=True)), local_size=5)) == ["E205"]
 
 
 def test_results_that_overlap() -> None:
@@ -483,6 +532,7 @@ def test_system_commands() -> None:
     assert codes(frame[:4] + b"\x81" + frame[5:]) == ["W802"]
     assert codes(bytes.fromhex("04002A000142")) == ["E801"]
     assert codes(bytes.fromhex("03002A0001")) == ["E801"]
+    assert codes(ev3proto.system_command("CLOSE_FILEHANDLE", handle=1).build()) == []
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ class Code(NamedTuple):
     story           what happens on the brick, why, and what to do; paragraphs with an empty line between them
     example         a frame that raises it
     counterexample  nearly the same frame, which does not
+    carrier         what has to carry them for that, None where it does not matter
     """
 
     code: str
@@ -29,6 +30,7 @@ class Code(NamedTuple):
     story: str
     example: bytes
     counterexample: bytes
+    carrier: str | None = None
 
     def finding(
         self,
@@ -49,8 +51,8 @@ CODES: dict[str, Code] = {}
 _SEVERITIES = {severity.value[0].upper(): severity for severity in Severity}
 
 
-def _code(code: str, title: str, story: str, example: bytes, counterexample: bytes) -> Code:
-    entry = CODES[code] = Code(code, _SEVERITIES[code[0]], title, story.strip(), example, counterexample)
+def _code(code: str, title: str, story: str, example: bytes, counterexample: bytes, carrier: str | None = None) -> Code:
+    entry = CODES[code] = Code(code, _SEVERITIES[code[0]], title, story.strip(), example, counterexample, carrier)
     return entry
 
 
@@ -706,6 +708,7 @@ WRONG_CARRIER = _code(
     """,
     _frame("04:00|2A:00|01|F6"),
     _frame("04:00|2A:00|01|9D"),
+    "wifi",
 )
 UNKNOWN_DAISY = _code(
     "E806",
@@ -761,6 +764,3 @@ LONGER_FORM = _code(
     _sized("2A:00|80|00:00|94:01:81:05:82:B8:01:82:E8:03"),
     _sized("2A:00|80|00:00|94:01:05:82:B8:01:82:E8:03"),
 )
-
-CARRIER_OF_EXAMPLES = {WRONG_CARRIER.code: "wifi"}
-"""The carrier that an example needs to raise its code, where it needs one."""

@@ -49,8 +49,9 @@ class Report:
     """What a check found.
 
     frame        the bytes that were checked
-    accepted     whether the brick will run the command
-    rejected_at  offset in the frame where the brick gives up, None where it accepts
+    accepted     whether the brick will run the command; of all but direct commands, whether nothing in it stops that
+    rejected_at  offset in the frame where the brick gives up: the operation, or the field of the header; None where it
+                 accepts
     findings     in the order of their offsets
     """
 

@@ -97,7 +97,15 @@ def traits_of(schema: OperationSchema) -> Traits:
     return Traits(
         declaration,
         declaration.name,
-        tuple(_expected(parameter, parameter is array, is_checked=parameter.type not in _LISTS) for parameter in fixed),
+        tuple(
+            _expected(
+                parameter,
+                is_element=parameter is array,
+                is_filled=parameter is array and parameter is parameters[-1],
+                is_checked=parameter.type not in _LISTS,
+            )
+            for parameter in fixed
+        ),
         declaration.command is not None,
         bool(parameters) and parameters[-1] is OFFSET,
     )
@@ -106,7 +114,7 @@ def traits_of(schema: OperationSchema) -> Traits:
 @cache
 def expected_of_element(parameter: Parameter) -> Expected:
     """What is expected of an element of a list. The validator does not look where it lies."""
-    return _expected(parameter, False, is_checked=False)
+    return _expected(parameter, is_element=False, is_filled=False, is_checked=False)
 
 
 def _array_of(declaration: Declaration) -> Parameter | None:
@@ -117,11 +125,16 @@ def _array_of(declaration: Declaration) -> Parameter | None:
     return parameters[0] if parameters[-1].is_output else parameters[-1]
 
 
-def _expected(parameter: Parameter, is_element: bool, *, is_checked: bool) -> Expected:
+def _expected(parameter: Parameter, *, is_element: bool, is_filled: bool, is_checked: bool) -> Expected:
+    """What is expected of the argument for a parameter.
+
+    is_element  it is the array of READ8, WRITE8 and their kind
+    is_filled   it is that of WRITE8, of which an element is written
+    is_checked  the validator looks where a variable lies
+    """
     kind, direction = parameter.type, parameter.direction
-    is_written, is_read = direction is not Direction.IN, direction is not Direction.OUT
-    if is_element and direction is Direction.IN and "is written" in parameter.text:
-        is_written, is_read = True, False
+    is_written = is_filled or direction is not Direction.IN
+    is_read = not is_filled and direction is not Direction.OUT
     is_vague = not kind.size and kind is not Type.COUNT
     is_sized = parameter.length is not None or is_element
     wanted = 1 if kind is Type.LABEL else max(kind.size, 1)

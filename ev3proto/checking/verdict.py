@@ -1,7 +1,8 @@
 """The brick's own verdict: what the firmware does with a frame before it runs it, rule by rule, quirks included.
 
 The firmware looks at the header of a direct command, makes a program with one object of its code, and validates that.
-What is decided here is what the release of 2013 decides. The rules, whose numbers stand in the comments:
+What is decided here is what the release of 2013 decides; where it gives up is the start of the operation that it reads
+then, the last one where that ends too late. The rules, whose numbers stand in the comments:
 
  1  Operations stand one behind the other and end exactly where the code ends. Behind it the firmware finds an
     OBJECT_END and zeros, so an operation that is cut short swallows those, and ends too late.
@@ -33,7 +34,7 @@ from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import operations
 from ev3proto.tables.branch import OFFSET
 from ev3proto.tables.declaration import Declaration, Parameter, Type
-from ev3proto.tables.encoding import CONSTANT, JUMP, RANGES
+from ev3proto.tables.encoding import CONSTANT, HANDLE_BIT, JUMP, RANGES
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MessageType
 from ev3proto.tables.validation import COMMAND_TABLES, LABELS, NEWER, SPINNING, TABLE_SIZE
 
@@ -97,7 +98,7 @@ _MISALIGNED[_DATA16] = 1
 _MISALIGNED[_DATA32] = _MISALIGNED[_FLOAT] = 3
 _MISALIGNED_HANDLE = 1
 
-_LONG, _VARIABLE, _HANDLE = 0x80, 0x40, 0x10
+_LONG, _VARIABLE = 0x80, 0x40
 """Bits of an identification byte, as the validator looks at them; `ev3proto.schema.identification` declares them."""
 
 _SHORT_BITS = 0x3F
@@ -243,14 +244,14 @@ def _special(data: bytes, at: int, end: int, kind: int, before: int) -> int | _R
         # Rule 11.
         return behind if 0 <= value < LABELS else _Refusal(Reason.LABEL, at)
     # Rules 4 and 7.
-    is_handle = first & _LONG and first & _HANDLE
+    is_handle = first & _LONG and first & HANDLE_BIT
     return _Refusal(Reason.ALIGNMENT, at) if is_handle and value & _MISALIGNED_HANDLE else behind
 
 
 def _refused(first: int, value: int, kind: int) -> Reason | None:
     """Why a long argument is refused, where the operation is still bad or it is a variable."""
     if first & _VARIABLE:
-        mask = _MISALIGNED_HANDLE if first & _HANDLE else _MISALIGNED[kind]
+        mask = _MISALIGNED_HANDLE if first & HANDLE_BIT else _MISALIGNED[kind]
         return Reason.ALIGNMENT if value & mask else None
     limits = _RANGES.get(kind)
     return None if limits is None or limits.low <= value <= limits.high else Reason.RANGE
@@ -280,11 +281,8 @@ def _long_value(data: bytes, at: int) -> tuple[int, int]:
 def _skip(data: bytes, at: int, count: int) -> int:
     """The offset behind so many arguments, none of which is looked at."""
     for _ in range(count):
-        if at >= len(data):
-            # Far beyond the code: the operation is refused in any case.
-            return at
         size = _SIZES[data[at]]
-        at = at + size if size else data.find(0, at + 1) + 1 or len(data)
+        at = at + size if size else data.index(0, at + 1) + 1
     return at
 
 

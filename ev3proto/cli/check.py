@@ -271,7 +271,8 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
                 [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]
             )
         else:
-            printer.lines(explanation(code, check_frame(code.example, dialect=dialect), dialect))
+            report = check_frame(code.example, dialect=dialect, carrier=code.carrier)
+            printer.lines(explanation(code, report, dialect))
 
 
 def _code_entry(code: Code) -> dict[str, Any]:

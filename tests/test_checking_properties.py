@@ -11,12 +11,12 @@ from hypothesis import strategies as st
 
 import ev3proto
 from ev3proto import GV, LV, Operation, check
-from ev3proto.checking.checking import CARRIERS
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.verdict import verdict
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.tables import operations
 from ev3proto.tables.branch import OFFSET
+from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Type
 from ev3proto.tables.encoding import RANGES
 from ev3proto.tables.validation import NEWER

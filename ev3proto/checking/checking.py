@@ -18,10 +18,8 @@ from ev3proto.checking.subject import Subject, steps_of
 from ev3proto.checking.verdict import verdict
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
 from ev3proto.schema.frame import HEADER_SIZE, frame_schema
+from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.frame import LENGTH_FIELD
-
-CARRIERS = ("usb", "bluetooth", "wifi")
-"""What can carry a frame."""
 
 
 def check(frame: bytes | bytearray | memoryview, *, dialect: str = "official", carrier: str | None = None) -> Report:

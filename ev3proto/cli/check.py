@@ -15,6 +15,7 @@ from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource, readin
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.sources import Source, SourceReader, packets, sources
 from ev3proto.errors import near_misses
+from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.notation import Pasted
 from ev3proto.text.spans import Line, Role
 from ev3proto.text.split import Piece
@@ -25,9 +26,6 @@ if TYPE_CHECKING:
     from ev3proto.checking.codes import Code
     from ev3proto.checking.fixing import Fix
     from ev3proto.checking.report import Finding, Report
-
-CARRIERS = ("usb", "bluetooth", "wifi")
-"""What can carry a frame, as the option --carrier takes it."""
 
 ALL_CODES = "all"
 """What --explain takes instead of a code."""

@@ -1,5 +1,8 @@
 """Carriers of frames: how a brick shows itself on USB and where it listens on Bluetooth; WiFi is in `discovery`."""
 
+CARRIERS = ("usb", "bluetooth", "wifi")
+"""What can carry frames."""
+
 USB_VENDOR = 0x0694
 """LEGO's number among the makers of USB devices."""
 

@@ -76,7 +76,7 @@ def _check_table() -> bytes:
 _CHECK = _check_table()
 
 
-def _check(data: bytes) -> int:
+def frame_check(data: bytes) -> int:
     """RFCOMM's check sum (TS 07.10, 5.2.1.6)."""
     rest = 0xFF
     for byte in data:
@@ -333,7 +333,7 @@ def _serial(data: bytes, is_from_host: bool | None, *, is_checked: bool = False)
     start = head + has_credits
     if is_checked:
         checked = data[:2] if kind == UIH else data[:head]
-        if len(data) != start + length + 1 or data[-1] != _check(checked):
+        if len(data) != start + length + 1 or data[-1] != frame_check(checked):
             return None
     if is_from_host is None:
         # In data frames this bit is set by the side that opened the connection, which a brick does not do.

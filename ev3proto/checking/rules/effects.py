@@ -8,8 +8,10 @@ from ev3proto.checking import codes
 from ev3proto.checking.places import number_of
 from ev3proto.checking.report import Finding
 from ev3proto.checking.subject import Step, Subject
+from ev3proto.tables import operations
 from ev3proto.tables.behaviour import DIALOGUES, DRAWS, MOVES, SHOWS, SOUND_ENDS, SOUNDS, STOPS, WAITS, WIPES
 
+_SOUND_READY = operations()["SOUND_READY"].opcode.number
 _OF_INTEREST = SOUNDS | SOUND_ENDS | DRAWS | SHOWS | DIALOGUES | MOVES | STOPS
 
 
@@ -37,7 +39,7 @@ def _sounds(steps: tuple[Step, ...]) -> Iterator[Finding]:
             yield playing.finding(
                 codes.SOUND_INTERRUPTED,
                 f"{step.name} at offset {step.start} cuts this sound off as soon as it starts",
-                "put SOUND_READY (0x96) behind it, which waits until the sound has ended",
+                f"put SOUND_READY (0x{_SOUND_READY:02X}) behind it, which waits until the sound has ended",
             )
         if step.name in SOUNDS:
             playing = step

@@ -11,7 +11,7 @@ from ev3proto.checking.subject import Subject
 from ev3proto.messages import DaisyCommand, SystemCommand
 from ev3proto.schema.fields import NUMBERS
 from ev3proto.schema.frame import HEADER_SIZE
-from ev3proto.tables import paths
+from ev3proto.tables import daisy, paths
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import REPORT_SIZES, MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
@@ -168,13 +168,16 @@ def _lists(entry: Entry) -> bool:
     return any(field.kind is Kind.LISTING for field in entry.reply)
 
 
+_DAISY = f"0x{min(daisy.DaisyCommand):02X} to 0x{max(daisy.DaisyCommand):02X}"
+
+
 def check_daisy(subject: Subject, command: DaisyCommand) -> Iterator[Finding]:
     """A message from brick to brick."""
     fault = subject.fault
     if fault is not None and not (subject.is_length_wrong and fault.truncated):
         start = min(fault.offset, subject.end)
         yield codes.UNKNOWN_DAISY.finding(
-            start, min(1, subject.end - start), fault.reason, "give a sub-command, 0xA0 to 0xA5, and two layers"
+            start, min(1, subject.end - start), fault.reason, f"give a sub-command, {_DAISY}, and two layers"
         )
     most = REPORT_SIZES[0]
     if subject.end > most:

@@ -28,6 +28,7 @@ from ev3proto.capture.carriers.bluetooth import (
     SIGNAL,
     SIGNALS,
     UIH,
+    frame_check,
 )
 from ev3proto.capture.packets import Link
 from ev3proto.tables.carriers import RFCOMM_CHANNEL
@@ -229,13 +230,3 @@ def _event(code: int, parameters: bytes) -> bytes:
 def _negotiated(flow: int) -> bytes:
     port = {"dlci": DLCI, "flow": flow, "priority": 7, "timer": 0, "retransmissions": 0}
     return bytes(NEGOTIATED.build(port | {"frame_size": FRAME_SIZE, "credits": CREDITS}))
-
-
-def frame_check(data: bytes) -> int:
-    """RFCOMM's check sum (TS 07.10, 5.2.1.6): a CRC with the polynomial x^8 + x^2 + x + 1, lowest bit first."""
-    rest = 0xFF
-    for byte in data:
-        rest ^= byte
-        for _ in range(8):
-            rest = rest >> 1 ^ 0xE0 * (rest & 1)
-    return 0xFF - rest

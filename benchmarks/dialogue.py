@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 
-from frames import Segment
+from support.frames import Segment
 
 import ev3proto
 from benchmarks.commands import commands

@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from frames import Segment, tcp_capture
+from support.frames import Segment, tcp_capture
 
 from benchmarks.dialogue import dialogue
 

@@ -14,8 +14,8 @@ from pathlib import Path
 from statistics import median
 
 import pytest
-from frames import tcp_capture
-from wireshark import Tshark
+from support.frames import tcp_capture
+from support.wireshark import Tshark
 
 from benchmarks.dialogue import dialogue
 

@@ -28,9 +28,9 @@ from ev3proto.messages import (
     SystemReply,
     Variable,
 )
+from ev3proto.schema.constructors import direct_command, direct_reply, system_command, system_reply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.instructions import operation
-from ev3proto.schema.make import direct_command, direct_reply, system_command, system_reply
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SystemStatus
 from ev3proto.version import VERSION
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from ev3proto import capture, enums, ops, system
     from ev3proto.checking.checking import check
     from ev3proto.checking.report import Finding, Report, Severity
-    from ev3proto.composing import Draft, Global, Local, command
+    from ev3proto.compose import Draft, Global, Local, command
     from ev3proto.dialogue import Dialogue, Exchange, Transfer, Value
     from ev3proto.names import ADR, GVX, HND, LAB1, LC0, LC1, LC2, LC4, LCF, LCS, LCX, LVX
     from ev3proto.schema.discovery import Beacon, Unlock
@@ -50,7 +50,7 @@ __version__ = VERSION
 _LATER = {
     "ev3proto.checking.checking": ("check",),
     "ev3proto.checking.report": ("Finding", "Report", "Severity"),
-    "ev3proto.composing": ("Draft", "Global", "Local", "command"),
+    "ev3proto.compose": ("Draft", "Global", "Local", "command"),
     "ev3proto.dialogue": ("Dialogue", "Exchange", "Transfer", "Value"),
     "ev3proto.names": ("ADR", "GVX", "HND", "LAB1", "LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCX", "LVX"),
     "ev3proto.schema.discovery": ("Beacon", "Unlock"),

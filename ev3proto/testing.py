@@ -35,7 +35,7 @@ from ev3proto.messages import (
     SystemReply,
     Variable,
 )
-from ev3proto.schema import make
+from ev3proto.schema import constructors
 from ev3proto.schema.frame import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE, parse
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.instructions import operation
@@ -443,7 +443,7 @@ def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchSt
     """Direct commands of a few operations, built from values."""
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
     return st.builds(
-        lambda found, counter, reply, sizes: make.direct_command(
+        lambda found, counter, reply, sizes: constructors.direct_command(
             *_that_fit(found, room), counter=counter, reply=reply, **sizes
         ),
         _several(operations(dialect, chosen.operations), chosen),
@@ -466,7 +466,7 @@ def _flags(members: Iterable[MessageType], name: str) -> SearchStrategy[bool]:
 def direct_replies(chosen: Choice = ALL) -> SearchStrategy[DirectReply]:
     """Replies to direct commands, with memory of any size that a frame has room for."""
     return st.builds(
-        make.direct_reply,
+        constructors.direct_reply,
         st.binary(max_size=MAX_FRAME - HEADER_SIZE),
         counter=_counters,
         error=_flags(chosen.of(*_DIRECT_REPLIES), "is_error"),
@@ -518,7 +518,7 @@ def system_commands(draw: DrawFn, chosen: Choice = ALL) -> SystemCommand:
     entry = SYSTEM_BY_NUMBER[draw(st.sampled_from(chosen.system_commands))]
     fields = draw(_fields(entry.request))
     reply = draw(_flags(chosen.of(*_SYSTEM_COMMANDS), "wants_reply"))
-    return make.system_command(entry.number, counter=draw(_counters), reply=reply, **fields)
+    return constructors.system_command(entry.number, counter=draw(_counters), reply=reply, **fields)
 
 
 @st.composite
@@ -531,7 +531,7 @@ def system_replies(draw: DrawFn, chosen: Choice = ALL) -> SystemReply:
     if status or error:
         present = draw(st.integers(0, len(fields)))
         fields = dict(list(fields.items())[:present])
-    return make.system_reply(entry.number, counter=draw(_counters), status=status, error=error, **fields)
+    return constructors.system_reply(entry.number, counter=draw(_counters), status=status, error=error, **fields)
 
 
 def _frame(member: MessageType, counter: int, body: bytes) -> bytes:

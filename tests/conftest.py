@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from wireshark import Tshark
+from support.wireshark import Tshark
 
 
 @pytest.fixture(scope="session")

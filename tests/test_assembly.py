@@ -19,7 +19,7 @@ from ev3proto.tables.declaration import DIALECTS
 from ev3proto.testing import frames, mutated_frames, operations
 from ev3proto.text.assembly import AssemblyError, assemble, assembly
 from ev3proto.text.assembly.recognising import is_assembly
-from ev3proto.text.notation import read_text
+from ev3proto.text.paste import read_text
 from ev3proto.text.phrases import quoted
 
 ROOT = Path(__file__).parent.parent

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 
-from packets import RAW_IP, Capture, Connection
+from support.packets import RAW_IP, Capture, Connection
 
 from ev3proto.capture import Event, Record, read
 from ev3proto.capture.dialogues import dialogues

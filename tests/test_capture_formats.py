@@ -15,9 +15,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
-from packets import Capture as Packets
-from packets import Connection, SerialPort, packets_of
+from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
+from support.packets import Capture as Packets
+from support.packets import Connection, SerialPort, packets_of
 
 from ev3proto.capture import Capture, CaptureError, read
 

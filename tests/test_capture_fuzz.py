@@ -12,11 +12,11 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from files import Blocks, Timed, btsnoop, pcap, timed
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from packets import ACK, FIN, PUSH, RST, SYN, Connection, Device, SerialPort, datagram, packets_of, segment
-from packets import Capture as Packets
+from support.files import Blocks, Timed, btsnoop, pcap, timed
+from support.packets import ACK, FIN, PUSH, RST, SYN, Connection, Device, SerialPort, datagram, packets_of, segment
+from support.packets import Capture as Packets
 
 import ev3proto
 from ev3proto.capture import Account, Announcement, CaptureError, Event, Record, read

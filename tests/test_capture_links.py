@@ -10,9 +10,9 @@ from itertools import product
 from typing import Any
 
 import pytest
-from files import Blocks, btsnoop, pcap, timed
-from packets import BRICK, EVERYBODY, HOST, SYN, Device, SerialPort, datagram, packets_of, segment
-from packets import Capture as Packets
+from support.files import Blocks, btsnoop, pcap, timed
+from support.packets import BRICK, EVERYBODY, HOST, SYN, Device, SerialPort, datagram, packets_of, segment
+from support.packets import Capture as Packets
 
 import ev3proto
 from ev3proto.capture import Announcement, Capture, Event, Record, Said, read

@@ -12,9 +12,9 @@ import tracemalloc
 from pathlib import Path
 
 import pytest
-from files import pcap, timed
-from packets import USBMON, Device, cut, packets_of
-from packets import Capture as Packets
+from support.files import pcap, timed
+from support.packets import USBMON, Device, cut, packets_of
+from support.packets import Capture as Packets
 from test_dissector_carriers import FROM_HOST, UNLIKELY
 
 import ev3proto

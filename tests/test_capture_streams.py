@@ -12,9 +12,9 @@ from itertools import product
 from typing import Any
 
 import pytest
-from files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
-from packets import FIN, HOST_PORT, RST, SYN, SerialPort, packets_of, segment
-from packets import Capture as Packets
+from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
+from support.packets import FIN, HOST_PORT, RST, SYN, SerialPort, packets_of, segment
+from support.packets import Capture as Packets
 
 import ev3proto
 from ev3proto.capture import Announcement, Capture, Event, Record, Skipped, read

@@ -10,7 +10,7 @@ import ev3proto
 from ev3proto import GV, LV, Finding, Operation, Report, Severity, check, operation
 from ev3proto.checking.codes import CODES
 from ev3proto.schema.argument import encode_as
-from ev3proto.text.notation import read_text
+from ev3proto.text.paste import read_text
 
 CAPTURES = Path(__file__).parent.parent / "captures"
 

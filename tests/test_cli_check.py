@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from packets import RAW_IP, Capture, Connection
+from support.packets import RAW_IP, Capture, Connection
 
 ROOT = Path(__file__).parent.parent
 CAPTURES = ROOT / "captures"

@@ -32,7 +32,7 @@ from ev3proto import (
     ops,
 )
 from ev3proto.checking.checking import check as check_frame
-from ev3proto.composing import Place
+from ev3proto.compose import Place
 from ev3proto.enums import LED
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables import operations as operations_of

@@ -11,7 +11,7 @@ import ev3proto
 from ev3proto.checking.fixing import Change, Fix
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.text.diagnostics import MOST_ALIKE, diagnostics, fixed, grouped_hex, tally
-from ev3proto.text.notation import read_text
+from ev3proto.text.paste import read_text
 from ev3proto.text.spans import Line, Role, plain_text
 
 ERROR, WARNING, HINT = Severity.ERROR, Severity.WARNING, Severity.HINT

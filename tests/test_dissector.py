@@ -12,7 +12,7 @@ import pytest
 from scapy.layers.inet import IP, TCP
 from scapy.layers.l2 import Ether
 from scapy.utils import wrpcap
-from wireshark import Tshark
+from support.wireshark import Tshark
 
 CAPTURES = Path(__file__).parent.parent / "captures"
 WIFI = CAPTURES / "wifi.pcapng"

@@ -18,11 +18,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from dissected import Follower, Frame, difference, is_message, packets, shown, unshown
-from frames import Segment, drawn, tcp_capture
 from hypothesis import strategies as st
-from packets import MILLISECONDS_EACH
-from wireshark import Tshark
+from support.dissected import Follower, Frame, difference, is_message, packets, shown, unshown
+from support.frames import Segment, drawn, tcp_capture
+from support.packets import MILLISECONDS_EACH
+from support.wireshark import Tshark
 
 import ev3proto
 from ev3proto import GV, LV

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from wireshark import DISSECTOR, Tshark
+from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.generate.dissector.build import build
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name

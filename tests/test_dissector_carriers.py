@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from packets import (
+from support.packets import (
     BRICK,
     HCI_WITH_DIRECTION,
     HOST,
@@ -22,7 +22,7 @@ from packets import (
     datagram,
     packets_of,
 )
-from wireshark import Tshark
+from support.wireshark import Tshark
 
 import ev3proto
 

@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from frames import drawn
-from packets import (
+from support.frames import drawn
+from support.packets import (
     HCI_WITH_DIRECTION,
     HOST_PORT,
     RAW_IP,
@@ -28,7 +28,7 @@ from packets import (
     datagram,
     packets_of,
 )
-from wireshark import Tshark
+from support.wireshark import Tshark
 
 import ev3proto
 from ev3proto import GV

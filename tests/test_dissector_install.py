@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from wireshark import Tshark
+from support.wireshark import Tshark
 
 from ev3proto.generate.dissector import profile
 from ev3proto.generate.dissector.build import build

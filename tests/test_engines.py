@@ -18,8 +18,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from packets import ACK, RAW_IP, SYN, Capture, Connection, SerialPort, cut, datagram, segment
-from wireshark import Tshark
+from support.packets import ACK, RAW_IP, SYN, Capture, Connection, SerialPort, cut, datagram, segment
+from support.wireshark import Tshark
 
 from ev3proto.capture import Account, Announcement, CaptureError, Event, Record, Skipped, read
 from ev3proto.capture import Capture as Captured

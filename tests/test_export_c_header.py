@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from frames import drawn
+from support.frames import drawn
 
 from ev3proto import Argument, Operation, direct_command, operation, parse, system_command
 from ev3proto.generate.cheader.build import build

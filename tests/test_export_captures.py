@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from frames import drawn
 from hypothesis import strategies as st
-from wireshark import Tshark
+from support.frames import drawn
+from support.wireshark import Tshark
 
 from ev3proto import GV, BuildError, capture, direct_command, direct_reply, operation, system_command, system_reply
 from ev3proto.capture import Announcement, Carrier, Record, Said

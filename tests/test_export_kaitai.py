@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 import yaml
-from frames import drawn
+from support.frames import drawn
 
 from ev3proto import DaisyCommand, DaisyReply, DirectCommand, DirectReply, SystemCommand, SystemReply, parse
 from ev3proto.generate.kaitai.build import build, description

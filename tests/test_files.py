@@ -20,7 +20,7 @@ from ev3proto.capture import Carrier, Event, Record, Route, read
 from ev3proto.capture import files as module
 from ev3proto.capture.errors import CaptureError
 from ev3proto.capture.files import Outcome, RecoveredFile, recover, survey
-from ev3proto.capture.naming import MOST_BYTES, parts_of, safe_name
+from ev3proto.capture.safe_paths import MOST_BYTES, parts_of, safe_name
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import FieldValue, Message
 from ev3proto.schema.frame import frame_schema

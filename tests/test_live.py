@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from wireshark import Tshark
+from support.wireshark import Tshark
 
 ROOT = Path(__file__).parent.parent
 LOOPBACK = "lo0" if sys.platform == "darwin" else "lo"

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from ev3proto.text.notation import Pasted, read_argument, read_text
+from ev3proto.text.paste import Pasted, read_argument, read_text
 
 # SOUND TONE 1, 440, 1000, the lesson's tone.
 TONE = bytes([14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3])

@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from frames import drawn
 from scapy.config import conf
 from scapy.layers.inet import IP, TCP
 from scapy.packet import Packet, Padding, Raw, fuzz
 from scapy.sendrecv import sniff
 from scapy.sessions import TCPSession
 from scapy.supersocket import StreamSocket
+from support.frames import drawn
 
 import ev3proto
 from ev3proto import GV, LC2, LV, BuildError, direct_command, operation, parse

@@ -9,7 +9,7 @@ from typing import Literal
 
 import pytest
 from pyshark.capture.capture import TSharkCrashException
-from wireshark import SETTING, Tshark
+from support.wireshark import SETTING, Tshark
 
 # A dissector of one field, which is the first byte.
 SCRIPT = """

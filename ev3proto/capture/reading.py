@@ -7,7 +7,7 @@ from collections.abc import Collection, Generator, Iterator
 from types import TracebackType
 from typing import BinaryIO, Literal, Self
 
-from ev3proto.capture.account import Account
+from ev3proto.capture.byte_account import Account
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.record import Event, Record
 from ev3proto.tables import check_dialect

@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from typing import Any, NamedTuple
 
-from ev3proto.capture.account import Account
+from ev3proto.capture.byte_account import Account
 from ev3proto.capture.latencies import Latencies, Percentiles
 from ev3proto.capture.moving import UPLOADS, begins
 from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Skipped, utc

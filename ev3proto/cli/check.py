@@ -16,7 +16,7 @@ from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.sources import Source, SourceReader, packets, sources
 from ev3proto.errors import near_misses
 from ev3proto.tables.carriers import CARRIERS
-from ev3proto.text.notation import Pasted
+from ev3proto.text.paste import Pasted
 from ev3proto.text.spans import Line, Role
 from ev3proto.text.split import Piece
 

@@ -14,7 +14,7 @@ from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.sources import Source, SourceReader, packets, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.text.heading import Seen
-from ev3proto.text.notation import Pasted
+from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:

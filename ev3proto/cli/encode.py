@@ -22,7 +22,7 @@ from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
 from ev3proto.tables.frame import COUNTERS
 from ev3proto.text.heading import Seen, heading
-from ev3proto.text.notation import Pasted, read_argument, read_text
+from ev3proto.text.paste import Pasted, read_argument, read_text
 from ev3proto.text.spans import plain_text
 from ev3proto.text.split import Piece
 
@@ -101,7 +101,7 @@ def _python(message: Message, number: int, _dialogue: Dialogue) -> str:
 
 
 def _json(message: Message, _number: int, dialogue: Dialogue) -> str:
-    from ev3proto.text.records import record
+    from ev3proto.text.json_format.writing import record
 
     return json.dumps(record(dialogue.follow(message), Seen()), ensure_ascii=False)
 
@@ -216,7 +216,7 @@ class Encoding(SourceReader):
             self._frames(source, whole)
 
     def _records(self, source: Source, lines: Iterable[str]) -> None:
-        from ev3proto.text.unrecord import RecordError, frames_in, read_records
+        from ev3proto.text.json_format.reading import RecordError, frames_in, read_records
 
         dialect = self.reading.dialect
         try:

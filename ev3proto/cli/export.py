@@ -16,7 +16,7 @@ from ev3proto.cli.output import complain
 from ev3proto.cli.sources import Source, SourceReader, packets, sources
 from ev3proto.errors import BuildError
 from ev3proto.tables.declaration import DIALECTS
-from ev3proto.text.notation import Pasted
+from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from ev3proto.dialogue import Exchange
 from ev3proto.text.assembly import assembly
 from ev3proto.text.dialogues import dialogue_line
 from ev3proto.text.heading import Seen, heading, origin
-from ev3proto.text.records import record as json_record
+from ev3proto.text.json_format.writing import record as json_record
 from ev3proto.text.spans import Line, Role, plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from ev3proto.cli.captures import BUILTIN, CaptureOptions
 from ev3proto.cli.output import complain
-from ev3proto.text.notation import MAX_LINE, Pasted, read_argument, read_text
+from ev3proto.text.paste import MAX_LINE, Pasted, read_argument, read_text
 from ev3proto.text.split import Piece, split
 
 if TYPE_CHECKING:

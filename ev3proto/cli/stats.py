@@ -13,7 +13,7 @@ from ev3proto.cli.captures import CaptureSource, capture_options
 from ev3proto.cli.tables import Tables
 
 if TYPE_CHECKING:
-    from ev3proto.capture.account import Account
+    from ev3proto.capture.byte_account import Account
     from ev3proto.capture.latencies import Percentiles
     from ev3proto.capture.statistics import Amount, Noted, PeerSummary, Summary, TransferSummary
 

@@ -5,7 +5,7 @@ says what stands in it and where, so a `Dialogue` remembers the commands it saw.
 of their own; there it remembers which file each handle stands for.
 """
 
-from ev3proto.dialogue.following import Dialogue, Exchange
+from ev3proto.dialogue.dialogue import Dialogue, Exchange
 from ev3proto.dialogue.transfers import Transfer
 from ev3proto.dialogue.values import Value, ValueType, reply_values, values_of
 

@@ -6,7 +6,7 @@ import enum
 from functools import cache
 from typing import Any, NamedTuple
 
-from ev3proto.composing.drafts import MARK
+from ev3proto.compose.drafts import MARK
 from ev3proto.errors import near_misses
 from ev3proto.tables import enumerations
 from ev3proto.tables.declaration import Enumeration

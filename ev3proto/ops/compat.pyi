@@ -8,7 +8,7 @@ Generated from ev3proto/tables by ev3proto.generate.stubs: edit those.
 from collections.abc import Sequence
 from typing import Literal, TypeAlias, overload
 
-from ev3proto.composing import Draft
+from ev3proto.compose import Draft
 from ev3proto.enums import CONN
 from ev3proto.ops import (
     _BROWSERTYPE,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from textwrap import wrap
 
-from ev3proto.composing.drafts import may_be_left_away
-from ev3proto.composing.meanings import span
+from ev3proto.compose.drafts import may_be_left_away
+from ev3proto.compose.meanings import span
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
 
 WIDTH = 100

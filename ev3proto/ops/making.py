@@ -6,8 +6,8 @@ import inspect
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from ev3proto.composing.calls import bound, python_name
-from ev3proto.composing.drafts import Draft, draft, may_be_left_away
+from ev3proto.compose.calls import bound, python_name
+from ev3proto.compose.drafts import Draft, draft, may_be_left_away
 from ev3proto.errors import near_misses
 from ev3proto.ops.describing import described
 from ev3proto.schema.instructions import instruction_set

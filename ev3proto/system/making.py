@@ -6,10 +6,10 @@ import inspect
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
-from ev3proto.composing.calls import bound
+from ev3proto.compose.calls import bound
 from ev3proto.errors import near_misses
 from ev3proto.messages import FieldValue, SystemCommand
-from ev3proto.schema import make
+from ev3proto.schema import constructors
 from ev3proto.schema.fields import NUMBERS
 from ev3proto.schema.frame import HEADER_SIZE
 from ev3proto.tables import system
@@ -90,7 +90,7 @@ def function(entry: system.SystemCommand) -> Callable[..., SystemCommand]:
     def command(*values: Any, counter: int = 0, reply: bool = entry.answered, **named: Any) -> SystemCommand:
         found = zip(names, bound(name, names, required, values, named), strict=True)
         given = {field: value for field, value in found if value is not None}
-        return make.system_command(entry.number, counter=counter, reply=reply, **{**defaults, **given})
+        return constructors.system_command(entry.number, counter=counter, reply=reply, **{**defaults, **given})
 
     command.__name__ = command.__qualname__ = name
     command.__module__ = "ev3proto.system"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ev3proto.capture.account import Account
+from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.cutting import Cutter, Kind, Piece
+from ev3proto.capture.framing import Cutter, Kind, Piece
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
 from ev3proto.errors import counted

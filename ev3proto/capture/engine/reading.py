@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator
 
-from ev3proto.capture.account import Account
+from ev3proto.capture.byte_account import Account
 from ev3proto.capture.carriers.internet import LINKS
 from ev3proto.capture.engine.context import Context
 from ev3proto.capture.engine.reports import Reports

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 from ev3proto.capture.carriers.bluetooth import Bluetooth, Gone, Told
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.cutting import Cutter
 from ev3proto.capture.engine.context import Context, Stream
+from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Carrier, Direction, Event, Route
 from ev3proto.tables.carriers import RFCOMM_CHANNEL

@@ -10,8 +10,8 @@ from dpkt.tcp import TH_ACK, TH_RST, TH_SYN
 from ev3proto.capture.carriers.internet import Transport, place, transport
 from ev3proto.capture.carriers.tcp import Hole, Late, Reassembly, Segment
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.cutting import Cutter
 from ev3proto.capture.engine.context import Context, Stream
+from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Route, Said
 from ev3proto.errors import DecodeError, counted

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from ev3proto.capture.filter.comparisons import Test
 from ev3proto.capture.filter.errors import FilterError
 from ev3proto.capture.filter.grammar import (
     Comparison,
@@ -18,7 +19,6 @@ from ev3proto.capture.filter.grammar import (
     Word,
     parse_filter,
 )
-from ev3proto.capture.filter.kinds import Test
 from ev3proto.capture.filter.names import Clock, Name, Read, find_name
 from ev3proto.capture.record import Record
 

@@ -14,10 +14,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ev3proto.capture.filter.comparisons import Choice, Flags, Held, Kind, Numbers, Texts
 from ev3proto.capture.filter.errors import FilterError
-from ev3proto.capture.filter.grammar import Word
-from ev3proto.capture.filter.kinds import Choice, Flags, Held, Kind, Numbers, Texts
-from ev3proto.capture.filter.places import (
+from ev3proto.capture.filter.fields import (
     PATH,
     command_names,
     find_places,
@@ -26,6 +25,7 @@ from ev3proto.capture.filter.places import (
     operations_of_opcode,
     parameter_names,
 )
+from ev3proto.capture.filter.grammar import Word
 from ev3proto.capture.record import NANOSECONDS, Carrier, Direction, Record
 from ev3proto.capture.replies import is_error
 from ev3proto.messages import DaisyCommand, Message, Operation, SystemCommand, SystemReply

@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, BinaryIO
 
 from ev3proto.capture.errors import CaptureError
 from ev3proto.capture.wireshark.errors import EngineError
+from ev3proto.capture.wireshark.events import Teller
 from ev3proto.capture.wireshark.program import Program
-from ev3proto.capture.wireshark.telling import Teller
 
 if TYPE_CHECKING:
-    from ev3proto.capture.account import Account
+    from ev3proto.capture.byte_account import Account
     from ev3proto.capture.formats import CaptureFile
     from ev3proto.capture.record import Event
 
@@ -56,7 +56,7 @@ def wireshark_events(
 
 
 def _events(path: Path, program: Program, words: list[str], teller: Teller, stack: ExitStack) -> Iterator[Event]:
-    from ev3proto.capture.wireshark.running import FileRun
+    from ev3proto.capture.wireshark.process import FileRun
 
     with stack:
         run = FileRun(program, words, path)

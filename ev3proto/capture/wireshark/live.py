@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator
 from functools import partial
 
-from ev3proto.capture.account import Account
+from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Event
 from ev3proto.capture.wireshark.errors import EngineError
+from ev3proto.capture.wireshark.events import Teller
 from ev3proto.capture.wireshark.program import Program
-from ev3proto.capture.wireshark.telling import Teller
 from ev3proto.tables.discovery import BEACON_PORT
 
 
@@ -34,7 +34,7 @@ class Live:
         tshark: str | None = None,
         on_start: Callable[[], None] = lambda: None,
     ) -> None:
-        from ev3proto.capture.wireshark.running import LiveRun
+        from ev3proto.capture.wireshark.process import LiveRun
 
         self._program = Program(tshark)
         # Packets of others need not even be captured, where the operating system can tell them.

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from ev3proto.composing.calls import python_name
-from ev3proto.composing.drafts import may_be_left_away
+from ev3proto.compose.calls import python_name
+from ev3proto.compose.drafts import may_be_left_away
 from ev3proto.generate.stubs.writing import HEAD, INDENT, WIDTH, docstring, function, indented, literal
 from ev3proto.ops.describing import described
 from ev3proto.ops.making import commands_of, families
@@ -49,7 +49,7 @@ def _imports() -> Iterator[str]:
     yield "from collections.abc import Sequence"
     yield "from typing import Literal, TypeAlias, overload"
     yield ""
-    yield "from ev3proto.composing import Draft, Place"
+    yield "from ev3proto.compose import Draft, Place"
     yield from _import("ev3proto.enums", [enum.name for enum in enums])
     yield "from ev3proto.messages import Argument, Variable"
     yield ""
@@ -67,7 +67,7 @@ def _imports_from_official(dialect: str, body: Sequence[str]) -> Iterator[str]:
         yield "from collections.abc import Sequence"
     yield f"from typing import {'Literal, TypeAlias, ' if own else ''}overload"
     yield ""
-    yield "from ev3proto.composing import Draft"
+    yield "from ev3proto.compose import Draft"
     if own:
         yield from _import("ev3proto.enums", [enum.name for enum in own])
     yield from _import("ev3proto.ops", sorted((official | _TYPES.keys()) & (words | ({"_Number"} if own else set()))))

@@ -8,10 +8,11 @@ from ev3proto.messages import Message
 from ev3proto.tables import check_dialect
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MessageType
-from ev3proto.text.assembly.encoding import Encoder
 from ev3proto.text.assembly.errors import MOST_ERRORS, MOST_SAID, AssemblyError
-from ev3proto.text.assembly.framing import Draft, begun_by
-from ev3proto.text.assembly.grammar import (
+from ev3proto.text.assembly.lexing import Token
+from ev3proto.text.assembly.messages import Draft, begun_by
+from ev3proto.text.assembly.operations import Assembler
+from ev3proto.text.assembly.parser import (
     LOCAL_WORD,
     TYPES,
     Call,
@@ -27,10 +28,9 @@ from ev3proto.text.assembly.grammar import (
     error_at,
     statements,
 )
-from ev3proto.text.assembly.lexing import Token
-from ev3proto.text.assembly.operations import Assembler
 from ev3proto.text.assembly.symbols import Names
 from ev3proto.text.assembly.system import find_command, system_body
+from ev3proto.text.assembly.values import Encoder
 
 MAX_TEXT = 1 << 24
 """Characters of a text that is assembled."""

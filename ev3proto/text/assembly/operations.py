@@ -13,10 +13,10 @@ from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DIALECTS, Enumeration, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.system import SYSTEM
-from ev3proto.text.assembly.encoding import Encoder, Jump, Piece
-from ev3proto.text.assembly.grammar import Argument, Call, Macro, Named, Value, error_at, is_operation_word
 from ev3proto.text.assembly.lexing import Token
+from ev3proto.text.assembly.parser import Argument, Call, Macro, Named, Value, error_at, is_operation_word
 from ev3proto.text.assembly.symbols import suggestion
+from ev3proto.text.assembly.values import Encoder, Jump, Piece
 
 _MOST_NAMED = 8
 """CMDs that an error names."""

@@ -6,7 +6,7 @@ import re
 
 from ev3proto.tables import OPCODES
 from ev3proto.tables.system import SYSTEM
-from ev3proto.text.assembly.grammar import GLOBAL_WORD, LOCAL_WORD, TYPES
+from ev3proto.text.assembly.parser import GLOBAL_WORD, LOCAL_WORD, TYPES
 from ev3proto.text.assembly.words import BYTES, FRAME, MESSAGE
 
 _DECLARATION = "|".join((*TYPES, GLOBAL_WORD, LOCAL_WORD, r"\#?define", "vmthread"))

@@ -17,8 +17,8 @@ from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Enumeratio
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS
 from ev3proto.tables.system import SYSTEM
-from ev3proto.text.assembly.grammar import error_at
 from ev3proto.text.assembly.lexing import Token
+from ev3proto.text.assembly.parser import error_at
 
 MOST_NAMES = 10_000
 """Names that a text can declare."""

@@ -8,9 +8,9 @@ from ev3proto.schema.fields import NUMBERS, Fields
 from ev3proto.schema.frame import REPLIES, REQUESTS
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
-from ev3proto.text.assembly.encoding import Encoder
-from ev3proto.text.assembly.grammar import Argument, Call, Named, Raw, error_at
+from ev3proto.text.assembly.parser import Argument, Call, Named, Raw, error_at
 from ev3proto.text.assembly.symbols import suggestion
+from ev3proto.text.assembly.values import Encoder
 from ev3proto.text.assembly.words import STATUS, command_name
 
 _BY_NAME = {entry.name: entry for entry in reversed(SYSTEM)} | {command_name(entry): entry for entry in SYSTEM}

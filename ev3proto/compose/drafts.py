@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ev3proto.composing.meanings import (
+from ev3proto.compose.meanings import (
     check_arrays,
     check_meaning,
     check_number,
@@ -13,8 +13,8 @@ from ev3proto.composing.meanings import (
     no_variable,
     wrong_name,
 )
-from ev3proto.composing.places import Place
-from ev3proto.composing.uses import Use, uses_of
+from ev3proto.compose.places import Place
+from ev3proto.compose.uses import Use, uses_of
 from ev3proto.errors import BuildError
 from ev3proto.messages import GV, Operation, Variable
 from ev3proto.schema.argument import encode_variable

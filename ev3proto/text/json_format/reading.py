@@ -20,7 +20,7 @@ from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, TEXT
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
 from ev3proto.text.heading import Seen
-from ev3proto.text.records import record
+from ev3proto.text.json_format.writing import record
 
 MAX_RECORD = 1 << 22
 """Characters of one object; the longest that a frame can give has a tenth of them."""

@@ -21,7 +21,8 @@ from ev3proto.tables.branch import OFFSET
 from ev3proto.tables.declaration import DATA8, Direction, Enumeration, Parameter, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
 from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.assembly.grammar import (
+from ev3proto.text.assembly.lexing import Kind, Token, unescaped
+from ev3proto.text.assembly.parser import (
     TYPES,
     Chain,
     Element,
@@ -35,7 +36,6 @@ from ev3proto.text.assembly.grammar import (
     Value,
     error_at,
 )
-from ev3proto.text.assembly.lexing import Kind, Token, unescaped
 from ev3proto.text.assembly.symbols import NOT_NUMBERS, Constant, Names, Pattern, firmware_constant, suggestion
 
 _LARGEST = 1 << 64

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from ev3proto.composing.drafts import Draft, Open, draft_of
-from ev3proto.composing.memory import Memory, Need, joined
-from ev3proto.composing.places import Place
-from ev3proto.composing.uses import Use
+from ev3proto.compose.drafts import Draft, Open, draft_of
+from ev3proto.compose.memory import Memory, Need, joined
+from ev3proto.compose.places import Place
+from ev3proto.compose.uses import Use
 from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, Operation, Variable
+from ev3proto.schema.constructors import direct_command
 from ev3proto.schema.frame import HEADER_SIZE
-from ev3proto.schema.make import direct_command
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS
 

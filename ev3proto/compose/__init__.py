@@ -4,8 +4,8 @@ An operation of `ev3proto.ops` is a `Draft`: its values are checked and encoded,
 those that are `Local()` or `Global()`, get their place only when `command` knows all that shares the memory.
 """
 
-from ev3proto.composing.commands import command
-from ev3proto.composing.drafts import Draft
-from ev3proto.composing.places import Global, Local, Place
+from ev3proto.compose.commands import command
+from ev3proto.compose.drafts import Draft
+from ev3proto.compose.places import Global, Local, Place
 
 __all__ = ["Draft", "Global", "Local", "Place", "command"]

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 
-from ev3proto.capture.filter.kinds import Arguments, Held
+from ev3proto.capture.filter.comparisons import Arguments, Held
 from ev3proto.capture.record import Record
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectReply, Message, Operation, SystemCommand, SystemReply
 from ev3proto.tables import OPCODES

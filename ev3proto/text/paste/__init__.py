@@ -21,10 +21,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from ev3proto.text.notation.dumps import dump_row
-from ev3proto.text.notation.hexadecimal import bare
-from ev3proto.text.notation.pieces import LEAST, MAX_TEXT, Pasted, Wants, short
-from ev3proto.text.notation.reader import MAX_LINE, Reader
+from ev3proto.text.paste.dumps import dump_row
+from ev3proto.text.paste.hexadecimal import bare
+from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, Pasted, Wants, short
+from ev3proto.text.paste.reader import MAX_LINE, Reader
 
 __all__ = ["MAX_LINE", "Pasted", "read_argument", "read_text"]
 

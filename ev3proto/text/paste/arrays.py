@@ -9,8 +9,8 @@ import re
 from dataclasses import dataclass, field
 from typing import Literal
 
-from ev3proto.text.notation.head import NO_HEAD, Head, clean_head, head_before
-from ev3proto.text.notation.pieces import MAX_COLLECTED, MAX_TEXT, Pasted, Wants, short
+from ev3proto.text.paste.head import NO_HEAD, Head, clean_head, head_before
+from ev3proto.text.paste.pieces import MAX_COLLECTED, MAX_TEXT, Pasted, Wants, short
 
 _OPENING = re.compile(r"[\[{]")
 _PART = re.compile(

@@ -10,8 +10,8 @@ import re
 import warnings
 from collections.abc import Iterator
 
-from ev3proto.text.notation.head import clean_head, head_before
-from ev3proto.text.notation.pieces import Found, short
+from ev3proto.text.paste.head import clean_head, head_before
+from ev3proto.text.paste.pieces import Found, short
 
 _START = re.compile(r"(?<!\w)b(?P<bytes>[\"'])|(?P<text>[\"'])(?=[ -~]?\\x)")
 _ESCAPE = r"\\(?:x[0-9a-fA-F]{2}|[0-3]?[0-7]{1,2}|[ -/89:-wy-~])"

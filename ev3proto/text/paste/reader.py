@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from ev3proto.text.notation.arrays import Array, find_arrays
-from ev3proto.text.notation.dumps import Dump, start_dump
-from ev3proto.text.notation.hexadecimal import bare, fromhex, lesson
-from ev3proto.text.notation.pieces import MAX_TEXT, Found, Pasted, Wants, short
-from ev3proto.text.notation.strings import escapes, strings
+from ev3proto.text.paste.arrays import Array, find_arrays
+from ev3proto.text.paste.dumps import Dump, start_dump
+from ev3proto.text.paste.hexadecimal import bare, fromhex, lesson
+from ev3proto.text.paste.pieces import MAX_TEXT, Found, Pasted, Wants, short
+from ev3proto.text.paste.strings import escapes, strings
 
 MAX_LINE = 1 << 20
 

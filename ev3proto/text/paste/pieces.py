@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from ev3proto.text.notation.head import Direction, Head
+from ev3proto.text.paste.head import Direction, Head
 
 # The shortest frame there is. Less than that in the midst of other text is not worth the risk of reading prose as hex.
 LEAST = 5

@@ -7,7 +7,8 @@ from typing import NamedTuple, TypeVar
 
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis.strategies import SearchStrategy
-from packets import RAW_IP, Capture, Connection
+
+from support.packets import RAW_IP, Capture, Connection
 
 T = TypeVar("T")
 

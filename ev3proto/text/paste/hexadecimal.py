@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ev3proto.text.notation.head import clean_head, head_before
-from ev3proto.text.notation.pieces import Found, short
+from ev3proto.text.paste.head import clean_head, head_before
+from ev3proto.text.paste.pieces import Found, short
 
 _GROUP = re.compile(r"[^\s,;:|\-]+")
 _HEX_GROUP = re.compile(r"(0[xX])?([0-9a-fA-F]+)")

@@ -7,12 +7,12 @@ from collections.abc import Callable, Collection, Hashable, Iterator
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from ev3proto.capture.account import Account
+from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.engine.reports import HOST, OVERWRITTEN
 from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Route, Said, Skipped
-from ev3proto.capture.wireshark.ledger import MOST_WAITING, Ledger, Place
 from ev3proto.capture.wireshark.row import Row
+from ev3proto.capture.wireshark.segments import MOST_WAITING, Ledger, Place
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.schema.frame import HEADER_SIZE, frame_schema

@@ -26,7 +26,7 @@ import pyshark
 import pyshark.ek_field_mapping
 
 SETTING = "EV3PROTO_TSHARK"
-DISSECTOR = Path(__file__).parent.parent / "dissector" / "ev3.lua"
+DISSECTOR = Path(__file__).parents[2] / "dissector" / "ev3.lua"
 
 # A capture of no packets, and a script that says which Lua runs it.
 _EMPTY = bytes.fromhex("d4c3b2a1 0200 0400 00000000 00000000 00000400 01000000")

@@ -24,7 +24,6 @@ from unittest import mock
 
 import pyshark.tshark.output_parser.tshark_xml
 from pyshark.packet.layers.xml_layer import XmlLayer
-from wireshark import Tshark
 
 import ev3proto
 from ev3proto.dialogue import Exchange, Value, reply_values
@@ -47,6 +46,7 @@ from ev3proto.tables import operations
 from ev3proto.tables.daisy import SENSOR_DATA_SIZE
 from ev3proto.tables.declaration import DIALECTS, Parameter, Type
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Kind
+from support.wireshark import Tshark
 
 # Records
 

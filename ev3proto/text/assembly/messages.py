@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate
 
-from ev3proto.composing.uses import uses_of
+from ev3proto.compose.uses import uses_of
 from ev3proto.messages import DirectCommand, Message, Operation
 from ev3proto.schema.frame import HEADER, HEADER_SIZE, MEMORY, parse
 from ev3proto.schema.packed import packed
@@ -21,10 +21,10 @@ from ev3proto.tables.frame import (
     MAX_LOCALS,
     MessageType,
 )
-from ev3proto.text.assembly.encoding import Encoder, Jump, Piece
-from ev3proto.text.assembly.grammar import Header, Named, RawFrame, error_at
 from ev3proto.text.assembly.lexing import Token
+from ev3proto.text.assembly.parser import Header, Named, RawFrame, error_at
 from ev3proto.text.assembly.symbols import MOST_MEMORY, Names, suggestion
+from ev3proto.text.assembly.values import Encoder, Jump, Piece
 
 COUNTER, LENGTH, GLOBALS, LOCALS = "counter", "length", "globals", "locals"
 COMMAND, LAYER_FROM, LAYER_TO = "command", "layer_from", "layer_to"

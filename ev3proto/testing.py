@@ -88,6 +88,9 @@ _LISTS = (Type.COUNT, Type.VALUES)
 _texts = st.text(st.characters(min_codepoint=1, max_codepoint=255), max_size=MOST_TEXT)
 """ISO-8859-1 without the zero that ends a string."""
 
+_quarters = st.integers(-4000, 4000).map(lambda number: number / 4)
+"""Numbers such as people write, which a single has exactly."""
+
 _indexes = st.integers(0, 31) | st.integers(32, 1018) | st.integers(0, 0xFFFFFFFF)
 """Of variables: those with a form of one byte, those of the largest memory, and all that an encoding can hold."""
 
@@ -114,7 +117,7 @@ def _constants(parameter: Parameter) -> SearchStrategy[PlainValue]:
     if parameter.type is Type.STRING:
         return _texts
     if parameter.type is Type.DATAF:
-        numbers: SearchStrategy[PlainValue] = st.floats(width=32)
+        numbers: SearchStrategy[PlainValue] = st.floats(width=32) | _quarters
     else:
         numbers = _numbers(parameter.type)
     if parameter.enum is not None:

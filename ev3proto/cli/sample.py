@@ -65,7 +65,7 @@ def sample(
         write(frame)
         written += 1
     if written < count:
-        complain(f"there are no more than {written} different frames of this kind")
+        complain(f"no more than {written} frames of this kind could be drawn")
 
 
 def _frames(

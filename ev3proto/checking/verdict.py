@@ -141,12 +141,17 @@ class _Validator:
                 if declaration.opcode.name in names:
                     self.families[declaration.opcode.number] = table
 
-    def scan(self, frame: bytes, at: int, end: int) -> Verdict:
-        """The verdict on the code in `frame[at:end]`."""
+    def scan(self, frame: bytes, at: int, end: int, starts: list[int] | None = None) -> Verdict:
+        """The verdict on the code in `frame[at:end]`.
+
+        starts  gets the offset of every operation
+        """
         data = frame[:end] + _BEYOND
         opcodes = self.opcodes
         while at < end:
             start = at
+            if starts is not None:
+                starts.append(start)
             code = data[start]
             kinds = opcodes[code]
             if kinds is not None:
@@ -325,6 +330,16 @@ def _validator(dialect: str) -> _Validator:
 
 
 _DIRECT = {member.value for member in MessageType if member.kind == "direct-command"}
+
+
+def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
+    """Where the validator sees an operation begin in byte code, up to the one that it refuses, if it refuses one.
+
+    code  operations without the header of a frame, to which the offsets refer
+    """
+    starts: list[int] = []
+    _validator(dialect).scan(code, 0, len(code), starts)
+    return starts
 
 
 def verdict(frame: bytes, dialect: str = "official") -> Verdict:

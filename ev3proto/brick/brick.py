@@ -1,0 +1,254 @@
+"""The virtual brick: frames in, frames out, and a clock that stands still until it is told to advance. No I/O.
+
+It is made of the machine, which executes direct commands and programs, and of the parts that operations act on. A
+direct command that waits keeps the whole brick from reading on, as on the real one: what arrives meanwhile is served
+in order when it has ended.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections import deque
+from collections.abc import Hashable
+from pathlib import Path
+from typing import NamedTuple
+
+from ev3proto.brick.clock import (
+    MOST_FRAMES,
+    MOST_OPERATIONS,
+    MOST_SECONDS,
+    OPERATIONS_PER_TURN,
+    TICK,
+    TURNS_PER_TICK,
+)
+from ev3proto.brick.machine import Machine
+from ev3proto.brick.parts import Part
+from ev3proto.brick.programs import CMD_SLOT, FAIL, OK, RUNNING, STOPPED, Program, ProgramObject
+from ev3proto.checking.verdict import Reason, verdict
+from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER, HEADER_SIZE
+from ev3proto.schema.packed import packed
+from ev3proto.tables import check_dialect, operations
+from ev3proto.tables.frame import GLOBAL_BITS, GRANTED_GLOBALS, LENGTH_FIELD, MAX_GLOBALS, MessageType
+
+_HEADER = packed(HEADER)
+_MEMORY = struct.Struct("<H")
+_OBJECT_END = operations()["OBJECT_END"].opcode.number
+
+_DIRECT = {int(member): member.wants_reply for member in MessageType if member.kind == "direct-command"}
+_SYSTEM = {int(member): member.wants_reply for member in MessageType if member.kind == "system-command"}
+
+BEHIND = bytes((_OBJECT_END,)) + bytes(8)
+"""What the firmware puts behind the operations of a direct command, and some of the zeros that follow."""
+
+LOCALS = 64
+"""Bytes of local memory that every direct command finds, however few it asks for: the most that it can ask for."""
+
+
+class Incoming(NamedTuple):
+    """A frame that waits, and the connection that it came by."""
+
+    channel: Hashable
+    frame: bytes
+
+
+class Outgoing(NamedTuple):
+    """A reply, and the connection that it goes to."""
+
+    channel: Hashable
+    frame: bytes
+
+
+class Brick:
+    """A brick that has just been switched on.
+
+    root     the folder that stands for /home/root/lms2012; None: there are no files
+    dialect  the firmware whose instruction set it has. ValueError for an unknown one.
+    """
+
+    def __init__(self, root: str | Path | None = None, *, dialect: str = "official") -> None:
+        self.dialect = check_dialect(dialect)
+        self.root = None if root is None else Path(root)
+        self.microseconds = 0
+        self.machine = Machine(self, self.dialect)
+        self.parts: list[Part] = []
+        self._global_memory = bytearray(GRANTED_GLOBALS)
+        self._waiting: deque[Incoming] = deque()
+        self._replies: list[Outgoing] = []
+        self._command: _Command | None = None
+
+    # Frames
+
+    def receive(self, frame: bytes) -> list[bytes]:
+        """Takes a frame and returns the replies that are due at once; none while a command is busy or wants none.
+
+        frame  one whole frame; bytes behind it are ignored, as those of a USB report are
+        """
+        return [reply.frame for reply in self.receive_from(None, frame)]
+
+    def advance(self, seconds: float) -> list[bytes]:
+        """Lets time pass and returns the replies that became due.
+
+        seconds  0 or more, counted in whole microseconds
+        """
+        return [reply.frame for reply in self.advance_all(seconds)]
+
+    def receive_from(self, channel: Hashable, frame: bytes) -> list[Outgoing]:
+        """The same as `receive` for a brick with several connections.
+
+        channel  names the connection; every reply says to which it goes
+        """
+        if len(self._waiting) < MOST_FRAMES:
+            self._waiting.append(Incoming(channel, bytes(frame)))
+        self._serve()
+        return self._take()
+
+    def advance_all(self, seconds: float) -> list[Outgoing]:
+        """The same as `advance` for a brick with several connections."""
+        target = self.microseconds + round(seconds * 1_000_000)
+        while self.microseconds < target:
+            # Whole ticks while anything runs, so that what is seen does not depend on how time is cut into pieces.
+            step = TICK - self.microseconds % TICK if self._is_running() else target - self.microseconds
+            self.microseconds = min(target, self.microseconds + step)
+            self._advance_parts()
+            if self.microseconds % TICK == 0 or not self._is_running():
+                self._turn_programs()
+                self._serve()
+        return self._take()
+
+    def disconnect(self, channel: Hashable) -> list[Outgoing]:
+        """Ends a connection: its waiting frames are dropped, and a command of its own that waits is ended.
+
+        Returns the replies that became due to others.
+        """
+        self._waiting = deque(waiting for waiting in self._waiting if waiting.channel != channel)
+        if self._command is not None and self._command.channel == channel:
+            self.machine.end_program(self._command.program, FAIL)
+            self._command = None
+        self._serve()
+        return self._take()
+
+    def _take(self) -> list[Outgoing]:
+        replies, self._replies = self._replies, []
+        return replies
+
+    def _serve(self) -> None:
+        """Goes on with the command under way, and with the frames that wait, until one has to wait for time."""
+        while True:
+            if self._command is not None and not self._continue():
+                return
+            if not self._waiting:
+                return
+            channel, frame = self._waiting.popleft()
+            self._take_up(channel, frame)
+
+    def _take_up(self, channel: Hashable, frame: bytes) -> None:
+        if len(frame) < HEADER_SIZE:
+            return
+        length, counter, code = _HEADER.unpack_from(frame)
+        end = length + LENGTH_FIELD
+        if end > len(frame):
+            return
+        if code in _DIRECT:
+            self._take_direct(channel, frame[:end], counter, _DIRECT[code])
+        elif code in _SYSTEM:
+            self._take_system(channel, frame[:end], counter, _SYSTEM[code])
+
+    # Direct commands
+
+    def _take_direct(self, channel: Hashable, frame: bytes, counter: int, wants_reply: bool) -> None:
+        found = verdict(frame, self.dialect)
+        if found.reason in (Reason.EMPTY, Reason.TOO_LONG, Reason.GLOBALS):
+            # The firmware never reads again after such a header; this brick answers and lives on.
+            if wants_reply:
+                self._reply(channel, counter, MessageType.DIRECT_REPLY_ERROR, b"")
+            return
+        memory = _MEMORY.unpack_from(frame, HEADER_SIZE)[0]
+        global_size = memory & MAX_GLOBALS
+        code = bytearray(frame[COMMAND_HEADER_SIZE:])
+        code += BEHIND
+        end = len(frame) - COMMAND_HEADER_SIZE
+        only = ProgramObject(1, 0, bytearray(max(LOCALS, memory >> GLOBAL_BITS)), status=RUNNING)
+        program = Program(CMD_SLOT, code, end, self._global_memory, {1: only}, started=self.microseconds)
+        command = _Command(channel, counter, wants_reply, global_size, program)
+        if not found.accepted:
+            program.status, program.result = STOPPED, FAIL
+            self._answer(command)
+            return
+        self.machine.slots[CMD_SLOT] = program
+        self._command = command
+
+    def _continue(self) -> bool:
+        """Executes the direct command under way until it ends or has to wait. Returns whether it has ended."""
+        command = self._command
+        assert command is not None
+        program = command.program
+        while program.status == RUNNING:
+            left = MOST_OPERATIONS - program.executed
+            waited = self.microseconds - program.started
+            if left <= 0 or waited >= MOST_SECONDS * 1_000_000:
+                self.machine.end_program(program, FAIL)
+                break
+            _, is_waiting = self.machine.turn(program, left)
+            if is_waiting:
+                return False
+        self._command = None
+        self._answer(command)
+        return True
+
+    def _answer(self, command: _Command) -> None:
+        if command.wants_reply:
+            is_fine = command.program.result == OK
+            kind = MessageType.DIRECT_REPLY if is_fine else MessageType.DIRECT_REPLY_ERROR
+            self._reply(command.channel, command.counter, kind, bytes(self._global_memory[: command.global_size]))
+
+    def _reply(self, channel: Hashable, counter: int, kind: MessageType, contents: bytes) -> None:
+        header = _HEADER.pack(HEADER_SIZE - LENGTH_FIELD + len(contents), counter, kind)
+        self._replies.append(Outgoing(channel, header + contents))
+
+    # System commands
+
+    def _take_system(self, channel: Hashable, frame: bytes, counter: int, wants_reply: bool) -> None:
+        """Does a system command."""
+
+    # Time and programs
+
+    def _is_running(self) -> bool:
+        return any(program is not None and program.status == RUNNING for program in self.machine.slots)
+
+    def _turn_programs(self) -> None:
+        """Gives every program but the direct command its turns of a tick."""
+        for slot, program in enumerate(self.machine.slots):
+            if program is None or slot == CMD_SLOT:
+                continue
+            for _ in range(TURNS_PER_TICK):
+                if program.status != RUNNING:
+                    break
+                self.machine.turn(program, OPERATIONS_PER_TURN)
+
+    def _advance_parts(self) -> None:
+        """Tells the parts what time it is."""
+        for part in self.parts:
+            part.advance(self.microseconds)
+
+    def program_started(self, program: Program) -> None:
+        """What happens when a program, no direct command, has been started."""
+        for part in self.parts:
+            part.program_started(program)
+
+    def program_ended(self, program: Program) -> None:
+        """What happens when a program or a direct command has ended: what it holds is freed."""
+        for number, _ in program.handles.items():
+            program.handles.remove(number)
+        if program.slot != CMD_SLOT:
+            for part in self.parts:
+                part.program_ended(program)
+
+
+class _Command(NamedTuple):
+    """The direct command under way."""
+
+    channel: Hashable
+    counter: int
+    wants_reply: bool
+    global_size: int
+    program: Program

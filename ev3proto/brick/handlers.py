@@ -1,0 +1,95 @@
+"""The register of handlers: which function does which operation. Handlers are registered by name, never by number.
+
+How to add one. Write a function in a file of `ev3proto.brick.areas` (and import a new file in that package's
+`__init__`):
+
+    @handles("STRINGS.ADD")
+    def add(vm: Machine, first: bytes, second: bytes, destination: Place) -> None:
+        vm.write_text(destination, first + second)
+
+The machine reads the parameters as the tables declare them and hands them over in their order:
+
+    an input number     DATA8, DATA16, DATA32 and handles as int, DATAF as float
+    an input text       bytes, without the zero
+    an output, an input that is an array (its declaration has a `length`), a value whose type depends on an array
+                        a `Place` to read from or write to
+    a count             the list of the places that follow it
+
+`@handles("WRITE8", places=("DESTINATION",))` asks for the place of a parameter that would be a number or a text.
+`@handles("JR", raw=True)` asks for nothing: the function reads its parameters itself (`vm.int8()`, `vm.place()`, ...).
+
+A handler raises `Busy` to be called again at the program's next turn, with its parameters read anew, and `Failure`
+to end the program (a direct command is answered with DIRECT_REPLY_ERROR). What it returns does not matter.
+
+`vm.brick` is the brick with display, inputs, files; `vm.program` the program that runs; `vm.milliseconds` the clock.
+
+An opcode whose CMD is not known does nothing, and what were its parameters is executed as operations, as the firmware
+does. Where the firmware does something else, a function registered by `@handles_unknown("FILE")` does it. An operation
+without a handler fails, as those do that the firmware's tables have and its machine has not. `coverage` lists them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+from ev3proto.tables import operations
+from ev3proto.tables.declaration import DIALECTS
+
+Function = Callable[..., Any]
+
+
+class Handler(NamedTuple):
+    """A function that does an operation.
+
+    function  called with the machine and the parameters
+    places    names of the inputs that it gets as places
+    raw       it reads its parameters itself
+    """
+
+    function: Function
+    places: frozenset[str]
+    raw: bool
+
+
+HANDLERS: dict[str, Handler] = {}
+"""By the name of the operation (`SOUND.TONE`, `UI_FLUSH`)."""
+
+UNKNOWN_COMMANDS: dict[str, Function] = {}
+"""By the name of an opcode with CMD: what it does where it does not know its CMD."""
+
+_NAMES = {name for dialect in DIALECTS for name in operations(dialect)}
+
+
+def handles(*names: str, places: tuple[str, ...] = (), raw: bool = False) -> Callable[[Function], Function]:
+    """Registers a function as the handler of one or several operations. ValueError for a name that no table has."""
+
+    def register(function: Function) -> Function:
+        for name in names:
+            if name not in _NAMES:
+                raise ValueError(f"there is no operation {name}")
+            if name in HANDLERS:
+                raise ValueError(f"{name} has a handler already")
+            HANDLERS[name] = Handler(function, frozenset(places), raw)
+        return function
+
+    return register
+
+
+def handles_unknown(*opcodes: str) -> Callable[[Function], Function]:
+    """Registers what opcodes do where they do not know their CMD; the function gets the machine only."""
+
+    def register(function: Function) -> Function:
+        for name in opcodes:
+            UNKNOWN_COMMANDS[name] = function
+        return function
+
+    return register
+
+
+def coverage(dialect: str = "official") -> Iterator[tuple[str, bool]]:
+    """Every operation of a dialect by name, and whether it has a handler. ValueError for an unknown dialect."""
+    import ev3proto.brick.areas  # noqa: F401 - registers the handlers
+
+    for name in operations(dialect):
+        yield name, name in HANDLERS

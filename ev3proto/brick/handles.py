@@ -1,0 +1,71 @@
+"""What programs hold by number: arrays and blocks of memory. Open files share the numbering (`ev3proto.brick.files`).
+
+Each program slot counts for itself and gives the lowest free number. Number 0 is the program's own memory, so the
+first array of a direct command is 1.
+"""
+
+from __future__ import annotations
+
+from typing import TypeVar
+
+from ev3proto.tables.declaration import Type
+
+HANDLES = 250
+"""Handles of one slot, the program's own memory included."""
+
+ROOM = 6_000_000
+"""Bytes that the arrays of all slots together may take. The firmware fits 5,000,000 and not 7,000,000."""
+
+
+class Array:
+    """An array: elements of one type, in one buffer that keeps its identity when it is resized.
+
+    type  DATA8, DATA16, DATA32 or DATAF
+    data  its contents
+    """
+
+    def __init__(self, type: Type, elements: int) -> None:
+        self.type = type
+        self.data = bytearray(elements * type.size)
+
+    @property
+    def elements(self) -> int:
+        """How many elements it has."""
+        return len(self.data) // self.type.size
+
+
+Entry = TypeVar("Entry")
+
+
+class HandleTable:
+    """The handles of one slot."""
+
+    def __init__(self) -> None:
+        self._entries: dict[int, object] = {}
+
+    def add(self, entry: object) -> int | None:
+        """The lowest free number, which names the entry from now on; None when there is none left."""
+        number = 1
+        while number in self._entries:
+            number += 1
+        if number >= HANDLES:
+            return None
+        self._entries[number] = entry
+        return number
+
+    def get(self, number: int, kind: type[Entry]) -> Entry | None:
+        """What a number names, if it is of that kind."""
+        entry = self._entries.get(number)
+        return entry if isinstance(entry, kind) else None
+
+    def remove(self, number: int) -> object | None:
+        """Frees a number and returns what it named; None when it named nothing."""
+        return self._entries.pop(number, None)
+
+    def entries(self) -> list[object]:
+        """All that is held."""
+        return list(self._entries.values())
+
+    def items(self) -> list[tuple[int, object]]:
+        """All that is held, with its number, in the order of the numbers."""
+        return sorted(self._entries.items())

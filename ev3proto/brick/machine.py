@@ -1,0 +1,323 @@
+"""The machine that executes byte code: it reads parameters, finds the handlers and gives every object its turns.
+
+The parameters are read as the firmware reads them, while the operation is executed: a variable's bounds are those of
+the memory that is there, an array can stand for its first element, a number is cut to the parameter's type.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.brick.dispatch import Family, dispatch_table
+from ev3proto.brick.handles import ROOM, Array
+from ev3proto.brick.memory import Place
+from ev3proto.brick.outcomes import Busy, Failure, Leave, Sleep, WildAccess
+from ev3proto.brick.programs import FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
+from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
+from ev3proto.tables.declaration import Type
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
+
+if TYPE_CHECKING:
+    from ev3proto.brick.brick import Brick
+
+_SHORT_CONSTANT, _SHORT_LOCAL, _SHORT_GLOBAL, _LONG = range(4)
+
+_SCRATCH = 8
+"""Bytes of the one place where every constant stands while it is looked at as memory; zeros follow it."""
+
+
+def _short_forms() -> tuple[tuple[int, int], ...]:
+    """By identification byte: what kind of short form it is, and its value; `_LONG` for all others."""
+    kinds = {CONSTANT: _SHORT_CONSTANT, LOCAL: _SHORT_LOCAL, GLOBAL: _SHORT_GLOBAL}
+    return tuple(
+        (_LONG, 0) if encoding is None or value is None else (kinds[encoding.kind], value)
+        for encoding, value in zip(ENCODINGS, SHORT_VALUES, strict=True)
+    )
+
+
+_SHORT = _short_forms()
+
+
+class Machine:
+    """The machine with its five slots.
+
+    brick     what it is part of
+    slots     the programs, by slot; None where there has been none
+    program   the one that runs at this moment, `object` its object that does
+    code, ip  its code, and the offset of what is read next
+    global_memory, local_memory  its variables
+    """
+
+    program: Program
+    object: ProgramObject
+
+    def __init__(self, brick: Brick, dialect: str) -> None:
+        self.brick = brick
+        self.slots: list[Program | None] = [None] * SLOTS
+        self.code = bytearray()
+        self.ip = 0
+        self.global_memory = bytearray()
+        self.local_memory = bytearray()
+        self._scratch = bytearray(_SCRATCH)
+        self._dispatch = dispatch_table(dialect)
+
+    # The clock
+
+    @property
+    def microseconds(self) -> int:
+        """Since the brick was switched on."""
+        return self.brick.microseconds
+
+    @property
+    def milliseconds(self) -> int:
+        """Since the brick was switched on."""
+        return self.brick.microseconds // 1000
+
+    # Turns
+
+    def turn(self, program: Program, most: int) -> tuple[int, bool]:
+        """Gives the next object of a program its turn.
+
+        program  one that runs
+        most     operations in this turn
+
+        Returns how many were executed, and whether the object waits for something.
+        """
+        entry = program.next_object()
+        if entry is None:
+            self.end_program(program, OK)
+            return 0, False
+        program.current = entry
+        self.program, self.object = program, entry
+        self.code, self.ip = program.code, entry.ip
+        self.global_memory, self.local_memory = program.global_memory, entry.local_memory
+        left = most
+        begin = self.ip
+        code, dispatch = self.code, self._dispatch
+        is_waiting = False
+        try:
+            while left > 0:
+                left -= 1
+                begin = self.ip
+                found = dispatch[code[begin]]
+                self.ip = begin + 1
+                if found is None:
+                    raise Failure
+                if isinstance(found, Family):
+                    entries, unknown = found
+                    command = entries.get(self.int8())
+                    if command is None:
+                        if unknown is not None:
+                            unknown(self)
+                        continue
+                    found = command
+                function, readers = found
+                if readers is None:
+                    function(self)
+                else:
+                    function(self, *[read(self) for read in readers])
+            entry.ip = self.ip
+        except Sleep:
+            entry.ip = self.ip
+        except Busy:
+            entry.ip = begin
+            is_waiting = True
+        except Leave:
+            pass
+        except (Failure, IndexError, ValueError):
+            # Reading code beyond its end makes an IndexError, a text in it that never ends a ValueError.
+            self.end_program(program, FAIL)
+        executed = most - left
+        program.executed += executed
+        return executed, is_waiting
+
+    def fail(self) -> None:
+        """Ends the running program: the operation failed."""
+        raise Failure
+
+    def wait(self) -> None:
+        """Has the operation executed again at the program's next turn."""
+        raise Busy
+
+    def end_program(self, program: Program, result: int) -> None:
+        """Stops a program and frees what it holds."""
+        if program.status == STOPPED:
+            return
+        program.status = STOPPED
+        program.result = result
+        for entry in program.objects.values():
+            entry.status = STOPPED
+        self.brick.program_ended(program)
+
+    def jump(self, distance: int) -> None:
+        """Goes on so many bytes behind what was read last. WildAccess beyond the code."""
+        target = self.ip + distance
+        if not 0 <= target <= self.program.end:
+            raise WildAccess
+        self.ip = target
+
+    # Parameters
+
+    def int8(self) -> int:
+        """Reads a parameter of type DATA8."""
+        kind, value = _SHORT[self.code[self.ip]]
+        if kind == _SHORT_CONSTANT:
+            self.ip += 1
+            return value
+        return self.place().read8()
+
+    def int16(self) -> int:
+        """Reads a parameter of type DATA16, or a handle."""
+        kind, value = _SHORT[self.code[self.ip]]
+        if kind == _SHORT_CONSTANT:
+            self.ip += 1
+            return value
+        return self.place().read16()
+
+    def int32(self) -> int:
+        """Reads a parameter of type DATA32."""
+        kind, value = _SHORT[self.code[self.ip]]
+        if kind == _SHORT_CONSTANT:
+            self.ip += 1
+            return value
+        return self.place().read32()
+
+    def float32(self) -> float:
+        """Reads a parameter of type DATAF."""
+        return self.place().read_float()
+
+    def float_bits(self) -> int:
+        """Reads the four bytes of a parameter of type DATAF, as a number without sign."""
+        return self.place().read_bits()
+
+    def text(self) -> bytes:
+        """Reads a parameter that is a text, without its zero."""
+        return self.place().read_text()
+
+    def places(self) -> list[Place]:
+        """Reads a count and so many parameters behind it; none for a negative count."""
+        return [self.place() for _ in range(self.int8())]
+
+    def place(self) -> Place:
+        """Reads a parameter of any type: the place where its value stands.
+
+        Every constant number stands in one and the same place until the next is read, as in the firmware.
+        """
+        ip = self.ip
+        kind, value = _SHORT[self.code[ip]]
+        if kind == _LONG:
+            return self._long_place(ip)
+        self.ip = ip + 1
+        if kind == _SHORT_GLOBAL:
+            return Place(self.global_memory, value)
+        if kind == _SHORT_LOCAL:
+            return Place(self.local_memory, value)
+        return self._constant(value)
+
+    def _constant(self, value: int) -> Place:
+        self._scratch[:4] = (value & 0xFFFFFFFF).to_bytes(4, "little")
+        return Place(self._scratch, 0)
+
+    def _long_place(self, ip: int) -> Place:
+        code = self.code
+        encoding = ENCODINGS[code[ip]]
+        if encoding is None:
+            # A width that is not defined takes no byte; the firmware leaves the value to chance.
+            self.ip = ip + 1
+            return self._constant(0)
+        if encoding.kind == TEXT:
+            place = Place(code, ip + 1)
+            self.ip = code.index(0, ip + 1) + 1
+        else:
+            begin = ip + 1
+            self.ip = end = begin + (encoding.width or 0)
+            if end > len(code):
+                raise WildAccess
+            number = code[begin:end]
+            if encoding.kind == LOCAL:
+                place = Place(self.local_memory, int.from_bytes(number, "little"))
+            elif encoding.kind == GLOBAL:
+                place = Place(self.global_memory, int.from_bytes(number, "little"))
+            elif encoding.kind == JUMP:
+                return self._constant(self._label(int.from_bytes(number, "little", signed=True)))
+            else:
+                place = self._constant(int.from_bytes(number, "little", signed=True))
+        if encoding.handle:
+            return self._element(place)
+        if encoding.address:
+            # An address of the real brick's memory means nothing here.
+            raise WildAccess
+        return place
+
+    def _element(self, place: Place) -> Place:
+        """The first element of the array whose handle stands at a place; that place itself where there is none."""
+        handle = place.read16()
+        array = self.program.handles.get(handle, Array)
+        return Place(place.buffer, place.at, handle) if array is None else Place(array.data, 0, handle)
+
+    def _label(self, number: int) -> int:
+        """How far a label is from here. Label 0 is the number 0. WildAccess for one that is nowhere set."""
+        if number == 0:
+            return 0
+        offset = self.program.label(number)
+        if offset is None:
+            raise WildAccess
+        return offset - self.ip
+
+    # Results
+
+    def write_text(self, destination: Place, text: bytes, room: int | None = None) -> None:
+        """Writes a text and its zero; an array that was named by its handle is resized first.
+
+        room  elements that the array gets; None: what the text needs
+        """
+        if self.resize(destination, len(text) + 1 if room is None else room):
+            destination.write_text(text)
+
+    def write_limited(self, destination: Place, text: bytes, length: int) -> None:
+        """Writes a text cut to `length` with its zero: 0 writes nothing, a negative length does not cut.
+
+        An array gets `length` elements, or fewer where the text needs fewer, or what it needs where it is -1.
+        """
+        needed = len(text) + 1
+        if destination.handle >= 0:
+            if length > needed or length == -1:
+                length = needed
+            if not self.resize(destination, length):
+                return
+        if length > 0:
+            destination.write_text(text[: length - 1])
+        elif length < 0:
+            destination.write_text(text)
+
+    def resize(self, destination: Place, elements: int) -> bool:
+        """Resizes the array that a parameter named by its handle; nothing for other places.
+
+        Returns whether there is a place to write to.
+        """
+        if destination.handle < 0:
+            return True
+        array = self.program.handles.get(destination.handle, Array)
+        return array is not None and self.resize_array(array, elements)
+
+    def resize_array(self, array: Array, elements: int) -> bool:
+        """Gives an array so many elements, new ones are zeros. False when there is no memory."""
+        size = elements * array.type.size
+        if size < 0 or not self.has_room(size - len(array.data)):
+            return False
+        if size < len(array.data):
+            del array.data[size:]
+        else:
+            array.data.extend(bytes(size - len(array.data)))
+        return True
+
+    def create_array(self, type: Type, elements: int) -> int | None:
+        """A new array's handle; None when there is no memory or no handle left."""
+        if not self.has_room(elements * type.size):
+            return None
+        return self.program.handles.add(Array(type, elements))
+
+    def has_room(self, more: int) -> bool:
+        """Whether arrays may take so many bytes more."""
+        held = (entry for program in self.slots if program is not None for entry in program.handles.entries())
+        return more <= 0 or sum(len(entry.data) for entry in held if isinstance(entry, Array)) + more <= ROOM

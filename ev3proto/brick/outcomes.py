@@ -1,0 +1,25 @@
+"""How an operation can end other than by going on to the next one. Handlers raise these; the machine catches them."""
+
+
+class Outcome(Exception):  # noqa: N818 - none of them is an error of ours
+    """What ends an operation before the next one follows."""
+
+
+class Failure(Outcome):
+    """The operation failed: its program stops, a direct command is answered with DIRECT_REPLY_ERROR."""
+
+
+class WildAccess(Failure):
+    """Memory that no program owns. The firmware would read or write something else; here the operation fails."""
+
+
+class Busy(Outcome):
+    """The operation has to wait: it is executed again, parameters and all, when the program has its next turn."""
+
+
+class Leave(Outcome):
+    """The running object is left: it has ended, called another one, or its program was stopped."""
+
+
+class Sleep(Outcome):
+    """The rest of the turn is given away; the next operation follows at the next one."""

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from support.cli import run_ev3proto_text
 
 ROOT = Path(__file__).parent.parent
 LESSON = ROOT / "captures" / "lesson-02.log"
@@ -18,17 +19,8 @@ TONE = "0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|"
 TONE_BYTES = "0e002a0080000094010182b80182e803"
 
 
-def run(*words: str, stdin: str = "", env: dict[str, str] | None = None) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "ev3proto", *words],
-        input=stdin,
-        capture_output=True,
-        text=True,
-        check=False,
-        cwd=ROOT,
-        env={**os.environ, **(env or {})},
-        timeout=60,
-    )
+def run(*words: str, stdin: str = "") -> subprocess.CompletedProcess[str]:
+    return run_ev3proto_text(*words, stdin=stdin)
 
 
 FORMS = [

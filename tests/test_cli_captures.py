@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support.cli import run_ev3proto
 from support.packets import RAW_IP, Capture, Connection
 
 ROOT = Path(__file__).parent.parent
@@ -28,9 +29,7 @@ VOLTS = bytes.fromhex("0700010002a470fd40")
 
 
 def run(*words: str, stdin: bytes = b"") -> subprocess.CompletedProcess[bytes]:
-    return subprocess.run(
-        [sys.executable, "-m", "ev3proto", *words], input=stdin, capture_output=True, check=False, cwd=ROOT, timeout=60
-    )
+    return run_ev3proto(*words, stdin=stdin)
 
 
 def entries(*words: str, stdin: bytes = b"") -> list[dict[str, Any]]:

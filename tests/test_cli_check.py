@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
+from support.cli import run_ev3proto_text
 from support.packets import RAW_IP, Capture, Connection
 
 ROOT = Path(__file__).parent.parent
@@ -22,17 +21,7 @@ VOLTS = "0700010002a470fd40"
 
 
 def run(*words: str, stdin: bytes | str = b"") -> subprocess.CompletedProcess[str]:
-    done = subprocess.run(
-        [sys.executable, "-m", "ev3proto", "check", *words],
-        input=stdin.encode() if isinstance(stdin, str) else stdin,
-        capture_output=True,
-        check=False,
-        cwd=ROOT,
-        env={key: value for key, value in os.environ.items() if key != "FORCE_COLOR"},
-        timeout=60,
-    )
-    assert b"Traceback" not in done.stderr
-    return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
+    return run_ev3proto_text("check", *words, stdin=stdin)
 
 
 def entries(*words: str, stdin: bytes | str = b"") -> list[dict[str, Any]]:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 import shlex
 import subprocess
-import sys
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from support.cli import run_ev3proto
 from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.generate.dissector.build import build
@@ -74,9 +74,7 @@ def parameters() -> Iterator[tuple[str, Parameter]]:
 
 
 def run(*words: str) -> subprocess.CompletedProcess[bytes]:
-    return subprocess.run(
-        [sys.executable, "-m", "ev3proto", "dissector", "build", *words], capture_output=True, cwd=ROOT, check=False
-    )
+    return run_ev3proto("dissector", "build", *words)
 
 
 def test_the_file_is_up_to_date() -> None:

@@ -10,13 +10,13 @@ import os
 import re
 import shlex
 import subprocess
-import sys
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from support.cli import run_ev3proto_text
 from support.wireshark import Tshark
 
 from ev3proto.generate.dissector import profile
@@ -30,15 +30,8 @@ ELSEWHERE = "it looks for Lua plugins elsewhere, or was built without Lua: see H
 
 
 def run(*words: str, path: str | None = None, **variables: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "ev3proto", "dissector", "install", *words],
-        capture_output=True,
-        text=True,
-        cwd=ROOT,
-        env={**os.environ, "PATH": os.environ["PATH"] if path is None else path, **variables},
-        check=False,
-        timeout=120,
-    )
+    env = {**os.environ, "PATH": os.environ["PATH"] if path is None else path, **variables}
+    return run_ev3proto_text("dissector", "install", *words, env=env)
 
 
 def tree(folder: Path) -> list[str]:

@@ -6,13 +6,13 @@ import json
 import os
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 from click.testing import CliRunner, Result
 from hypothesis import given
+from support.cli import run_ev3proto
 
 from ev3proto import direct_reply, parse
 from ev3proto.cli.encode import encode
@@ -41,11 +41,8 @@ def run(*words: str) -> Result:
 
 
 def pipe(program: str, *words: str, stdin: bytes = b"") -> subprocess.CompletedProcess[bytes]:
-    """A subcommand in a process of its own."""
-    call = f"from ev3proto.cli.{program} import {program}; {program}(prog_name='ev3proto {program}')"
-    return subprocess.run(
-        [sys.executable, "-c", call, *words], input=stdin, capture_output=True, check=False, cwd=ROOT, timeout=60
-    )
+    """A subcommand that reads standard input."""
+    return run_ev3proto(program, *words, stdin=stdin)
 
 
 # What it writes

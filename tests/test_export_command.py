@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import subprocess
-import sys
 from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from support.cli import run_ev3proto
 
 from ev3proto import capture
 from ev3proto.capture import Carrier, Record
@@ -32,14 +32,7 @@ FILES = {
 
 
 def run(*words: str, stdin: bytes = b"") -> subprocess.CompletedProcess[bytes]:
-    return subprocess.run(
-        [sys.executable, "-m", "ev3proto", "export", *words],
-        input=stdin,
-        capture_output=True,
-        cwd=ROOT,
-        timeout=60,
-        check=False,
-    )
+    return run_ev3proto("export", *words, stdin=stdin)
 
 
 def frames(path: Path) -> list[str]:

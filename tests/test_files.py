@@ -6,13 +6,13 @@ import hashlib
 import json
 import os
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
+from support.cli import run_ev3proto_text
 
 import ev3proto
 from ev3proto import SystemStatus
@@ -443,8 +443,7 @@ def test_the_bytes_that_were_moved(tmp_path: Path, name: str, expected: dict[str
 
 
 def run(*words: str | Path) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "ev3proto", "files", *map(str, words)]
-    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    return run_ev3proto_text("files", *words)
 
 
 def test_a_list_of_the_files() -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 from hypothesis import strategies as st
+from support.cli import run_ev3proto_text
 
 import ev3proto
 from ev3proto import DaisyCommand, DirectCommand, MessageType, SystemCommand, SystemReply
@@ -187,15 +188,7 @@ def test_every_form_is_the_same_frames() -> None:
 
 def test_decode_reads_them() -> None:
     text = run("-n", "50", "--seed", "9").stdout
-    done = subprocess.run(
-        [sys.executable, "-m", "ev3proto", "decode", "--json"],
-        input=text,
-        capture_output=True,
-        text=True,
-        check=False,
-        cwd=ROOT,
-        timeout=60,
-    )
+    done = run_ev3proto_text("decode", "--json", stdin=text)
     assert (done.returncode, done.stderr) == (0, "")
     assert [json.loads(line)["hex"] for line in done.stdout.splitlines()] == [
         frame_of(line).hex() for line in text.splitlines()

@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 import random
 import subprocess
-import sys
 from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.cli import run_ev3proto_text
 
 import ev3proto
 from ev3proto import GV
@@ -289,8 +289,7 @@ def test_frames_and_everything_else_are_what_was_captured(name: str) -> None:
 
 
 def run(*words: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "ev3proto", "stats", *words]
-    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    return run_ev3proto_text("stats", *words)
 
 
 def test_the_tables_of_a_capture() -> None:

@@ -1,0 +1,285 @@
+"""The pixels of the display and the shapes drawn on them: lines, rectangles, circles, fills, cells of given pixels.
+
+A row is one integer of 178 bits, the leftmost pixel the highest: a rectangle is one mask ORed into some rows. What is
+drawn is what the firmware draws, pixel for pixel, its rounding and its 16-bit coordinates included. Coordinates may
+lie outside the display; pixels outside are left out. Colour 0 clears pixels, any other sets them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+WIDTH = 178
+HEIGHT = 128
+ROW_BYTES = 23
+"""Bytes of a row in the frame buffer: 184 bits, of which the last 6 are padding."""
+
+FULL = (1 << WIDTH) - 1
+"""A row whose pixels are all set."""
+
+_PADDING = ROW_BYTES * 8 - WIDTH
+_LEFT = 1 << (WIDTH - 1)
+_LONGEST_WALK = 1 << 17
+"""Steps after which a line ends whose 16-bit error sum overflowed; it would never end on a brick."""
+
+REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
+"""A byte with its bits turned round: the firmware's pictures and frame buffer have the leftmost pixel lowest."""
+
+
+def wrap16(value: int) -> int:
+    """A number as the firmware's DATA16 keeps it."""
+    return (value + 0x8000 & 0xFFFF) - 0x8000
+
+
+def span(left: int, right: int) -> int:
+    """The mask of the pixels from column `left` up to, not including, column `right`."""
+    left, right = max(left, 0), min(right, WIDTH)
+    return ((1 << right - left) - 1) << (WIDTH - right) if left < right else 0
+
+
+class Canvas:
+    """178 x 128 pixels, (0, 0) at the top left; all of them clear at first."""
+
+    __slots__ = ("rows",)
+
+    def __init__(self) -> None:
+        self.rows = [0] * HEIGHT
+
+    def copy(self) -> Canvas:
+        """Another canvas with the same pixels."""
+        other = Canvas()
+        other.rows[:] = self.rows
+        return other
+
+    def to_bytes(self) -> list[bytes]:
+        """The rows, 23 bytes each: leftmost pixel the highest bit, padding 0."""
+        return [(row << _PADDING).to_bytes(ROW_BYTES, "big") for row in self.rows]
+
+    # Single pixels and masks
+
+    def pixel(self, color: int, x: int, y: int) -> None:
+        """One pixel."""
+        if 0 <= x < WIDTH and 0 <= y < HEIGHT:
+            if color:
+                self.rows[y] |= _LEFT >> x
+            else:
+                self.rows[y] &= ~(_LEFT >> x)
+
+    def _paint(self, color: int, mask: int, top: int, bottom: int) -> None:
+        """The same pixels of all rows from `top` up to, not including, `bottom`."""
+        rows = self.rows
+        if color:
+            for y in range(max(top, 0), min(bottom, HEIGHT)):
+                rows[y] |= mask
+        else:
+            mask ^= FULL
+            for y in range(max(top, 0), min(bottom, HEIGHT)):
+                rows[y] &= mask
+
+    # Lines
+
+    def line(self, color: int, x0: int, y0: int, x1: int, y1: int) -> None:
+        """A straight line, both ends included."""
+        if y0 == y1 and abs(x1 - x0) < 0x4000:
+            self._paint(color, span(min(x0, x1), max(x0, x1) + 1), y0, y0 + 1)
+        elif x0 == x1 and abs(y1 - y0) < 0x4000:
+            self._paint(color, span(x0, x0 + 1), min(y0, y1), max(y0, y1) + 1)
+        else:
+            for x, y in _walk(x0, y0, x1, y1):
+                self.pixel(color, x, y)
+
+    def dotline(self, color: int, x0: int, y0: int, x1: int, y1: int, on: int, off: int) -> None:
+        """A dotted line, horizontal or vertical; an oblique one has no dots.
+
+        Args:
+            color: of the dots; the pixels between them get the opposite one.
+            x0: column of the start.
+            y0: row of the start.
+            x1: column of the end.
+            y1: row of the end.
+            on: pixels of a dot.
+            off: pixels between two dots.
+        """
+        if x0 != x1 and y0 != y1:
+            self.line(color, x0, y0, x1, y1)
+            return
+        pixels = _walk(x0, y0, x1, y1)
+        self.pixel(color, *next(pixels))
+        count = 1
+        for x, y in pixels:
+            if count < on:
+                self.pixel(color, x, y)
+            elif count < on + off:
+                self.pixel(1 - color, x, y)
+            count += 1
+            if count >= on + off:
+                count = 0
+
+    # Rectangles
+
+    def rect(self, color: int, x: int, y: int, width: int, height: int) -> None:
+        """The outline of a rectangle: four lines."""
+        right, bottom = wrap16(x + width - 1), wrap16(y + height - 1)
+        self.line(color, x, y, right, y)
+        self.line(color, right, y, right, bottom)
+        self.line(color, x, bottom, right, bottom)
+        self.line(color, x, y, x, bottom)
+
+    def fillrect(self, color: int, x: int, y: int, width: int, height: int) -> None:
+        """A filled rectangle; nothing where width or height is not positive."""
+        self._paint(color, span(x, wrap16(x + width)), y, wrap16(y + height))
+
+    def inverserect(self, x: int, y: int, width: int, height: int) -> None:
+        """Turns the pixels of a rectangle over."""
+        mask = span(x, wrap16(x + width))
+        for row in range(max(y, 0), min(wrap16(y + height), HEIGHT)):
+            self.rows[row] ^= mask
+
+    def vertbar(self, color: int, x: int, y: int, width: int, height: int, least: int, most: int, actual: int) -> None:
+        """A scroll bar: an outline with a knob that shows where `actual` lies between `least` and `most`."""
+        items = wrap16(most - least)
+        actual = min(max(actual, least), most)
+        shape = _KNOBS.get(width)
+        knob = len(shape) if shape else _divide(height, items) if items > 0 else 7
+        self.rect(color, x, y, width, height)
+        top = y
+        if items > 1 and actual > 0:
+            top += _divide((height - knob) * (actual - 1), items - 1)
+        if shape is None:
+            self.fillrect(color, x, top, width, knob)
+            return
+        for row, columns in enumerate(shape):
+            for column in columns:
+                self.pixel(color, x + column, top + row)
+
+    # Circles
+
+    def circle(self, color: int, x: int, y: int, radius: int) -> None:
+        """A circle's outline; nothing where the radius is 0."""
+        for dx, dy in _octant(radius):
+            for across, down in ((dx, dy), (dy, dx)):
+                for row in (y + down, y - down):
+                    self.pixel(color, x + across, row)
+                    self.pixel(color, x - across, row)
+
+    def fillcircle(self, color: int, x: int, y: int, radius: int) -> None:
+        """A filled circle; nothing where the radius is 0."""
+        for dx, dy in _octant(radius):
+            for across, down in ((dx, dy), (dy, dx)):
+                for row in (y + down, y - down):
+                    self.line(color, x - across, row, x + across, row)
+
+    # Areas
+
+    def clean(self) -> None:
+        """Clears everything."""
+        self.rows = [0] * HEIGHT
+
+    def fillwindow(self, color: int, y: int, height: int) -> None:
+        """Fills whole rows.
+
+        Args:
+            color: 0 clears, 1 sets; any other is the bit pattern of eight pixels, the lowest bit the leftmost, turned
+                over from row to row.
+            y: first row.
+            height: number of rows, 0: all down to the bottom. With a pattern it is the row after the last.
+        """
+        if y + height >= HEIGHT:
+            return
+        if color in (0, 1):
+            self._paint(color, FULL, y, y + height if height else HEIGHT)
+            return
+        pattern = REVERSED[color & 0xFF]
+        row = int.from_bytes(bytes([pattern]) * ROW_BYTES, "big") >> _PADDING
+        for index in range(y, height or HEIGHT):
+            if 0 <= index < HEIGHT:
+                self.rows[index] = row
+            row ^= FULL
+
+    def scroll(self, rows: int) -> None:
+        """Moves the picture up; what comes in at the bottom is clear. Only for 1 to 127 rows."""
+        if 0 < rows < HEIGHT:
+            self.rows = self.rows[rows:] + [0] * rows
+
+    # Opaque cells: characters, icons, pictures
+
+    def cell(self, x: int, y: int, width: int, cell_rows: list[int]) -> None:
+        """Draws a cell of given pixels over what is there, clipped at the edges.
+
+        Args:
+            x: left column.
+            y: top row.
+            width: pixels in a row of the cell.
+            cell_rows: the rows, an integer each, the leftmost pixel the highest of `width` bits.
+        """
+        shift = WIDTH - width - x
+        mask = span(x, x + width)
+        for index, row in enumerate(cell_rows, y):
+            if 0 <= index < HEIGHT:
+                pixels = row << shift if shift >= 0 else row >> -shift
+                self.rows[index] = self.rows[index] & ~mask | pixels & mask
+
+    def byte_cell(self, x: int, y: int, width: int, cell_rows: list[int]) -> None:
+        """Draws a cell that lies on whole bytes, as the firmware does: byte by byte, without a look at left and right.
+
+        What lies left of the display lands at the right end of the row above, and the other way round.
+
+        Args:
+            x: left column, a multiple of 8.
+            y: top row.
+            width: pixels in a row of the cell, a multiple of 8.
+            cell_rows: the rows, an integer each, the leftmost pixel the highest of `width` bits.
+        """
+        if x >= 0 and x + width <= WIDTH:
+            self.cell(x, y, width, cell_rows)
+            return
+        for first in range(0, width, 8):
+            down, column = divmod(x + first, ROW_BYTES * 8)
+            part = [row >> (width - 8 - first) & 0xFF for row in cell_rows[: max(HEIGHT - y, 0)]]
+            self.cell(column, y + down, 8, part)
+
+
+_KNOBS = {
+    5: ((1, 2, 3), (1, 3), (2,), (1, 3), (2,), (1, 3), (1, 2, 3)),
+    6: ((2, 3), (1, 4), (), (2, 3), (), (2, 3), (), (1, 4), (2, 3)),
+}
+"""Knobs of scroll bars by the bar's width: the columns that are drawn, row by row."""
+
+
+def _divide(dividend: int, divisor: int) -> int:
+    """A quotient cut toward zero, as in C."""
+    quotient = abs(dividend) // abs(divisor)
+    return quotient if (dividend < 0) == (divisor < 0) else -quotient
+
+
+def _walk(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
+    """The pixels of a line from one end to the other, with the firmware's 16-bit error sum."""
+    dx, dy = wrap16(abs(x1 - x0)), wrap16(abs(y1 - y0))
+    step_x, step_y = 1 if x0 < x1 else -1, 1 if y0 < y1 else -1
+    error = wrap16(dx - dy)
+    yield x0, y0
+    for _ in range(_LONGEST_WALK):
+        if x0 == x1 and y0 == y1:
+            return
+        twice = wrap16(error * 2)
+        if twice > -dy:
+            error, x0 = wrap16(error - dy), wrap16(x0 + step_x)
+        if twice < dx:
+            error, y0 = wrap16(error + dx), wrap16(y0 + step_y)
+        yield x0, y0
+
+
+def _octant(radius: int) -> Iterator[tuple[int, int]]:
+    """One eighth of a circle, from straight below the centre to the diagonal: distances across and down."""
+    if not radius:
+        return
+    x, y, p = 0, radius, 3 - 2 * radius
+    while x < y:
+        yield x, y
+        if p < 0:
+            p += 4 * x + 6
+        else:
+            p += 4 * (x - y) + 10
+            y -= 1
+        x += 1
+    yield x, y

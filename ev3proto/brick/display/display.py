@@ -1,0 +1,214 @@
+"""The display as operations see it: a canvas to draw on, what of it is shown, the selected font, saved pictures.
+
+Shapes are drawn by the canvas. Here are the things that need letters and icons, and those that concern the display as a
+whole: showing, saving, the line at the top.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from ev3proto.brick.display.canvas import WIDTH, Canvas
+from ev3proto.brick.display.fonts import FONTS, Font
+from ev3proto.brick.display.icons import ICONS
+from ev3proto.brick.display.pictures import Picture
+from ev3proto.tables.enumerations import FONTTYPE, ICONTYPE, S_ICON_NO
+
+NORMAL, SMALL, LARGE = (FONTTYPE.members[name] for name in ("NORMAL_FONT", "SMALL_FONT", "LARGE_FONT"))
+STORE_LEVELS = 3
+"""Pictures that STORE can save."""
+
+TOP_LINE_PERIOD = 0.4
+"""Seconds between two redraws of the line at the top while it is on."""
+
+_TOP_LINE_HEIGHT = 10
+_NAME_LENGTH = 12
+_SMALL_ICONS = ICONTYPE.members["SMALL_ICON"]
+_BATTERY_ICONS = tuple(S_ICON_NO.members[f"SICON_BATT_{level}"] for level in range(5))
+_BATTERY_X = 160
+
+
+@dataclass
+class TopLine:
+    """What the line at the top of the display says."""
+
+    on: bool = False
+    name: bytes = b"EV3"
+    battery: int = 100
+    """Charge in percent."""
+    radios: tuple[int, ...] = ()
+    """Small icons shown from the left: the states of Bluetooth, WiFi and USB."""
+
+
+class Display:
+    """The display of a brick that was just switched on: everything is clear."""
+
+    def __init__(self) -> None:
+        self.canvas = Canvas()
+        self.font = NORMAL
+        self.top_line = TopLine()
+        self._shown = self.canvas.to_bytes()
+        self._stored = [Canvas() for _ in range(STORE_LEVELS)]
+
+    @property
+    def rows(self) -> list[bytes]:
+        """What is shown: 128 rows of 23 bytes, the leftmost pixel the highest bit, padding bits 0."""
+        return list(self._shown)
+
+    # The display as a whole
+
+    def update(self) -> None:
+        """Shows the canvas, the line at the top redrawn if it is on; selects the normal font."""
+        self.font = NORMAL
+        if self.top_line.on:
+            self._draw_top_line()
+        self._shown = self.canvas.to_bytes()
+
+    def refresh_top_line(self) -> None:
+        """What the firmware does by itself every 0.4 s: redraws the line at the top and shows the canvas."""
+        if self.top_line.on:
+            self._draw_top_line()
+            self._shown = self.canvas.to_bytes()
+
+    def clean(self) -> None:
+        """Clears the canvas and selects the normal font."""
+        self.font = NORMAL
+        self.canvas.clean()
+
+    def fillwindow(self, color: int, y: int, height: int) -> None:
+        """Fills whole rows of the canvas, see Canvas.fillwindow, and selects the normal font."""
+        self.font = NORMAL
+        self.canvas.fillwindow(color, y, height)
+
+    def select_font(self, font: int) -> None:
+        """Selects a font by its number, clamped to those there are."""
+        self.font = min(max(font, min(FONTS)), max(FONTS))
+
+    def store(self, level: int) -> None:
+        """Saves the canvas; levels other than 0 to 2 are ignored."""
+        if 0 <= level < STORE_LEVELS:
+            self._stored[level] = self.canvas.copy()
+
+    def restore(self, level: int) -> None:
+        """Brings a saved canvas back; levels other than 0 to 2 are ignored."""
+        if 0 <= level < STORE_LEVELS:
+            self.canvas = self._stored[level].copy()
+
+    # Text
+
+    def text(self, color: int, x: int, y: int, text: bytes, font: int | None = None) -> None:
+        """Draws characters one after the other, as far as the display is wide.
+
+        Args:
+            color: 0 draws clear letters on set cells, any other set letters on clear cells.
+            x: left column of the first cell.
+            y: top row of the cells.
+            text: the characters; those without a glyph leave a gap.
+            font: the font's number; the selected one by default.
+        """
+        letters = FONTS[self.font if font is None else font]
+        for character in text:
+            if x >= WIDTH - letters.width:
+                return
+            self._character(color, x, y, letters, character)
+            x += letters.width
+
+    def _character(self, color: int, x: int, y: int, letters: Font, character: int) -> None:
+        glyph = letters.glyph(character)
+        if glyph is None:
+            return
+        solid = (1 << letters.width) - 1
+        rows = list(glyph) if color else [row ^ solid for row in glyph]
+        if x % 8 == 0 and letters.width % 8 == 0:
+            self.canvas.byte_cell(x, y, letters.width, rows)
+        else:
+            self.canvas.cell(x, y, letters.width, rows)
+
+    def value(self, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
+        """Draws a number at most `figures` characters long, a minus sign not counted; NaN as dashes.
+
+        Args:
+            color: as for text.
+            x: left column.
+            y: top row.
+            number: what to draw.
+            figures: the width in characters, right-justified; negative: left-justified.
+            decimals: digits after the point.
+        """
+        if math.isnan(number):
+            self.text(color, x, y, b"-" * figures)
+            return
+        digits = format_fixed(number, max(figures, 0), decimals)
+        self.text(color, x, y, digits[: abs(figures) + digits.startswith(b"-")])
+
+    def view_value(self, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
+        """Draws a number centred in `figures` cells, its sign as a line before them, in the selected font."""
+        self._view(self.font, color, x, y, number, figures, decimals, centred=True)
+
+    def view_unit(self, color: int, x: int, y: int, number: float, figures: int, decimals: int, unit: bytes) -> None:
+        """Draws a number in the large font with its unit in small letters behind it."""
+        cells = self._view(LARGE, color, x, y, number, figures, decimals, centred=False)
+        if cells is not None:
+            self.text(color, x + FONTS[LARGE].width * cells, y, unit, SMALL)
+
+    def _view(
+        self, font: int, color: int, x: int, y: int, number: float, figures: int, decimals: int, *, centred: bool
+    ) -> int | None:
+        """Draws a number with its sign as a line; returns the cells it takes, None for NaN."""
+        letters = FONTS[font]
+        before = (letters.width + 2) // 3 - 1
+        self._sign(letters, 1 - color, x - before, y, x + figures * letters.width)
+        if math.isnan(number):
+            self.text(color, x, y, b"-" * figures, font)
+            return None
+        digits = format_fixed(number, 0, decimals)
+        negative = digits.startswith(b"-")
+        digits = digits.removeprefix(b"-")
+        if len(digits) > figures:
+            self.text(color, x, y, b">" * figures, font)
+            return figures
+        indent = (figures - len(digits) + 1) // 2 * letters.width if centred else 0
+        self.text(color, x + indent, y, digits, font)
+        self._sign(letters, color if negative else 1 - color, x - before + indent, y, x + indent)
+        return len(digits)
+
+    def _sign(self, letters: Font, color: int, left: int, y: int, right: int) -> None:
+        """The line of a minus sign at half the height of the letters; in tall fonts two rows."""
+        middle = y + letters.height // 2
+        self.canvas.line(color, left, middle, right, middle)
+        if letters.height > 12:
+            self.canvas.line(color, left, middle - 1, right, middle - 1)
+
+    # Pictures
+
+    def icon(self, color: int, x: int, y: int, kind: int, number: int) -> None:
+        """Draws an icon at x, rounded down to a multiple of 8; an unknown one is ignored."""
+        icons = ICONS.get(kind)
+        if icons is None or not 0 <= number < len(icons.pictures):
+            return
+        solid = (1 << icons.width) - 1
+        rows = [row if color else row ^ solid for row in icons.pictures[number]]
+        self.canvas.byte_cell(x & ~7, y, icons.width, rows)
+
+    def picture(self, color: int, x: int, y: int, picture: Picture) -> None:
+        """Draws a picture over what is there, clipped at the edges; colour 0 turns its pixels over."""
+        solid = (1 << picture.width) - 1
+        self.canvas.cell(x, y, picture.width, [row if color else row ^ solid for row in picture.rows])
+
+    def _draw_top_line(self) -> None:
+        line = self.top_line
+        canvas = self.canvas
+        canvas.fillrect(0, 0, 0, WIDTH, _TOP_LINE_HEIGHT)
+        name = line.name[:_NAME_LENGTH]
+        self.text(1, (WIDTH - len(name) * FONTS[SMALL].width) // 2, 1, name, SMALL)
+        for place, icon in enumerate(line.radios):
+            self.icon(1, place * ICONS[_SMALL_ICONS].width, 1, _SMALL_ICONS, icon)
+        level = min(line.battery * len(_BATTERY_ICONS) // 100, len(_BATTERY_ICONS) - 1)
+        self.icon(1, _BATTERY_X, 1, _SMALL_ICONS, _BATTERY_ICONS[level])
+        canvas.line(1, 0, _TOP_LINE_HEIGHT, WIDTH - 1, _TOP_LINE_HEIGHT)
+
+
+def format_fixed(number: float, width: int, decimals: int) -> bytes:
+    """A number as C's `%*.*f` prints it: a negative width aligns left, negative decimals mean six."""
+    return b"%*.*f" % (width, decimals if decimals >= 0 else 6, number)

@@ -1,0 +1,133 @@
+"""Graphs: samples of some values over time, drawn as thick lines.
+
+GRAPH_SETUP says where the values stand in memory, GRAPH_SAMPLE stores them, GRAPH_DRAW draws what was stored.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from ev3proto.brick.display.canvas import Canvas, wrap16
+
+MOST_ITEMS = 8
+"""Values that one graph can show."""
+
+_MOST_WHOLE = 2**31 - 1
+_NOTHING = math.nan
+
+
+class Scale(NamedTuple):
+    """Where one item is drawn, and its value now."""
+
+    offset: int
+    """Row of its top."""
+    span: int
+    """Its height in pixels."""
+    least: float
+    """The value at the bottom."""
+    most: float
+    """The value at the top."""
+    value: float
+
+
+class Summary(NamedTuple):
+    """What GRAPH_DRAW returns of one item; NaN where there is no sample."""
+
+    actual: float
+    lowest: float
+    highest: float
+    average: float
+
+
+@dataclass
+class Graph:
+    """A graph as GRAPH_SETUP left it.
+
+    `items` read the scale and value of each item from memory, at every use.
+    """
+
+    x: int = 0
+    size: int = 0
+    items: tuple[Callable[[], Scale], ...] = ()
+    samples: list[deque[float]] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.items = self.items[:MOST_ITEMS]
+        self.samples = [deque(maxlen=max(self.size, 0)) for _ in self.items]
+
+    def sample(self) -> None:
+        """Stores the value of each item; the oldest is lost where there are `size` of them."""
+        for item, samples in zip(self.items, self.samples, strict=True):
+            samples.append(item().value)
+
+    def draw(self, canvas: Canvas, view: int) -> Summary:
+        """Draws one item, or all of them.
+
+        Args:
+            canvas: to draw on, in colour 1.
+            view: the item's number; one that there is not means all, drawn one pixel further right.
+
+        Returns:
+            The last, lowest and highest sample and their mean; of all items nothing.
+        """
+        if 0 <= view < len(self.items):
+            return self._draw_item(canvas, view, self.x)
+        for item in range(len(self.items)):
+            self._draw_item(canvas, item, self.x + 1)
+        return Summary(_NOTHING, _NOTHING, _NOTHING, _NOTHING)
+
+    def _draw_item(self, canvas: Canvas, item: int, x: int) -> Summary:
+        scale = self.items[item]()
+        bottom = scale.offset + scale.span
+        before = bottom
+        total, valid = 0.0, []
+        for place, sample in enumerate(self.samples[item]):
+            if not math.isnan(sample):
+                y = bottom - _height(sample, scale)
+                if place < 2:
+                    canvas.pixel(1, x, y)
+                else:
+                    _thick_line(canvas, x, before, y)
+                before = y
+                total = _single(total + sample)
+                valid.append(sample)
+            x += 1
+        if not valid:
+            return Summary(_NOTHING, _NOTHING, _NOTHING, _NOTHING)
+        return Summary(valid[-1], min(valid), max(valid), _single(total / len(valid)))
+
+
+def _height(sample: float, scale: Scale) -> int:
+    """How far above its bottom a sample is drawn, computed in single precision as on the brick."""
+    rise = _single(_single(sample - scale.least) * scale.span)
+    run = _single(scale.most - scale.least)
+    height = _single(rise / run) if run else math.copysign(math.inf, rise) if rise else math.nan
+    whole = 0 if math.isnan(height) else int(max(min(height, _MOST_WHOLE), -_MOST_WHOLE - 1))
+    return max(min(wrap16(whole), scale.span), 0)
+
+
+def _thick_line(canvas: Canvas, x: int, before: int, y: int) -> None:
+    """The three lines from one sample at (x - 1, before) to the next at (x, y)."""
+    canvas.line(1, x - 1, before, x, y)
+    if y > before:
+        canvas.line(1, x - 2, before - 1, x - 1, y - 1)
+        canvas.line(1, x, before + 1, x + 1, y + 1)
+    elif y < before:
+        canvas.line(1, x, before - 1, x + 1, y - 1)
+        canvas.line(1, x - 2, before + 1, x - 1, y + 1)
+    else:
+        canvas.line(1, x - 1, before - 1, x, y - 1)
+        canvas.line(1, x - 1, before + 1, x, y + 1)
+
+
+def _single(number: float) -> float:
+    """A number rounded to single precision; what is too large becomes infinite."""
+    try:
+        return float(struct.unpack("<f", struct.pack("<f", number))[0])
+    except OverflowError:
+        return math.copysign(math.inf, number)

@@ -139,6 +139,9 @@ class OperationReader(Protocol):
     declaration: Declaration
     has_outputs: bool
 
+    def __hash__(self) -> int:
+        """Facts about it are kept by it."""
+
     def selector(self, data: bytes, at: int) -> Argument | None:
         """The CMD argument of the operation at an offset."""
 

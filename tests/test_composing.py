@@ -202,7 +202,7 @@ def test_a_handle_is_marked_where_it_is_used_as_one() -> None:
         ((b"\x01",), "b'\\x01' is no operation: ev3proto.ops has them all, such as ops.sound.tone(1, 440, 1000)"),
         (
             (ops.strings.add("a", "b", Global()),),
-            "nobody can tell how many bytes DESTINATION of STRINGS.ADD takes: say it, such as Global(32)",
+            "nobody can tell how many bytes DESTINATION of STRINGS.ADD takes: give a size, such as Global(32)",
         ),
         (
             (ops.ui_read.get_vbatt(Global(2)),),

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from ev3proto.capture.record import Record, Route
-from ev3proto.dialogue.pairing import Pairing
-from ev3proto.dialogue.transfers import Transfers
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, FrameSchema
+from ev3proto.semantics.pairing import Pairing
+from ev3proto.semantics.transfers import Transfers
 from ev3proto.tables.frame import MAX_GLOBALS, MessageType
 
 MOST_PENDING = 4096

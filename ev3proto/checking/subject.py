@@ -54,7 +54,7 @@ class Step(NamedTuple):
 def step_of(operation: Operation) -> Step:
     """An operation as a step."""
     schema, _, start, end = operation
-    traits = traits_of(schema)  # type: ignore[arg-type]
+    traits = traits_of(schema)
     return Step(operation, traits, traits.name, operation.arguments, start, end)
 
 

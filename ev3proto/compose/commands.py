@@ -8,11 +8,11 @@ from typing import NamedTuple
 from ev3proto.compose.drafts import Draft, Open, draft_of
 from ev3proto.compose.memory import Memory, Need, joined
 from ev3proto.compose.places import Place
-from ev3proto.compose.uses import Use
 from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, Operation, Variable
 from ev3proto.schema.constructors import direct_command
 from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.semantics.footprint import Footprint
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS
 
@@ -69,7 +69,7 @@ class _Open(NamedTuple):
     """A use of a variable that has no place yet."""
 
     draft: Draft
-    use: Use
+    footprint: Footprint
     place: Place | Open
 
 
@@ -82,21 +82,21 @@ class _Layout:
         self._memories = {scope: Memory(scope, limit) for scope, limit in _LIMITS.items()}
         self._places: dict[Place, Variable] = {}
         self.writes_globals = False
-        open_uses = []
+        found = []
         for draft in drafts:
-            for use in draft.uses:
-                place = draft.place_of(use)
+            for footprint in draft.footprints:
+                place = draft.place_of(footprint)
                 if place is None:
-                    self._take(draft, use)
+                    self._take(footprint)
                 else:
-                    open_uses.append(_Open(draft, use, place))
-        self._shared = _shared(open_uses)
+                    found.append(_Open(draft, footprint, place))
+        self._shared = _shared(found)
 
-    def _take(self, draft: Draft, use: Use) -> None:
-        variable = use.variable
-        name = _named(draft, use)
-        self._memories[variable.scope].take(variable.index, use.size, name, is_open=use.is_open)
-        self.writes_globals |= use.is_output and variable.scope == GLOBAL
+    def _take(self, footprint: Footprint) -> None:
+        memory = self._memories[footprint.argument.kind]
+        is_open = footprint.room is None
+        memory.take(footprint.start, _room(footprint), footprint.full_name, is_open=is_open)
+        self.writes_globals |= _is_stored(footprint) and footprint.is_global
 
     def operations(self) -> list[Operation]:
         """The operations, every variable in its place."""
@@ -106,16 +106,16 @@ class _Layout:
         if draft.is_complete:
             return draft.operation
         variables: dict[int, Variable] = {}
-        for use in draft.uses:
-            place = draft.place_of(use)
+        for footprint in draft.footprints:
+            number = footprint.number
+            place = draft.place_of(footprint)
             if isinstance(place, Place):
                 at = self._variable(place)
-                variables[use.number] = Variable(at.scope, at.index, place.handle, place.address)
+                variables[number] = Variable(at.scope, at.index, place.handle, place.address)
             elif place is not None:
-                need = Need(_named(draft, use), use.size, use.alignment)
-                variables[use.number] = self._memories[self._left_away].give(need)
-            if use.number in variables:
-                self.writes_globals |= use.is_output and variables[use.number].scope == GLOBAL
+                variables[number] = self._memories[self._left_away].give(_need_of(footprint))
+            if number in variables:
+                self.writes_globals |= _is_stored(footprint) and variables[number].scope == GLOBAL
         return draft.placed(variables)
 
     def _variable(self, place: Place) -> Variable:
@@ -138,29 +138,42 @@ class _Layout:
         return by_hand
 
 
-def _shared(found: Iterable[_Open]) -> dict[Place, list[_Open]]:
+def _shared(found: Iterable[_Open]) -> dict[Place, list[Footprint]]:
     """The uses of each variable, marked ones among those of the variable that they mark."""
-    shared: dict[Place, list[_Open]] = {}
+    shared: dict[Place, list[Footprint]] = {}
     for use in found:
         if isinstance(use.place, Place):
-            shared.setdefault(use.place.origin, []).append(use)
+            shared.setdefault(use.place.origin, []).append(use.footprint)
     return shared
 
 
-def _need(place: Place, found: Sequence[_Open]) -> Need:
+def _need(place: Place, found: Sequence[Footprint]) -> Need:
     """What a variable needs by all its uses. BuildError where they do not tell, or the size given is too small."""
-    known = [each for each in found if not each.use.is_open]
-    vague = [each for each in found if each.use.is_open and (each.use.is_output or not known)]
-    need = joined(Need(_named(each.draft, each.use), each.use.size, each.use.alignment) for each in known or found)
+    known = [each for each in found if each.room is not None]
+    vague = [each for each in found if each.room is None and (_is_stored(each) or not known)]
+    need = joined(_need_of(each) for each in known or found)
     if place.size is not None:
-        if place.size < need.size:
-            raise BuildError(f"{place!r} is too small: {need.name} takes {need.size} bytes")
+        least = max(each.size for each in known or found)
+        if place.size < least:
+            raise BuildError(f"{place!r} is too small: {need.name} takes {least} bytes")
         return need._replace(size=place.size)
     if vague:
-        name = _named(vague[0].draft, vague[0].use)
-        raise BuildError(f"nobody can tell how many bytes {name} takes: say it, such as {place.scope.capitalize()}(32)")
+        raise BuildError(
+            f"nobody can tell how many bytes {vague[0].full_name} takes: give a size, such as"
+            f" {place.scope.capitalize()}(32)"
+        )
     return need
 
 
-def _named(draft: Draft, use: Use) -> str:
-    return f"{use.name} of {draft.name}"
+def _need_of(footprint: Footprint) -> Need:
+    return Need(footprint.full_name, _room(footprint), footprint.alignment)
+
+
+def _room(footprint: Footprint) -> int:
+    """Bytes to set aside for a variable, or those that it takes for sure."""
+    return footprint.size if footprint.room is None else footprint.room
+
+
+def _is_stored(footprint: Footprint) -> bool:
+    """Whether a reply would bring something that the operation stores."""
+    return footprint.is_written or footprint.is_result

@@ -9,20 +9,19 @@ from ev3proto.compose.meanings import (
     check_arrays,
     check_meaning,
     check_number,
+    check_places,
     check_text,
     no_variable,
     wrong_name,
 )
 from ev3proto.compose.places import Place
-from ev3proto.compose.uses import Use, uses_of
 from ev3proto.errors import BuildError
 from ev3proto.messages import GV, Operation, Variable
 from ev3proto.schema.argument import encode_variable
 from ev3proto.schema.operation import OperationSchema
+from ev3proto.semantics.footprint import LISTS, Footprint, footprints
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
 from ev3proto.tables.encoding import RANGES
-
-_LISTS = (Type.COUNT, Type.VALUES)
 
 _PLAIN = (int, float, str, bool)
 """Types of values that are no variables: an operation of these takes no memory."""
@@ -53,13 +52,16 @@ class Draft:
     Its values are checked and encoded. What is open are the places of its outputs that were left away and of
     variables that are `Local()` or `Global()`; a command gives them theirs.
 
-    uses  its variables: bytes they take and how they are aligned; those that are open at a stand-in
+    Attributes:
+        footprints: The memory that it uses; variables whose place is open start at 0 there.
     """
 
-    __slots__ = ("_operation", "_places", "uses")
+    __slots__ = ("_operation", "_places", "footprints")
 
-    def __init__(self, operation: Operation, places: Mapping[int, Place | Open], uses: Sequence[Use]) -> None:
-        self.uses = tuple(uses)
+    def __init__(
+        self, operation: Operation, places: Mapping[int, Place | Open], footprints: Sequence[Footprint]
+    ) -> None:
+        self.footprints = tuple(footprints)
         self._operation = operation
         self._places = dict(places)
 
@@ -82,7 +84,7 @@ class Draft:
     def operation(self) -> Operation:
         """The operation, by itself at offset 0. Raises BuildError while a place is open."""
         if self._places:
-            names = ", ".join(use.name for use in self.uses if use.number in self._places)
+            names = ", ".join(found.argument.name for found in self.footprints if found.number in self._places)
             raise BuildError(
                 f"{self.name}: {names} has no place in memory yet: ev3proto.command gives it one, or GV(0) and the like"
             )
@@ -93,9 +95,9 @@ class Draft:
         """Its bytes, opcode first. Raises BuildError while a place is open."""
         return self.operation.raw
 
-    def place_of(self, use: Use) -> Place | Open | None:
+    def place_of(self, footprint: Footprint) -> Place | Open | None:
         """What stands in the place of a variable that is open; None for one that has an index."""
-        return self._places.get(use.number)
+        return self._places.get(footprint.number)
 
     def placed(self, variables: Mapping[int, Variable]) -> Operation:
         """The operation with variables, by the number of the argument, in the places that are open."""
@@ -147,19 +149,18 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
         if _is_simple(schema, flat):
             return Draft(operation, places, ())
         arguments = operation.arguments
+        used = footprints(operation, arguments)
         if not unchecked:
             check_arrays(arguments)
-            # Behind the count of a list the brick looks at no index.
-            last = len(schema.fixed) if declaration.parameters[-1].type is Type.COUNT else len(arguments)
-            for number, argument in enumerate(arguments):
-                check_meaning(argument, is_aligned=number < last)
-        uses = uses_of(declaration, arguments)
-        _refuse_unknown_size(uses, places)
+            for argument in arguments:
+                check_meaning(argument)
+            check_places(used)
+        _refuse_unknown_size(used, places)
     except BuildError as error:
         sentence = str(error)
         prefix = "" if sentence.startswith(declaration.name) else f"{declaration.name}: "
         raise BuildError(prefix + sentence) from None
-    return Draft(operation, places, uses)
+    return Draft(operation, places, used)
 
 
 def _is_simple(schema: OperationSchema, flat: Sequence[Any]) -> bool:
@@ -171,7 +172,7 @@ def _is_simple(schema: OperationSchema, flat: Sequence[Any]) -> bool:
 
 def draft_of(operation: Operation) -> Draft:
     """An operation that was made otherwise, as a draft in which nothing is open."""
-    return Draft(operation, {}, uses_of(operation.declaration, operation.arguments))
+    return Draft(operation, {}, footprints(operation))
 
 
 def _standing(value: Any) -> Any:
@@ -187,7 +188,7 @@ def _flat(declaration: Declaration, values: Sequence[Any], unchecked: bool) -> l
     """One value for each argument: lists drawn out, their counts put in, what was left away marked."""
     flat: list[Any] = []
     for parameter, value in zip(declaration.parameters, values, strict=True):
-        if parameter.type in _LISTS:
+        if parameter.type in LISTS:
             elements = _elements(parameter, value)
             if parameter.type is Type.COUNT:
                 flat.append(len(elements))
@@ -243,10 +244,10 @@ def _check_constant(parameter: Parameter, value: float | str) -> None:
             check_number(parameter, value)
 
 
-def _refuse_unknown_size(uses: Iterable[Use], places: Mapping[int, Place | Open]) -> None:
-    for use in uses:
-        if use.is_open and isinstance(places.get(use.number), Open):
+def _refuse_unknown_size(used: Iterable[Footprint], places: Mapping[int, Place | Open]) -> None:
+    for found in used:
+        if found.room is None and isinstance(places.get(found.number), Open):
             raise BuildError(
-                f"{use.name} cannot be left away: nobody can tell how long it becomes. Give the bytes that it may take,"
-                " Global(32), or its place, GV(0)"
+                f"{found.argument.name} cannot be omitted: nobody can tell how long it becomes. Give the bytes that it"
+                " may take, Global(32), or its place, GV(0)"
             )

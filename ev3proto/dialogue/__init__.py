@@ -6,7 +6,7 @@ of their own; there it remembers which file each handle stands for.
 """
 
 from ev3proto.dialogue.dialogue import Dialogue, Exchange
-from ev3proto.dialogue.transfers import Transfer
-from ev3proto.dialogue.values import Value, ValueType, reply_values, values_of
+from ev3proto.semantics.replies import Value, ValueType, reply_values, values_of
+from ev3proto.semantics.transfers import Transfer
 
 __all__ = ["Dialogue", "Exchange", "Transfer", "Value", "ValueType", "reply_values", "values_of"]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from ev3proto.dialogue.pairing import Pairing
-from ev3proto.dialogue.transfers import Transfer, Transfers
-from ev3proto.dialogue.values import Value, values_of
 from ev3proto.messages import DirectCommand, DirectReply, Message, SystemCommand, SystemReply
+from ev3proto.semantics.pairing import Pairing
+from ev3proto.semantics.replies import Value, values_of
+from ev3proto.semantics.transfers import Transfer, Transfers
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from textwrap import wrap
 
 from ev3proto.compose.drafts import may_be_left_away
-from ev3proto.compose.meanings import span
+from ev3proto.semantics.domain import limits
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
 
 WIDTH = 100
@@ -37,9 +37,9 @@ def described(declaration: Declaration, names: Sequence[str]) -> str:
 
 def _pieces(parameter: Parameter, *, is_optional: bool) -> Iterator[str]:
     yield parameter.text
-    limits = span(parameter)
-    if limits:
-        yield limits
+    span = limits(parameter)
+    if span:
+        yield span
     if parameter.most is not None:
         yield f"at most {parameter.most - 1} characters"
     if parameter.special:

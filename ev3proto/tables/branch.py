@@ -3,12 +3,16 @@
 The same comparison exists once per size of its operands, so these are built size by size from one line each.
 """
 
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, LABEL, In, Opcode
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, LABEL, Effect, In, Opcode, Role
 
 SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
 
 OFFSET = In(
-    "OFFSET", LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit="bytes"
+    "OFFSET",
+    LABEL,
+    "how far to jump from the end of this operation; negative jumps back; or a label",
+    unit="bytes",
+    role=Role.JUMP,
 )
 FLAG = In("FLAG", DATA8, "the condition: anything but 0 is true", special={0: "false", 1: "true"})
 
@@ -31,7 +35,7 @@ def _by_type(name: str, numbers: tuple[int, int, int, int], relation: str) -> tu
 
 
 BRANCH = (
-    Opcode(0x40, "JR", "Jumps always", (OFFSET,)),
+    Opcode(0x40, "JR", "Jumps always", (OFFSET,), effects=(Effect.JUMPS_ALWAYS,)),
     Opcode(0x41, "JR_FALSE", "Jumps if a flag is 0", (FLAG, OFFSET)),
     Opcode(0x42, "JR_TRUE", "Jumps if a flag is not 0", (FLAG, OFFSET)),
     Opcode(

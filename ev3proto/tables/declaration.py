@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import NamedTuple, TypedDict, Unpack
 
 DIALECTS = ("official", "xtended", "compat")
 """The firmwares whose instruction sets differ: LEGO's own, the community's extended one, its compatible sibling."""
@@ -54,6 +54,53 @@ class Direction(Enum):
 
     def __str__(self) -> str:
         return self.value
+
+
+class Role(Enum):
+    """What a parameter is for, where something beside its own argument depends on it.
+
+    Its value is what it is, in a few words.
+    """
+
+    JUMP = "how far to jump, or a label"
+    LABEL = "the number of a label"
+    INDEX = "which element of an array"
+    ERROR = "the number of an error"
+    OBJECT = "an object of a program"
+    LAYER = "a brick of the daisy chain"
+    MOTORS = "motor ports, one bit each"
+    MOTOR = "one motor port, counted from 0"
+    PORT = "one port, of a sensor or a motor"
+    PORTS = "a list of ports"
+
+
+class Effect(Enum):
+    """What an operation does besides what its parameters say. The value completes the sentence "it ..."."""
+
+    STARTS_SOUND = "starts a sound and returns at once; a sound that is playing ends"
+    ENDS_SOUND = "ends the sound that is playing"
+    AWAITS_SOUND = "waits until the sound has ended"
+    DRAWS = "draws on the canvas, which nobody sees before it is shown"
+    WIPES = "draws over all that was on the canvas, or much of it"
+    SHOWS = "shows the canvas"
+    DIALOG = "takes the display for itself and shows what is on it"
+    STARTS_MOVE = "starts a move of motors that ends by itself and returns at once; a move of the same motors ends"
+    STOPS_MOTORS = "stops motors"
+    AWAITS_MOVE = "waits until the moves of motors have ended"
+    RUNS_MOTORS = "makes motors turn"
+    WAITS = "waits, or tells whether to wait: what was begun before it is given some time"
+    JUMPS_ALWAYS = "never goes on with the next operation"
+    ENDS = "ends the command: nothing after it is run unless something jumps there"
+    ENDS_CODE = "ends the code: the firmware reads nothing after it"
+    MAY_END = "ends the command itself where its own slot or object is meant"
+    NEVER_RUNS = "is refused wherever it stands"
+    OF_PROGRAMS = "is about the objects of the program that it stands in"
+    WRITES_FILES = "creates, changes or moves files or folders"
+    DELETES_FILES = "deletes files or folders"
+    CHANGES_SETTINGS = "changes a setting of the brick, which stays when the command has ended"
+    RENAMES = "gives the brick another name"
+    CONTROLS_PROGRAMS = "starts, stops or changes other programs"
+    RUNS_SHELL = "runs a command on the brick's operating system"
 
 
 DATA8, DATA16, DATA32, DATAF = Type.DATA8, Type.DATA16, Type.DATA32, Type.DATAF
@@ -110,6 +157,9 @@ class Parameter(NamedTuple):
     validated  the type the firmware's validator checks it as, where that is not the type it has
     most       for texts: largest number of bytes, the zero included, where the firmware has a limit
     note       why the entry differs from other published tables, where it does
+    role       what else depends on it, None where nothing does
+    indexed_by  for arrays of which one element is used: the parameter that tells which
+    stores     the operation writes that element, so the array is no output that starts at the variable's own place
     """
 
     name: str
@@ -126,6 +176,9 @@ class Parameter(NamedTuple):
     validated: Type | None = None
     note: str = ""
     most: int | None = None
+    role: Role | None = None
+    indexed_by: str | None = None
+    stores: bool = False
 
     @property
     def is_output(self) -> bool:
@@ -136,35 +189,61 @@ class Parameter(NamedTuple):
         return hash((self.name, self.text))
 
 
-def In(name: str, type: Type, text: str, **more: object) -> Parameter:  # noqa: N802 - a word of the tables' language
+class Facts(TypedDict, total=False):
+    """What the words below take besides name, type and text; `Parameter` says what each means."""
+
+    unit: str | None
+    range: tuple[int, int]
+    enum: Enumeration
+    special: Mapping[int, str]
+    length: str | int
+    validated: Type
+    note: str
+    most: int
+    role: Role
+    indexed_by: str
+    stores: bool
+
+
+def In(name: str, type: Type, text: str, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802 - a word of the tables' language
     """A parameter that the operation reads."""
-    return Parameter(name, type, text, Direction.IN, **more)  # type: ignore[arg-type]
+    return Parameter(name, type, text, Direction.IN, **facts)
 
 
-def Out(name: str, type: Type, text: str, **more: object) -> Parameter:  # noqa: N802
+def Out(name: str, type: Type, text: str, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802
     """A parameter that the operation writes."""
-    return Parameter(name, type, text, Direction.OUT, **more)  # type: ignore[arg-type]
+    return Parameter(name, type, text, Direction.OUT, **facts)
 
 
-def InOut(name: str, type: Type, text: str, **more: object) -> Parameter:  # noqa: N802
+def InOut(name: str, type: Type, text: str, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802
     """A parameter that the operation reads and writes."""
-    return Parameter(name, type, text, Direction.INOUT, **more)  # type: ignore[arg-type]
+    return Parameter(name, type, text, Direction.INOUT, **facts)
 
 
 def Count(  # noqa: N802
-    name: str, text: str, element: Type | str = DATA32, elements: Direction = Direction.IN, **more: object
+    name: str, text: str, element: Type | str = DATA32, elements: Direction = Direction.IN, **facts: Unpack[Facts]
 ) -> Parameter:
     """A constant that tells how many parameters follow it (PARNO in the firmware)."""
-    return Parameter(name, Type.COUNT, text, element=element, elements=elements, **more)  # type: ignore[arg-type]
+    return Parameter(name, Type.COUNT, text, element=element, elements=elements, **facts)
 
 
-def Values(name: str, text: str, element: Type, **more: object) -> Parameter:  # noqa: N802
+def Values(name: str, text: str, element: Type, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802
     """As many values as the parameter before it tells (PARVALUES in the firmware)."""
-    return Parameter(name, Type.VALUES, text, element=element, **more)  # type: ignore[arg-type]
+    return Parameter(name, Type.VALUES, text, element=element, **facts)
 
 
 class Command(NamedTuple):
-    """One CMD of a family: its number, the firmware's name, one line of meaning, the parameters that follow it."""
+    """One CMD of a family.
+
+    number      the CMD
+    name        the firmware's name
+    text        one line: what it means
+    parameters  what follows it
+    dialects    the firmwares that have it
+    note        where the entry differs from other published tables, and why
+    effects     what it does besides what its parameters say
+    newer       the validator of the release of 2013 does not know it
+    """
 
     number: int
     name: str
@@ -172,10 +251,19 @@ class Command(NamedTuple):
     parameters: tuple[Parameter, ...] = ()
     dialects: tuple[str, ...] = DIALECTS
     note: str = ""
+    effects: tuple[Effect, ...] = ()
+    newer: bool = False
 
 
 class Opcode(NamedTuple):
-    """One opcode: either plain, with parameters, or a family whose first parameter is a CMD that selects the rest."""
+    """One opcode: either plain, with parameters, or a family whose first parameter is a CMD that selects the rest.
+
+    As in `Command`, and:
+
+    commands   of a family: its CMDs
+    cmd_table  of a family: the validator's table that its CMDs are looked up in, where that is not its own; the order
+               of these tables is in `ev3proto.tables.validation`
+    """
 
     number: int
     name: str
@@ -184,6 +272,9 @@ class Opcode(NamedTuple):
     commands: tuple[Command, ...] = ()
     dialects: tuple[str, ...] = DIALECTS
     note: str = ""
+    effects: tuple[Effect, ...] = ()
+    newer: bool = False
+    cmd_table: str | None = None
 
     @property
     def is_family(self) -> bool:
@@ -224,6 +315,16 @@ class Declaration:
     def note(self) -> str:
         """Where the entry differs from other published tables, and why."""
         return self.command.note if self.command else self.opcode.note
+
+    @property
+    def effects(self) -> tuple[Effect, ...]:
+        """What it does besides what its parameters say."""
+        return self.command.effects if self.command else self.opcode.effects
+
+    @property
+    def is_newer(self) -> bool:
+        """True where the validator of the release of 2013 does not know it."""
+        return self.command.newer if self.command else self.opcode.newer
 
 
 def declarations(opcodes: tuple[Opcode, ...]) -> Iterator[Declaration]:

@@ -3,11 +3,17 @@
 The same operation exists once per size of its operands, so all but one are built size by size.
 """
 
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, In, Opcode, Out, Type, Values
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, In, Opcode, Out, Role, Type, Values
 
 SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
 
-INDEX = In("INDEX", DATA8, "which element, counted from 0; the firmware does not check it", range=(0, 127))
+INDEX = In(
+    "INDEX",
+    DATA8,
+    "which element, counted from 0; the firmware does not check it",
+    range=(0, 127),
+    role=Role.INDEX,
+)
 
 
 def _moves_from(name: str, source: Type, size: str, numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
@@ -41,7 +47,7 @@ def _reads(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
             "READ" + suffix,
             f"Takes one element out of an array of {size} values",
             (
-                In("SOURCE", type_, "first element of the array, as a variable"),
+                In("SOURCE", type_, "first element of the array, as a variable", indexed_by="INDEX"),
                 INDEX,
                 Out("DESTINATION", type_, "the element's value"),
             ),
@@ -60,8 +66,13 @@ def _writes(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
             (
                 In("SOURCE", type_, "value to set"),
                 INDEX,
-                # The firmware writes here, but INDEX elements further on: not an output that could be read at its place
-                In("DESTINATION", type_, "first element of the array, as a variable; element INDEX is written"),
+                In(
+                    "DESTINATION",
+                    type_,
+                    "first element of the array, as a variable; element INDEX is written",
+                    indexed_by="INDEX",
+                    stores=True,
+                ),
             ),
         )
         for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)

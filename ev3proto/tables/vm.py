@@ -18,11 +18,12 @@ from ev3proto.tables.declaration import (
     In,
     Opcode,
     Out,
+    Role,
 )
 from ev3proto.tables.enumerations import OBJSTAT, RESULT, SLOT
 
 PRGID = In("PRGID", DATA16, "program slot", enum=SLOT)
-OBJID = In("OBJID", DATA16, "object of the program, counted from 1")
+OBJID = In("OBJID", DATA16, "object of the program, counted from 1", role=Role.OBJECT)
 SOURCE1 = In("SOURCE1", STRING, "text to work on")
 DESTINATION = Out("DESTINATION", STRING, "resulting text, ended by its zero")
 PORT = In("PORT", DATA8, "sensor port less one", range=(0, 3))
@@ -88,7 +89,7 @@ VM = (
         "CALL",
         "Calls a subroutine of the own program; waits while another thread is in it",
         (
-            In("OBJID", DATA16, "object that is the subroutine, counted from 1"),
+            In("OBJID", DATA16, "object that is the subroutine, counted from 1", role=Role.OBJECT),
             Count(
                 "PARAMETERS",
                 "how many parameters follow; the subroutine declares their types and directions",
@@ -155,7 +156,7 @@ VM = (
         0x0D,
         "LABEL",
         "Marks a place that jumps can name; does nothing itself",
-        (In("NO", LABEL, "number of the label", range=(0, 31)),),
+        (In("NO", LABEL, "number of the label", range=(0, 31), role=Role.LABEL),),
     ),
     Opcode(
         0x0E,
@@ -237,20 +238,20 @@ VM = (
                 1,
                 "SET_ERROR",
                 "Puts an error into the brick's error log",
-                (In("NUMBER", DATA8, "number of the error", special={0: "nothing is logged"}),),
+                (In("NUMBER", DATA8, "number of the error", role=Role.ERROR, special={0: "nothing is logged"}),),
             ),
             Command(
                 2,
                 "GET_ERROR",
                 "Takes the oldest error out of the brick's error log",
-                (Out("NUMBER", DATA8, "number of the error", special={0: "the log is empty"}),),
+                (Out("NUMBER", DATA8, "number of the error", role=Role.ERROR, special={0: "the log is empty"}),),
             ),
             Command(
                 3,
                 "ERRORTEXT",
                 "Converts the number of an error to its name",
                 (
-                    In("NUMBER", DATA8, "number of the error", special={0: "gives an empty text"}),
+                    In("NUMBER", DATA8, "number of the error", role=Role.ERROR, special={0: "gives an empty text"}),
                     In("LENGTH", DATA8, "room for the text, with its zero", unit="bytes", special={-1: "no limit"}),
                     Out("DESTINATION", STRING, "name of the error, less than 32 characters", length="LENGTH"),
                 ),

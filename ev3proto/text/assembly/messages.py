@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate
 
-from ev3proto.compose.uses import uses_of
 from ev3proto.messages import DirectCommand, Message, Operation
 from ev3proto.schema.frame import HEADER, HEADER_SIZE, MEMORY, parse
 from ev3proto.schema.packed import packed
+from ev3proto.semantics.footprint import footprints
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import (
@@ -198,9 +198,9 @@ def _used(operations: Iterable[Operation]) -> dict[str, int]:
     """Bytes of global and of local memory up to the last that operations use for sure."""
     used = {GLOBAL: 0, LOCAL: 0}
     for operation in operations:
-        for use in uses_of(operation.declaration, operation.arguments):
-            variable = use.variable
-            used[variable.scope] = max(used[variable.scope], variable.index + use.size)
+        for found in footprints(operation):
+            scope = found.argument.kind
+            used[scope] = max(used[scope], found.start + (found.room or found.size))
     return used
 
 

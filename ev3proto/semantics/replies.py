@@ -7,10 +7,11 @@ import struct
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ev3proto.messages import Argument, DirectCommand, DirectReply, Message, Operation, SystemReply
+from ev3proto.messages import DirectCommand, DirectReply, Message, SystemReply
 from ev3proto.schema.frame import HEADER_SIZE
-from ev3proto.tables.declaration import Parameter, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, RANGES, STRING_CODING
+from ev3proto.semantics.footprint import UNTYPED_SIZE, Footprint, footprints
+from ev3proto.tables.declaration import Type
+from ev3proto.tables.encoding import RANGES, STRING_CODING
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
 
 ValueType = int | float | str | bytes | list[int] | list[float]
@@ -97,54 +98,51 @@ def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
     for operation in command.operations:
         if not operation.has_outputs:
             continue
-        for argument in operation.arguments:
-            parameter, form, *_ = argument
-            if form.kind == GLOBAL and parameter.is_output and not form.address:
-                value = _read(operation, argument, reply.memory)
-                if value is not None:
-                    yield value
+        results = [found for found in footprints(operation) if found.is_result and found.is_global]
+        for found in results:
+            value = _read(found, results, reply.memory)
+            if value is not None:
+                yield value
 
 
-def _read(operation: Operation, argument: Argument, memory: bytes) -> Value | None:
+def _read(found: Footprint, results: list[Footprint], memory: bytes) -> Value | None:
+    """The value of one output, None where the memory does not hold it."""
+    argument, start = found.argument, found.start
     parameter = argument.parameter
-    start = int(argument.value)
     kind = Type.HANDLE if argument.form.handle else parameter.type
     symbol: str | list[str | None] | None = None
     value: ValueType
     if kind is Type.STRING:
-        piece = memory[start : start + _length(operation, parameter, len(memory))].split(b"\0", 1)[0]
         if start >= len(memory):
             return None
+        piece = memory[start : _end(found, memory)].split(b"\0", 1)[0]
         value, length = piece.decode(STRING_CODING), len(piece)
     elif kind is Type.ARRAY_TYPED:
-        kind = _untyped(operation, start, len(memory))
-        piece = memory[start : start + kind.size]
-        if len(piece) < kind.size:
-            return None
-        (value,) = _LAYOUTS[kind].unpack(piece)
+        kind = _untyped(results, start, len(memory))
         length = kind.size
+        if start + length > len(memory):
+            return None
+        (value,) = _LAYOUTS[kind].unpack_from(memory, start)
     elif kind not in _LAYOUTS:
         return None
-    elif parameter.length is None:
+    elif parameter.length is None or argument.form.handle:
         layout = _LAYOUTS[kind]
         length = layout.size
         if start + length > len(memory):
             return None
         (value,) = layout.unpack_from(memory, start)
-        if parameter.enum is not None:
+        if parameter.enum is not None and not argument.form.handle:
             symbol = parameter.enum.name_of(value)
     else:
-        count = _length(operation, parameter, len(memory) // kind.size)
-        count = min(count, (len(memory) - start) // kind.size)
-        if count < 1:
+        length = (_end(found, memory) - start) // kind.size * kind.size
+        if length < 1:
             return None
-        length = count * kind.size
         numbers = [number for (number,) in _LAYOUTS[kind].iter_unpack(memory[start : start + length])]
         value = numbers
         symbol = [parameter.enum.name_of(number) for number in numbers] if parameter.enum else None
     return Value(
-        operation.name,
-        operation.command,
+        found.operation.name,
+        found.operation.command,
         argument.name,
         value,
         None if argument.form.handle else parameter.unit,
@@ -155,25 +153,13 @@ def _read(operation: Operation, argument: Argument, memory: bytes) -> Value | No
     )
 
 
-def _length(operation: Operation, parameter: Parameter, most: int) -> int:
-    """How long an output is: what its length parameter says, or as much as there is where that does not say it.
-
-    Some firmware lengths are negative: -1 for no limit, others for bytes in reverse order.
-    """
-    if isinstance(parameter.length, int):
-        return parameter.length
-    for argument in operation.arguments:
-        if argument.name == parameter.length and argument.kind == CONSTANT:
-            if argument.value == -1 and parameter.type is Type.STRING:
-                return most
-            return abs(int(argument.value))
-    return most
+def _end(found: Footprint, memory: bytes) -> int:
+    """Where a text or an array ends in the memory: where the operation tells, or as far as there is any."""
+    return len(memory) if found.is_open else min(found.end, len(memory))
 
 
-def _untyped(operation: Operation, start: int, end: int) -> Type:
+def _untyped(results: list[Footprint], start: int, end: int) -> Type:
     """The type of an output that has that of the array it comes from: what fits before the next output."""
-    for argument in operation.arguments:
-        if argument.kind == GLOBAL and argument.parameter.is_output and start < int(argument.value) < end:
-            end = int(argument.value)
-    room = max((size for size in _BY_SIZE if size <= end - start), default=4)
+    end = min((found.start for found in results if start < found.start < end), default=end)
+    room = max((size for size in _BY_SIZE if size <= end - start), default=UNTYPED_SIZE)
     return _BY_SIZE[room]

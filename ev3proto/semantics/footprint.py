@@ -1,0 +1,258 @@
+"""Which bytes of memory an operation uses: for each argument that is a variable, where they start and how many.
+
+What the tables tell of a parameter is worked out once for each operation (`memory_facts`). What its arguments add, such
+as the number of bytes in an array, is worked out for each operation in a frame (`footprints`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from typing import NamedTuple
+
+from ev3proto.messages import Argument, Operation, OperationReader, Variable
+from ev3proto.tables.declaration import Direction, Parameter, Role, Type
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
+
+UNTYPED_SIZE = 4
+"""Bytes of the largest number: what to set aside for a value whose type only the brick knows."""
+
+NO_LIMIT = -1
+"""The length of a text that stands for as much as there is."""
+
+LISTS = (Type.COUNT, Type.VALUES)
+"""The types of parameters that stand for a list."""
+
+
+class MemoryFacts(NamedTuple):
+    """What the tables tell of a variable that stands for a parameter.
+
+    size                 bytes of one value, 1 where the type does not tell
+    most                 bytes of one value at most, None where nobody can tell
+    room                 bytes to set aside for one value where a place is chosen, None where nobody can tell
+    fixed_length         how many values there are, where the tables tell
+    length               number of the argument that tells how many values there are, None where none does
+    indexed_by           number of the argument that tells which element of an array is used, None where none does
+    is_array             it is more than one value, or may be
+    is_read              the operation reads it
+    is_written           the operation writes it
+    is_result            a reply carries it under the parameter's name
+    is_text              the values are the bytes of a text
+    is_validated         the validator looks at where it lies
+    validator_alignment  what the validator wants its index to be a multiple of: 1, 2 or 4
+    cpu_alignment        what the processor wants its index to be a multiple of: 1, 2 or 4
+    alignment            what to align it to where a place is chosen: 1, 2 or 4
+    """
+
+    size: int
+    most: int | None
+    room: int | None
+    fixed_length: int | None
+    length: int | None
+    indexed_by: int | None
+    is_array: bool
+    is_read: bool
+    is_written: bool
+    is_result: bool
+    is_text: bool
+    is_validated: bool
+    validator_alignment: int
+    cpu_alignment: int
+    alignment: int
+
+    @property
+    def is_counted(self) -> bool:
+        """True for an array or a text of which the operation tells how many values or bytes it has."""
+        return self.fixed_length is not None or self.length is not None or self.indexed_by is not None
+
+
+class Footprint(NamedTuple):
+    """The memory that an operation uses by one argument that is a variable.
+
+    operation            the operation
+    number               of the argument in the operation, from 0
+    argument             the variable
+    start                its first byte
+    size                 bytes that it takes for sure
+    most                 bytes that it takes at most, None where nobody can tell
+    room                 bytes to set aside where a place is chosen, None where nobody can tell
+    is_array             it is more than one value, or may be
+    is_read              the operation reads it
+    is_written           the operation writes it
+    is_result            a reply carries it under the parameter's name
+    validator_alignment  what the validator wants `start` to be a multiple of: 1, 2 or 4
+    cpu_alignment        what the processor wants `start` to be a multiple of: 1, 2 or 4
+    alignment            what to align it to where a place is chosen: 1, 2 or 4
+    """
+
+    operation: Operation
+    number: int
+    argument: Argument
+    start: int
+    size: int
+    most: int | None
+    room: int | None
+    is_array: bool
+    is_read: bool
+    is_written: bool
+    is_result: bool
+    validator_alignment: int
+    cpu_alignment: int
+    alignment: int
+
+    @property
+    def end(self) -> int:
+        """The first byte after those that it takes for sure."""
+        return self.start + self.size
+
+    @property
+    def is_open(self) -> bool:
+        """True where nobody can tell from the operation how many bytes it takes."""
+        return self.most is None
+
+    @property
+    def is_exact(self) -> bool:
+        """True where it takes neither more nor fewer bytes than `size`."""
+        return self.most == self.size
+
+    @property
+    def is_global(self) -> bool:
+        """True for global memory, False for local."""
+        return self.argument.form.kind == GLOBAL
+
+    @property
+    def variable(self) -> Variable:
+        """The variable."""
+        form = self.argument.form
+        return Variable(form.kind, self.start, form.handle, form.address)
+
+    @property
+    def full_name(self) -> str:
+        """`VALUE of UI_READ.GET_VBATT`."""
+        return f"{self.argument.name} of {self.operation.full_name}"
+
+
+def footprints(operation: Operation, arguments: Sequence[Argument] | None = None) -> list[Footprint]:
+    """The memory that an operation uses, in the order of its arguments.
+
+    Args:
+        operation: The operation, whole or cut off.
+        arguments: Its arguments, where the caller has read them already.
+    """
+    if arguments is None:
+        arguments = operation.arguments
+    schema, *_ = operation
+    facts = memory_facts(schema)
+    found: list[Footprint] = []
+    for number, argument in enumerate(arguments):
+        kind = argument.form.kind
+        if kind in (LOCAL, GLOBAL):
+            known = facts[number] if number < len(facts) else element_facts(argument.parameter)
+            found.append(_footprint(operation, number, argument, known, arguments))
+    return found
+
+
+def _footprint(
+    operation: Operation, number: int, argument: Argument, known: MemoryFacts, arguments: Sequence[Argument]
+) -> Footprint:
+    form, start = argument.form, int(argument.value)
+    if form.handle or form.address:
+        # The variable only says where the value is.
+        size = Type.HANDLE.size if form.handle else Type.DATA32.size
+        noticed = size if form.handle and known.is_validated else known.validator_alignment
+        is_result = known.is_result and not form.address
+        return Footprint(
+            *(operation, number, argument, start, size, size, size, False, True, False, is_result),
+            *(noticed, size, max(noticed, size)),
+        )
+    size, most, room, is_array = known.size, known.most, known.room, known.is_array
+    if known.is_counted:
+        count = _count(known, arguments)
+        if count is None:
+            most = room = None
+        else:
+            size *= count
+            most = None if most is None else most * count
+            room = None if room is None else room * count
+        is_array = count is None or size > known.size or known.indexed_by is not None
+    return Footprint(
+        *(operation, number, argument, start, size, most, room, is_array),
+        *(known.is_read, known.is_written, known.is_result),
+        *(known.validator_alignment, known.cpu_alignment, known.alignment),
+    )
+
+
+def _count(known: MemoryFacts, arguments: Sequence[Argument]) -> int | None:
+    """How many values an array has, as far as they are used; None where nobody can tell."""
+    if known.fixed_length is not None:
+        return known.fixed_length
+    number = known.length if known.length is not None else known.indexed_by
+    told = whole_number(arguments[number]) if number is not None and number < len(arguments) else None
+    if told is None or (told == NO_LIMIT and known.is_text):
+        return None
+    if known.length is None:
+        # All elements up to the one that is used.
+        return told + 1 if told >= 0 else None
+    # Other negative lengths are those of bytes in reverse order.
+    return abs(told)
+
+
+def whole_number(argument: Argument | None) -> int | None:
+    """The value of an argument that is a whole number in the frame itself, None for all others."""
+    if argument is None or argument.form.kind != CONSTANT or argument.form.handle or argument.form.address:
+        return None
+    return argument.value if isinstance(argument.value, int) else None
+
+
+@cache
+def memory_facts(schema: OperationReader) -> tuple[MemoryFacts, ...]:
+    """What the tables tell of the memory of an operation: one entry for each argument before the elements of a list."""
+    parameters = schema.declaration.parameters
+    numbers = {parameter.name: number for number, parameter in enumerate(parameters)}
+    fixed = parameters[:-1] if parameters and parameters[-1].type is Type.VALUES else parameters
+    return tuple(
+        _facts(parameter, numbers, is_validated=parameter.type not in LISTS, is_element=False) for parameter in fixed
+    )
+
+
+def element_facts(parameter: Parameter) -> MemoryFacts:
+    """The same for an element of a list. The validator does not look at where it lies."""
+    return _element_facts(parameter.type, parameter.direction)
+
+
+@cache
+def _element_facts(kind: Type, direction: Direction) -> MemoryFacts:
+    return _facts(Parameter("", kind, "", direction), {}, is_validated=False, is_element=True)
+
+
+def _facts(parameter: Parameter, numbers: dict[str, int], *, is_validated: bool, is_element: bool) -> MemoryFacts:
+    kind, direction = parameter.type, parameter.direction
+    is_text, is_untyped = kind is Type.STRING, kind is Type.ARRAY_TYPED
+    size = max(kind.size, 1)
+    most: int | None = size
+    room: int | None = UNTYPED_SIZE if is_untyped else size
+    if is_text and parameter.length is None:
+        most = room = None
+    elif is_untyped:
+        # The elements of a mailbox may be texts, those of an array are numbers.
+        most = None if is_element else UNTYPED_SIZE
+    is_seen = is_validated and parameter.role is not Role.LABEL
+    validator_alignment = max((parameter.validated or kind).size, 1) if is_seen else 1
+    cpu_alignment = 1 if kind is Type.LABEL else size
+    return MemoryFacts(
+        size,
+        most,
+        room,
+        fixed_length=parameter.length if isinstance(parameter.length, int) else None,
+        length=numbers.get(parameter.length) if isinstance(parameter.length, str) else None,
+        indexed_by=None if parameter.indexed_by is None else numbers.get(parameter.indexed_by),
+        is_array=is_text or is_untyped or parameter.length is not None or parameter.indexed_by is not None,
+        is_read=not parameter.stores and direction is not Direction.OUT,
+        is_written=parameter.stores or direction is not Direction.IN,
+        is_result=direction is not Direction.IN,
+        is_text=is_text,
+        is_validated=is_validated,
+        validator_alignment=validator_alignment,
+        cpu_alignment=cpu_alignment,
+        alignment=max(validator_alignment, cpu_alignment, UNTYPED_SIZE if is_untyped else 1),
+    )

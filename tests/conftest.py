@@ -1,11 +1,32 @@
-"""The fixture `tshark`, and a marker on all tests that use it."""
+"""What all tests share: the tshark, the marker on tests that use it, hypothesis's settings, the Kaitai compiler.
+
+By default hypothesis draws the same few examples in every run, so that a change turns a test red and chance does not.
+With EV3PROTO_THOROUGH it draws many, others each time, and keeps those that fail.
+"""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
+from support.effort import THOROUGH
 from support.wireshark import Tshark
+
+settings.register_profile(
+    "usual", max_examples=50, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.register_profile(
+    "thorough", max_examples=500, deadline=None, suppress_health_check=[HealthCheck.too_slow], print_blob=True
+)
+settings.load_profile("thorough" if THOROUGH else "usual")
+
+# Where tests/run installs the compiler of Kaitai Struct.
+COMPILER = Path(__file__).parents[1] / ".kaitai" / "node_modules" / "kaitai-struct-compiler"
+if COMPILER.is_dir():
+    os.environ.setdefault("EV3PROTO_KSC", str(COMPILER))
 
 
 @pytest.fixture(scope="session")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gzip
 import io
-import os
 import random
 import struct
 from collections.abc import Sequence
@@ -14,6 +13,7 @@ from typing import NamedTuple
 
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from support.effort import effort
 from support.files import Blocks, Timed, btsnoop, pcap, timed
 from support.packets import ACK, FIN, PUSH, RST, SYN, Connection, Device, SerialPort, datagram, packets_of, segment
 from support.packets import Capture as Packets
@@ -27,15 +27,7 @@ from ev3proto.capture.record import utc
 CAPTURES = Path(__file__).parent.parent / "captures"
 LINKS = (0, 1, 12, 14, 101, 108, 113, 187, 189, 201, 220, 228, 229, 249, 254, 276)
 
-settings.register_profile(
-    "captures",
-    max_examples=int(os.environ.get("CAPTURE_FUZZ", "150")),
-    derandomize="CAPTURE_FUZZ" not in os.environ,
-    database=None,
-    deadline=None,
-    suppress_health_check=list(HealthCheck),
-)
-fuzzed = settings(settings.get_profile("captures"))
+fuzzed = settings(max_examples=effort(100, 5000), suppress_health_check=list(HealthCheck))
 
 
 def read_to_its_end(data: bytes) -> list[Event]:

@@ -6,8 +6,9 @@ import time
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.effort import effort
 
 import ev3proto
 from ev3proto import GV, LV, Operation, check
@@ -22,7 +23,7 @@ from ev3proto.tables.encoding import RANGES
 from ev3proto.tables.validation import NEWER
 from ev3proto.testing import direct_commands, frames, mutated_frames, system_commands
 
-many = settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+many = settings(max_examples=effort(80, 1000))
 
 ROOM = 60
 """Bytes of each memory in the commands of a careful sender."""
@@ -129,7 +130,7 @@ def test_what_is_built_from_valid_values_has_no_errors(frame: bytes) -> None:
 
 
 @pytest.mark.parametrize("declaration", KNOWN, ids=lambda declaration: declaration.name)
-@settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=effort(3, 30))
 @given(st.data())
 def test_no_operation_raises_a_false_alarm(declaration: Declaration, data: st.DataObject) -> None:
     """Of each operation with values that the tables provide for, nothing is said about its values or encodings."""

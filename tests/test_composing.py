@@ -11,9 +11,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.strategies import DrawFn, SearchStrategy
+from support.effort import effort
 
 import ev3proto
 from ev3proto import (
@@ -340,7 +341,7 @@ def test_what_is_composed_parses_back_to_what_was_asked(name: str) -> None:
     dialect = HOME[name]
     declaration = operations_of(dialect)[name]
 
-    @settings(max_examples=4, deadline=None, database=None, suppress_health_check=[HealthCheck.too_slow])
+    @settings(max_examples=effort(2, 20), database=None)
     @given(st.data())
     def check(data: st.DataObject) -> None:
         drawn = [data.draw(asked(declaration)) for _ in range(2)]

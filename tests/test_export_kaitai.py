@@ -1,7 +1,7 @@
 """The Kaitai Struct description: its compiler takes it, and the parser that it makes reads what the codec reads.
 
 The compiler is the npm package kaitai-struct-compiler, run by node: the one in the folder that the variable
-EV3PROTO_KSC names, or the one that node itself finds; tests/run installs one.
+EV3PROTO_KSC names, the one that tests/run installed, or the one that node itself finds.
 """
 
 from __future__ import annotations
@@ -47,7 +47,9 @@ def compiled(language: str, dialect: str, folder: Path) -> None:
     source.write_text(json.dumps(yaml.safe_load(build(dialect))))
     module = os.environ.get(SETTING, "kaitai-struct-compiler")
     is_there = subprocess.run(["node", "-e", "require(process.argv[1])", module], capture_output=True, timeout=60)
-    assert is_there.returncode == 0, f"node finds no kaitai-struct-compiler: name its folder in {SETTING}"
+    assert is_there.returncode == 0, (
+        f"node finds no kaitai-struct-compiler: run tests/run once, or name its folder in {SETTING}"
+    )
     words = ["node", "-e", _COMPILE, module, language, str(source), str(folder)]
     done = subprocess.run(words, capture_output=True, text=True, timeout=120, check=False)
     assert (done.returncode, done.stderr) == (0, "")

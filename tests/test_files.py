@@ -13,6 +13,7 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 from support.cli import run_ev3proto_text
+from support.effort import effort
 
 import ev3proto
 from ev3proto import SystemStatus
@@ -390,7 +391,7 @@ NASTY = st.lists(
 )
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=60)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=effort(30, 500))
 @given(
     st.lists(st.builds(lambda parts, mark: mark.join(parts), NASTY, st.sampled_from("/\\")), min_size=1, max_size=4),
     st.booleans(),

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import Counter
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.effort import effort
 
 import ev3proto
 from ev3proto import GV, LV, DirectCommand, Operation, Variable, operation
@@ -15,7 +16,7 @@ from ev3proto.checking.fixing import Fix, fix
 from ev3proto.schema.argument import encode_as
 from ev3proto.testing import frames, mutated_frames
 
-many = settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+many = settings(max_examples=effort(75, 1000))
 
 VOLTAGE = "08:00|2A:00|00|04:00|81|01|60|"
 

@@ -12,8 +12,9 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 import pytest
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from support.effort import effort
 
 import ev3proto
 from ev3proto import (
@@ -43,8 +44,8 @@ from ev3proto.testing import (
     values_for,
 )
 
-few = settings(max_examples=6, deadline=None, database=None, suppress_health_check=[HealthCheck.too_slow])
-many = settings(max_examples=200, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+few = settings(max_examples=effort(3, 30), database=None)
+many = settings(max_examples=effort(80, 1000))
 
 HOME = {name: dialect for dialect in reversed(DIALECTS) for name in operations_of(dialect)}
 """Every operation of every dialect, and one dialect that has it."""

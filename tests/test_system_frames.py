@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.effort import effort
 
 import ev3proto
 from ev3proto import BuildError, Dialogue, SystemCommand, system, system_reply
@@ -165,7 +166,7 @@ def test_an_empty_file() -> None:
     assert [message.command for message in system.download("a", b"")] == ["BEGIN_DOWNLOAD"]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=effort(40, 500))
 @given(st.binary(max_size=3000), st.integers(1, 1017), st.integers(0, 255), st.booleans())
 def test_any_file_in_pieces_of_any_size(data: bytes, piece: int, handle: int, reply: bool) -> None:
     begin, *rest = system.download("f", data, handle=handle, reply=reply, piece=piece)

@@ -38,7 +38,6 @@ from ev3proto.schema.argument import (
 from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables import OPCODES, enumerations
 from ev3proto.tables.constants import CONSTANTS
-from ev3proto.tables.declaration import Enumeration
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.input import MOTOR_PORTS
 from ev3proto.tables.input import PORTS as SENSOR_PORTS
@@ -163,14 +162,8 @@ def _spelled(word: str) -> str:
 
 
 def _members() -> Iterator[tuple[str, Constant]]:
-    for enumeration in vars(enumerations).values():
-        if not isinstance(enumeration, Enumeration):
-            continue
-        for name, number in enumeration.members.items():
-            yield name, number if enumeration is enumerations.NXTCOLOR else encode_integer(number)
-        if enumeration.end is not None:
-            name, number = enumeration.end
-            yield name, encode_integer(number)
+    for name, number in enumerations.NUMBERS.items():
+        yield name, number if name in enumerations.NXTCOLOR.members else encode_integer(number)
 
 
 def _ports() -> Iterator[tuple[str, Constant]]:

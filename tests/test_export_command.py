@@ -40,12 +40,6 @@ def frames(path: Path) -> list[str]:
 
 
 @pytest.mark.parametrize("name", FILES)
-def test_the_files_are_up_to_date(name: str) -> None:
-    if (EXPORTS / name).read_bytes() != FILES[name][1].encode():
-        pytest.fail(f"exports/{name} is out of date: run ev3proto export all exports", pytrace=False)
-
-
-@pytest.mark.parametrize("name", FILES)
 def test_every_file_to_standard_output_and_to_a_file(name: str, tmp_path: Path) -> None:
     command, text = FILES[name]
     done = run(command)

@@ -117,6 +117,9 @@ def test_the_flat_constants_stay_what_they_are() -> None:
         ("sound.tone", (1,), {"x": 2}, "sound.tone() has no parameter x: it has volume, frequency, duration"),
         ("ui_flush", (), {"x": 2}, "ui_flush() has no parameter x: it has none"),
         ("ui_read.get_os_vers", (), {}, "ui_read.get_os_vers() needs length, too"),
+        ("init_bytes", (), {}, "init_bytes() needs source, too"),
+        ("init_bytes", (None, 2), {}, "init_bytes() needs source, too"),
+        ("init_bytes", (), {"soruce": [1]}, "init_bytes() has no parameter soruce: did you mean source?"),
     ],
 )
 def test_calls_that_are_no_calls(path: str, values: tuple[Any, ...], named: dict[str, Any], sentence: str) -> None:
@@ -223,17 +226,23 @@ def test_dialects_have_their_own() -> None:
 
 
 def test_the_help_of_a_function() -> None:
-    assert str(inspect.signature(ops.sound.tone)).startswith(
-        "(volume, frequency, duration, *, unchecked: bool = False)"
+    assert str(inspect.signature(ops.sound.tone)) == (
+        "(volume: 'Number', frequency: 'Number', duration: 'Number', *, unchecked: 'bool' = False) -> 'Draft'"
     )
     assert inspect.getdoc(ops.sound.tone) == (
         "Plays one tone and returns at once.\n"
         "\n"
-        "volume     how loud; 0 to 100 %; 0: silent; DATA8\n"
-        "frequency  pitch; the driver moves others into the range; 250 to 10000 Hz; DATA16\n"
-        "duration   how long, read without sign (-1 is 65535); ms; 0: until BREAK or the next sound; DATA16"
+        "Args:\n"
+        "    volume: How loud; 0 to 100 %; 0: silent; DATA8.\n"
+        "    frequency: Pitch; the driver moves others into the range; 250 to 10000 Hz; DATA16.\n"
+        "    duration: How long, read without sign (-1 is 65535); ms; 0: until BREAK or the next sound; DATA16.\n"
+        "    unchecked: Let values through that mean nothing to the brick, as far as they can be encoded."
     )
-    assert "in global memory when left away" in (inspect.getdoc(ops.ui_read.get_vbatt) or "")
+    assert "in global memory when omitted" in (inspect.getdoc(ops.ui_read.get_vbatt) or "")
+    assert str(inspect.signature(ops.init_bytes)).startswith(
+        "(destination: 'Output' = None, length: 'Number | None' = None, source: 'Sequence[Number]' = required, *,"
+    )
+    assert inspect.getsource(ops.sound.tone).startswith("@explained\ndef tone(volume: Number,")
     assert {"sound", "ui_read", "output_start"} < set(dir(ops))
     assert dir(ops.sound) == ["break_", "play", "repeat", "service", "tone"]
 
@@ -259,11 +268,6 @@ def test_places() -> None:
     for size in (0, -1, 1.5, True, "4"):
         with pytest.raises(BuildError, match="it is a number of bytes, 1 or more"):
             Local(size)  # type: ignore[arg-type]
-
-
-def test_families_are_copied() -> None:
-    assert copy.copy(ops.sound).tone(1, 440, 1000).raw == TONE
-    assert copy.copy(ev3proto.system.bootloader).chip_erase().number == 0xF3
 
 
 def test_drafts_are_copied_and_pickled() -> None:

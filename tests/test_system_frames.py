@@ -97,9 +97,9 @@ def test_there_is_a_function_for_each() -> None:
 
 def test_the_help_of_a_function() -> None:
     assert str(inspect.signature(system.list_files)).startswith(
-        "(path, max_bytes=1012, *, counter: int = 0, reply: bool"
+        "(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: bool"
     )
-    assert "name_length     bytes of the name, with or without its zero; 0 to 255; worked out from name when left" in (
+    assert "name_length: Bytes of the name, with or without its zero; 0 to 255; worked out from name when omitted." in (
         inspect.getdoc(system.writemailbox) or ""
     )
 

@@ -6,11 +6,11 @@ import pytest
 
 from ev3proto.tables import AREAS, OPCODES, enumerations, operations
 from ev3proto.tables.declaration import DIALECTS, Declaration, Enumeration, Parameter, Type, declarations
+from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.system import SYSTEM, Kind, SystemStatus
 
 EVERYTHING = [entry for entry in declarations(OPCODES) if entry.dialects]
 PARAMETERS = [(entry, parameter) for entry in EVERYTHING for parameter in entry.parameters]
-ENUMERATIONS = [value for value in vars(enumerations).values() if isinstance(value, Enumeration)]
 
 
 def test_the_official_firmware_counts() -> None:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from typing import Any
 
+from ev3proto.compose.calls import REQUIRED, MissingValueError
 from ev3proto.compose.meanings import (
     check_arrays,
     check_meaning,
@@ -18,6 +20,7 @@ from ev3proto.compose.places import Place
 from ev3proto.errors import BuildError
 from ev3proto.messages import GV, Operation, Variable
 from ev3proto.schema.argument import encode_variable
+from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import OperationSchema
 from ev3proto.semantics.footprint import LISTS, Footprint, footprints
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
@@ -29,9 +32,8 @@ _PLAIN = (int, float, str, bool)
 _STAND_IN = GV(0)
 """What stands in a draft for a variable whose place is open."""
 
-
-MARK = "enumeration"
-"""The attribute in which the classes of `ev3proto.enums` have the name that the tables know them by."""
+_ENUMS = "ev3proto.enums"
+"""The module whose classes are the enumerations of the tables, under the same names."""
 
 
 class Open:
@@ -163,6 +165,35 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
     return Draft(operation, places, used)
 
 
+class OperationDrafts:
+    """Drafts of one operation."""
+
+    def __init__(self, schema: OperationSchema) -> None:
+        self.schema = schema
+
+    def draft(self, values: Sequence[Any], unchecked: bool) -> Draft:
+        """A draft from one value for each parameter, as `draft` makes it."""
+        return draft(self.schema, values, unchecked=unchecked)
+
+
+class Drafts(dict[str, OperationDrafts]):
+    """Drafts of the operations of one dialect by name (`SOUND.TONE`); each is prepared when it is first asked for."""
+
+    def __init__(self, dialect: str) -> None:
+        super().__init__()
+        self._dialect = dialect
+
+    def __missing__(self, name: str) -> OperationDrafts:
+        found = self[name] = OperationDrafts(instruction_set(self._dialect)[name])
+        return found
+
+
+@cache
+def drafts(dialect: str) -> Drafts:
+    """The drafts of one dialect's operations."""
+    return Drafts(dialect)
+
+
 def _is_simple(schema: OperationSchema, flat: Sequence[Any]) -> bool:
     """Whether there are only numbers and texts, each of which was looked at by itself."""
     if schema.list_parameter is not None or any(type(value) not in _PLAIN for value in flat):
@@ -188,6 +219,8 @@ def _flat(declaration: Declaration, values: Sequence[Any], unchecked: bool) -> l
     """One value for each argument: lists drawn out, their counts put in, what was left away marked."""
     flat: list[Any] = []
     for parameter, value in zip(declaration.parameters, values, strict=True):
+        if value is REQUIRED:
+            raise MissingValueError
         if parameter.type in LISTS:
             elements = _elements(parameter, value)
             if parameter.type is Type.COUNT:
@@ -229,8 +262,8 @@ def _check_name(parameter: Parameter, value: Any) -> None:
     assert parameter.enum is not None
     if isinstance(value, str) and value not in parameter.enum.members and parameter.length is None:
         raise wrong_name(parameter, value)
-    meant = getattr(type(value), MARK, None)
-    if meant is not None and meant != parameter.enum.name:
+    meant = type(value)
+    if meant.__module__ == _ENUMS and meant.__name__ != parameter.enum.name:
         raise BuildError(f"{parameter.name} takes a member of {parameter.enum.name}, not {value!r}")
 
 

@@ -1,26 +1,285 @@
-"""Every system command as a function: `system.list_files("/home/root/lms2012/sys/")`, and files cut into commands.
+"""Every system command as a function: `system.list_files("/home/root/lms2012/sys/")`, and files cut into
+commands.
 
-Names are the firmware's in lower case; those of the bootloader are in `system.bootloader`. A path comes first, lengths
-are worked out, and as much is asked for at a time as a reply can carry. All are made from the tables when they are
-first asked for; `download` and `pieces` are those that make several commands. What editors and type checkers see
-stands in the .pyi file, which is written from the same tables.
+Names are the firmware's in lower case; those of the bootloader are in `system.bootloader`. A path comes
+first, lengths are worked out, and as much is asked for at a time as a reply can carry. `download` and
+`pieces` are those that make several commands.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
 """
 
-from typing import Any
+from typing import TYPE_CHECKING
 
-from ev3proto.system.making import SystemCommands
+from ev3proto.compose.calls import explained
+from ev3proto.late import listed
+from ev3proto.messages import SystemCommand
+from ev3proto.system import bootloader
 from ev3proto.system.moving import download, pieces
+from ev3proto.system.requests import request
 
-__all__ = ["download", "pieces"]
+__all__ = [
+    "begin_download",
+    "begin_getfile",
+    "begin_upload",
+    "bluetoothpin",
+    "bootloader",
+    "close_filehandle",
+    "continue_download",
+    "continue_getfile",
+    "continue_list_files",
+    "continue_upload",
+    "create_dir",
+    "delete_file",
+    "download",
+    "enterfwupdate",
+    "list_files",
+    "list_open_handles",
+    "pieces",
+    "setbundleid",
+    "setbundleseedid",
+    "writemailbox",
+]
 
-_COMMANDS = SystemCommands()
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "there is no system command system.")
 
 
-def __getattr__(name: str) -> Any:
-    """The function for a system command."""
-    value = globals()[name] = getattr(_COMMANDS, name)
-    return value
+@explained
+def begin_download(path: str, size: int, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Opens a file on the brick for writing and says how long it will be.
+
+    Args:
+        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
+        size: Bytes of the whole file; 0 to 4294967295.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x92, counter, reply, path=path, size=size)
 
 
-def __dir__() -> list[str]:
-    return sorted([*__all__, *dir(_COMMANDS)])
+@explained
+def continue_download(handle: int, data: bytes, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Writes the next piece of a file; the file closes itself when it is complete.
+
+    Args:
+        handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
+        data: A piece of the file's contents.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x93, counter, reply, handle=handle, data=data)
+
+
+@explained
+def begin_upload(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Opens a file on the brick for reading and fetches its first piece.
+
+    Args:
+        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
+        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x94, counter, reply, path=path, max_bytes=max_bytes)
+
+
+@explained
+def continue_upload(handle: int, max_bytes: int = 1016, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Fetches the next piece of a file.
+
+    Args:
+        handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
+        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x95, counter, reply, handle=handle, max_bytes=max_bytes)
+
+
+@explained
+def begin_getfile(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Opens a file that may still be growing, such as a data log, and fetches its first piece.
+
+    Args:
+        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
+        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x96, counter, reply, path=path, max_bytes=max_bytes)
+
+
+@explained
+def continue_getfile(handle: int, max_bytes: int = 1012, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Fetches the next piece of a file that may still be growing.
+
+    Args:
+        handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
+        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x97, counter, reply, handle=handle, max_bytes=max_bytes)
+
+
+@explained
+def close_filehandle(handle: int, hash: bytes | None = None, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Closes an open file before its end.
+
+    Args:
+        handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
+        hash: MD5 of the file, often left away; at most 16 bytes.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x98, counter, reply, handle=handle, hash=hash)
+
+
+@explained
+def list_files(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Lists a folder and fetches the first piece of the listing.
+
+    Args:
+        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
+        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x99, counter, reply, path=path, max_bytes=max_bytes)
+
+
+@explained
+def continue_list_files(handle: int, max_bytes: int = 1016, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Fetches the next piece of a listing.
+
+    Args:
+        handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
+        max_bytes: Most bytes of contents that the reply may carry; 0 to 65535.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x9A, counter, reply, handle=handle, max_bytes=max_bytes)
+
+
+@explained
+def create_dir(path: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Makes a folder.
+
+    Args:
+        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x9B, counter, reply, path=path)
+
+
+@explained
+def delete_file(path: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Deletes a file or an empty folder.
+
+    Args:
+        path: Where the file or folder is, absolute or relative to /home/root/lms2012/sys.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x9C, counter, reply, path=path)
+
+
+@explained
+def list_open_handles(*, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Asks which file handles are in use.
+
+    Args:
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x9D, counter, reply)
+
+
+@explained
+def writemailbox(
+    name: str,
+    payload: bytes,
+    name_length: int | None = None,
+    payload_length: int | None = None,
+    *,
+    counter: int = 0,
+    reply: bool = False,
+) -> SystemCommand:
+    """Puts a message into a mailbox of the program that runs on the brick.
+
+    Args:
+        name: The mailbox.
+        payload: The message: a text with its zero, a float, or one byte for a logic value.
+        name_length: Bytes of the name, with or without its zero; 0 to 255; worked out from name when omitted.
+        payload_length: Bytes of the message; 0 to 65535; worked out from payload when omitted.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer; it never answers this one.
+    """
+    return request(
+        0x9E,
+        counter,
+        reply,
+        name=name,
+        payload=payload,
+        name_length=name_length,
+        payload_length=payload_length,
+    )
+
+
+@explained
+def bluetoothpin(
+    mac: str,
+    pin: str,
+    mac_length: int | None = None,
+    pin_length: int | None = None,
+    *,
+    counter: int = 0,
+    reply: bool = True,
+) -> SystemCommand:
+    """Hands over the PIN for a Bluetooth device (USB only).
+
+    Args:
+        mac: MAC address of the other device, in hex.
+        pin: The PIN.
+        mac_length: Bytes of the MAC address; 0 to 255; worked out from mac when omitted.
+        pin_length: Bytes of the PIN; 0 to 255; worked out from pin when omitted.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0x9F, counter, reply, mac=mac, pin=pin, mac_length=mac_length, pin_length=pin_length)
+
+
+@explained
+def enterfwupdate(*, counter: int = 0, reply: bool = False) -> SystemCommand:
+    """Restarts the brick into its firmware updater.
+
+    Args:
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer; it never answers this one.
+    """
+    return request(0xA0, counter, reply)
+
+
+@explained
+def setbundleid(id: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Sets the bundle identifier with which the brick shows itself to Apple devices.
+
+    Args:
+        id: The identifier; at most 24 bytes with its zero.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0xA1, counter, reply, id=id)
+
+
+@explained
+def setbundleseedid(id: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
+    """Sets the bundle seed identifier with which the brick shows itself to Apple devices.
+
+    Args:
+        id: The identifier; at most 11 bytes with its zero.
+        counter: Of the message, 0 to 65535.
+        reply: Whether the brick is to answer.
+    """
+    return request(0xA2, counter, reply, id=id)

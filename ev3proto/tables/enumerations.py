@@ -1,7 +1,7 @@
 """The names the firmware gives to numbers: ports, buttons, colours, icons, device types, results.
 
-An enumeration stands here once; the parameters that use it point at it. FORMAT_TYPES tells what values a DATA_FORMAT
-stands for, which the counts whose element is the name of a parameter (FORMAT, TYPE) need.
+An enumeration stands here once; the parameters that use it point at it. ENUMERATIONS are all of them. FORMAT_TYPES
+says what values a DATA_FORMAT stands for: counts whose element is the name of a parameter (FORMAT, TYPE) need it.
 """
 
 from collections.abc import Mapping
@@ -477,3 +477,13 @@ CONN = Enumeration(
         "CONN_ERROR": 127,
     },
 )
+
+ENUMERATIONS: tuple[Enumeration, ...] = tuple(found for found in vars().values() if isinstance(found, Enumeration))
+"""All of them, in the order of this file."""
+
+NUMBERS: dict[str, int] = {}
+"""Every name with its number, also those of the number after the last. Of a name in several, the first one counts."""
+
+for _found in ENUMERATIONS:
+    for _name, _number in (*_found.members.items(), *((_found.end,) if _found.end else ())):
+        NUMBERS.setdefault(_name, _number)

@@ -6,9 +6,10 @@ import textwrap
 from collections.abc import Iterable, Iterator
 
 from ev3proto.generate.parameters import described, firmwares
-from ev3proto.tables import AREAS, daisy, enumerations
+from ev3proto.tables import AREAS, daisy
 from ev3proto.tables.constants import CONSTANTS
-from ev3proto.tables.declaration import Command, Direction, Enumeration, Opcode, Parameter
+from ev3proto.tables.declaration import Command, Direction, Opcode, Parameter
+from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SYSTEM, Field, SystemCommand, SystemStatus
 
@@ -144,12 +145,11 @@ def _type(parameter: Parameter) -> str:
 
 def _enumerations() -> Iterator[str]:
     yield from heading("Enumerations", "Names of the values of parameters.")
-    for enum in vars(enumerations).values():
-        if isinstance(enum, Enumeration):
-            yield from _comment([f"{enum.name}: {enum.text}{firmwares(enum.dialects)}"], "")
-            members = [(name, number, ()) for name, number in enum.members.items()]
-            end = [] if enum.end is None else [(*enum.end, ())]
-            yield from _enum([*members, *end], 0)
+    for enum in ENUMERATIONS:
+        yield from _comment([f"{enum.name}: {enum.text}{firmwares(enum.dialects)}"], "")
+        members = [(name, number, ()) for name, number in enum.members.items()]
+        end = [] if enum.end is None else [(*enum.end, ())]
+        yield from _enum([*members, *end], 0)
 
 
 def _system_commands() -> Iterator[str]:

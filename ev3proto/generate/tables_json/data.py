@@ -12,6 +12,7 @@ from ev3proto.tables import AREAS, carriers, daisy, discovery, enumerations, fra
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Type
 from ev3proto.tables.encoding import NAN_FLOAT, RANGES, STRING_CODING, Encoding
+from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SYSTEM, Field, SystemCommand, SystemStatus
 from ev3proto.version import VERSION
@@ -29,7 +30,7 @@ def tables() -> Object:
         "types": [_type(member) for member in Type],
         "encodings": _encodings(),
         "areas": {area: [_opcode(opcode) for opcode in opcodes] for area, opcodes in AREAS.items()},
-        "enumerations": {enum.name: _enumeration(enum) for enum in enumerations_of_tables()},
+        "enumerations": {enum.name: _enumeration(enum) for enum in ENUMERATIONS},
         "format_types": [{"format": number, "type": kind.label} for number, kind in enumerations.FORMAT_TYPES.items()],
         "system_commands": [_system_command(command) for command in SYSTEM],
         "system_statuses": [_status(status) for status in SystemStatus],
@@ -37,11 +38,6 @@ def tables() -> Object:
         "carriers": _carriers(),
         "constants": dict(CONSTANTS),
     }
-
-
-def enumerations_of_tables() -> list[Enumeration]:
-    """The enumerations in their order."""
-    return [enum for enum in vars(enumerations).values() if isinstance(enum, Enumeration)]
 
 
 def _present(**facts: Any) -> Object:

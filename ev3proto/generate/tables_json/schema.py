@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from ev3proto.generate.tables_json.data import enumerations_of_tables
 from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import DIALECTS, Direction, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
+from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 from ev3proto.tables.system import Kind
 
@@ -289,7 +289,7 @@ def _parameter() -> Schema:
         "text": _LINE,
         "unit": _text("of the value, as people write it"),
         "range": _pair({"type": "integer"}, "smallest and largest value that makes sense"),
-        "enum": _one_of([enum.name for enum in enumerations_of_tables()], "the enumeration that names its values"),
+        "enum": _one_of([enum.name for enum in ENUMERATIONS], "the enumeration that names its values"),
         "special": {
             "type": "object",
             "description": "single values with a meaning of their own",

@@ -11,10 +11,11 @@ from ev3proto.messages import Variable
 from ev3proto.names import constant, constant_names
 from ev3proto.schema.frame import HEADER_SIZE
 from ev3proto.schema.operation import CMD
-from ev3proto.tables import OPCODES, enumerations
+from ev3proto.tables import OPCODES
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Enumeration, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.enumerations import ENUMERATIONS, NUMBERS
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.assembly.lexing import Token
@@ -116,11 +117,7 @@ class Names:
 @cache
 def firmware_constants() -> dict[str, Constant]:
     """Every constant of the firmware by name; opcodes, CMDs and system commands are none."""
-    found: dict[str, Constant] = {}
-    for enumeration in vars(enumerations).values():
-        if isinstance(enumeration, Enumeration):
-            for name, number in (*enumeration.members.items(), *((enumeration.end,) if enumeration.end else ())):
-                found.setdefault(name, number)
+    found: dict[str, Constant] = dict(NUMBERS)
     for name, value in CONSTANTS.items():
         found.setdefault(name, Pattern(value) if name in NOT_NUMBERS else value)
     others = {command.name for opcode in OPCODES for command in opcode.commands} | {entry.name for entry in SYSTEM}
@@ -136,12 +133,7 @@ def firmware_constants() -> dict[str, Constant]:
 
 @cache
 def _members() -> frozenset[str]:
-    return frozenset(
-        name
-        for enumeration in vars(enumerations).values()
-        if isinstance(enumeration, Enumeration)
-        for name in enumeration.members
-    )
+    return frozenset(name for enumeration in ENUMERATIONS for name in enumeration.members)
 
 
 def firmware_constant(name: str, enum: Enumeration | None) -> Constant | None:

@@ -1,0 +1,38 @@
+"""`python -m ev3proto.generate` writes all files that are generated from the tables and checked in.
+
+With `--check` it writes nothing and exits with status 1 if a file is not what would be written.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+import ev3proto
+from ev3proto.generate.everything import COMMAND, outdated, write
+
+
+@click.command(help=__doc__)
+@click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file is not what would be written.")
+@click.option(
+    "--root",
+    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    default=Path(ev3proto.__file__).parent.parent,
+    help="The project's folder; that of this package when omitted.",
+)
+def main(check: bool, root: Path) -> None:
+    """Writes or checks the files."""
+    if not check:
+        for path in write(root):
+            click.echo(path)
+        return
+    found = list(outdated(root))
+    for path in found:
+        click.echo(f"{path} is out of date: run {COMMAND}", err=True)
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main(prog_name=COMMAND)

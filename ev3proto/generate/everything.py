@@ -1,0 +1,71 @@
+"""All that is generated and checked in: which files there are, what is in them, and writing them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from ev3proto.generate import modules
+from ev3proto.generate.cheader import build as cheader
+from ev3proto.generate.dissector import build as dissector
+from ev3proto.generate.kaitai import build as kaitai
+from ev3proto.generate.modules.source import MARK
+from ev3proto.generate.tables_json import build as tables_json
+
+COMMAND = "python -m ev3proto.generate"
+"""What brings all of it up to date."""
+
+
+def build() -> dict[str, str]:
+    """Each file by its path in the project's folder; the same text every time."""
+    return {
+        **modules.build(),
+        f"dissector/{dissector.FILE_NAME}": dissector.build(),
+        f"exports/{cheader.FILE_NAME}": cheader.build(),
+        f"exports/{kaitai.FILE_NAME}": kaitai.build(),
+        f"exports/{tables_json.TABLES_NAME}": tables_json.build_tables(),
+        f"exports/{tables_json.SCHEMA_NAME}": tables_json.build_schema(),
+    }
+
+
+def outdated(root: Path) -> Iterator[str]:
+    """The paths of files that are not as the tables have them: to be written, or to be deleted.
+
+    Args:
+        root: The project's folder.
+    """
+    return _outdated(root, build())
+
+
+def _outdated(root: Path, files: dict[str, str]) -> Iterator[str]:
+    for path, text in files.items():
+        file = root / path
+        if not file.is_file() or file.read_bytes() != text.encode():
+            yield path
+    yield from _left_over(root, files)
+
+
+def write(root: Path) -> Iterator[str]:
+    """Brings the files up to date; yields the path of each that changed.
+
+    Args:
+        root: The project's folder.
+    """
+    files = build()
+    for path in list(_outdated(root, files)):
+        file = root / path
+        if path in files:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(files[path].encode())
+        else:
+            file.unlink()
+        yield path
+
+
+def _left_over(root: Path, files: dict[str, str]) -> Iterator[str]:
+    """Generated modules that belong to no table any more."""
+    for folder in modules.FOLDERS:
+        for file in sorted((root / folder).rglob("*.py")):
+            path = file.relative_to(root).as_posix()
+            if path not in files and MARK in file.read_text(encoding="utf-8"):
+                yield path

@@ -1,0 +1,91 @@
+"""`ev3proto.ops.argument_types`: what calls take for a parameter, as types for type checkers and editors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.generate.modules.source import MARK, bracketed, docstring, imported, joined
+from ev3proto.tables import operations as operations_of
+from ev3proto.tables.declaration import DIALECTS, Direction, Enumeration, Parameter, Type
+
+_ALIASES = {
+    "AnyVariable": "Variable | Place | Argument | bytes",
+    "Number": "int | AnyVariable",
+    "Real": "float | AnyVariable",
+    "Text": "str | AnyVariable",
+    "Elements": "int | str | AnyVariable",
+    "Untyped": "float | str | AnyVariable",
+    "Output": "AnyVariable | None",
+    "Outputs": "Sequence[Output] | Variable | Place | int | None",
+}
+"""The types that no enumeration is part of."""
+
+_SCALARS = {Type.DATAF: "Real", Type.STRING: "Text", Type.ARRAY_TYPED: "Real"}
+
+
+def module() -> str:
+    """The text of the module."""
+    return joined(_lines())
+
+
+def argument_type(parameter: Parameter) -> str:
+    """What a call takes for a parameter."""
+    if parameter.type is Type.COUNT and parameter.elements is not Direction.IN:
+        return "Outputs"
+    if parameter.type in (Type.COUNT, Type.VALUES):
+        element = parameter.element
+        return f"Sequence[{_SCALARS.get(element, 'Number') if isinstance(element, Type) else 'Untyped'}]"
+    if parameter.direction is Direction.OUT:
+        return "Output"
+    if parameter.direction is Direction.INOUT:
+        return "AnyVariable"
+    if parameter.enum is not None:
+        return _alias(parameter.enum)
+    if parameter.type is not Type.STRING and parameter.length is not None:
+        return "Elements"
+    return _SCALARS.get(parameter.type, "Number")
+
+
+def _alias(enum: Enumeration) -> str:
+    return f"Any{enum.name}"
+
+
+def _lines() -> Iterator[str]:
+    yield from docstring(
+        [
+            "What the functions of `ev3proto.ops` take for their parameters, for type checkers and editors.",
+            "",
+            "A number may be given as such, by the name of an enumeration's member, or be in a variable. Bytes are one",
+            "encoded argument, such as `LC2(5)`. None leaves the place of an output to `ev3proto.command`.",
+            "",
+            MARK,
+        ]
+    )
+    enums = _enumerations()
+    yield ""
+    yield "from __future__ import annotations"
+    yield ""
+    yield "from collections.abc import Sequence"
+    yield "from typing import Literal, TypeAlias"
+    yield ""
+    yield from imported("ev3proto.compose.places", ["Place"])
+    yield from imported("ev3proto.enums", [enum.name for enum in enums])
+    yield from imported("ev3proto.messages", ["Argument", "Variable"])
+    yield ""
+    yield from (f'{name}: TypeAlias = "{meaning}"' for name, meaning in _ALIASES.items())
+    for enum in enums:
+        yield ""
+        names = [f'"{name}"' for name in enum.members]
+        yield from bracketed(f"_{enum.name}_NAME: TypeAlias = Literal[", names, "]", indent=" " * 120)
+        yield f'{_alias(enum)}: TypeAlias = "{enum.name} | _{enum.name}_NAME | Number"'
+
+
+def _enumerations() -> list[Enumeration]:
+    """Those that inputs of any dialect have, in the order in which they are met."""
+    found: dict[str, Enumeration] = {}
+    for dialect in DIALECTS:
+        for declaration in operations_of(dialect).values():
+            for parameter in declaration.parameters:
+                if parameter.enum is not None and parameter.direction is Direction.IN:
+                    found.setdefault(parameter.enum.name, parameter.enum)
+    return list(found.values())

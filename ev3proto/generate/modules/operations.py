@@ -1,0 +1,297 @@
+"""`ev3proto.ops` and its dialects: a module for each family, and one for the other opcodes of each of the areas.
+
+What a dialect shares with LEGO's own firmware is re-exported from there; its own folder holds what differs.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from ev3proto.compose.drafts import may_be_left_away
+from ev3proto.generate.modules.argument_types import argument_type
+from ev3proto.generate.modules.parameters import text_of
+from ev3proto.generate.modules.source import (
+    FIRMWARES,
+    INDENT,
+    MARK,
+    WIDTH,
+    bracketed,
+    described,
+    docstring,
+    exported,
+    imported,
+    indented,
+    joined,
+    natural,
+    python_name,
+    sentence,
+)
+from ev3proto.tables import OPCODES, area_of
+from ev3proto.tables import operations as operations_of
+from ev3proto.tables.declaration import DIALECTS, Declaration, Opcode
+
+_PLAIN = "plain"
+"""The folder of opcodes without a CMD, one module an area: SOUND is both an area and a family."""
+
+_UNCHECKED = "unchecked: bool = False"
+
+_TEXTS = {
+    "official": [
+        "Every operation as a function: `ops.sound.tone(volume=1, frequency=440, duration=1000)`, `ops.ui_flush()`.",
+        "",
+        "Opcodes with a CMD are families, and their commands are functions of those; all other opcodes are functions",
+        "here. Names are the firmware's in lower case; a word of Python has a `_` after it (`ops.sound.break_`). A",
+        "function gives a `Draft`, and `ev3proto.command` makes a command of drafts. Outputs may be omitted: the",
+        "command finds a place for them.",
+        "",
+        "A value that means nothing to the brick is refused with a BuildError. `unchecked=True` lets it through, as",
+        "far as it can be encoded.",
+        "",
+        "These are the operations of LEGO's own firmware; `ev3proto.ops.xtended` and `ev3proto.ops.compat` have those",
+        "of the community's. A module is loaded when it is first named.",
+        "",
+        MARK,
+    ],
+    **{
+        dialect: [
+            f"Every operation of {FIRMWARES[dialect]} as a function, as `ev3proto.ops` has those of LEGO's own.",
+            "",
+            "What is the same in another firmware is the same function. A module is loaded when it is first named.",
+            "",
+            MARK,
+        ]
+        for dialect in DIALECTS[1:]
+    },
+}
+
+
+def modules(dialect: str) -> dict[str, str]:
+    """The files of one dialect by their path in the project's folder."""
+    folder = _package(dialect).replace(".", "/")
+    files = {f"{folder}/__init__.py": joined(_index(dialect))}
+    for opcode in _families(dialect):
+        if _family_home(opcode, dialect) == dialect:
+            files[f"{folder}/{python_name(opcode.name)}.py"] = joined(_family(opcode, dialect))
+    areas = {area: [each for each in found if _home(each) == dialect] for area, found in _plain(dialect).items()}
+    for area, declarations in areas.items():
+        if declarations:
+            files[f"{folder}/{_PLAIN}/{area}.py"] = joined(_area(area, declarations, dialect))
+            text = (
+                f"Opcodes without a CMD of {FIRMWARES[dialect]}: a module for each area of the firmware that has any."
+            )
+            files[f"{folder}/{_PLAIN}/__init__.py"] = joined(docstring([text, "", MARK]))
+    return files
+
+
+def _package(dialect: str) -> str:
+    return "ev3proto.ops" if dialect == DIALECTS[0] else f"ev3proto.ops.{dialect}"
+
+
+def _home(declaration: Declaration) -> str:
+    """The dialect whose folder has an operation: the first that knows it."""
+    return next(dialect for dialect in DIALECTS if dialect in declaration.dialects)
+
+
+def _families(dialect: str) -> list[Opcode]:
+    """The opcodes of a dialect that have a CMD."""
+    return [opcode for opcode in OPCODES if opcode.is_family and dialect in opcode.dialects]
+
+
+def _commands(opcode: Opcode, dialect: str) -> list[Declaration]:
+    """The operations of one family."""
+    return [found for found in operations_of(dialect).values() if found.opcode is opcode]
+
+
+def _family_home(opcode: Opcode, dialect: str) -> str:
+    """The first dialect whose family has the same commands."""
+    wanted = _commands(opcode, dialect)
+    return next(other for other in DIALECTS if _commands(opcode, other) == wanted)
+
+
+def _plain(dialect: str) -> dict[str, list[Declaration]]:
+    """The operations without a CMD by area."""
+    found: dict[str, list[Declaration]] = {}
+    for declaration in operations_of(dialect).values():
+        if declaration.command is None:
+            found.setdefault(area_of(declaration.opcode), []).append(declaration)
+    return found
+
+
+def _name(declaration: Declaration) -> str:
+    return python_name(declaration.command.name if declaration.command else declaration.opcode.name)
+
+
+# The package of a dialect
+
+
+def _index(dialect: str) -> Iterator[str]:
+    yield from docstring(_TEXTS[dialect])
+    families = {python_name(opcode.name): _package(_family_home(opcode, dialect)) for opcode in _families(dialect)}
+    plain: dict[str, list[str]] = {}
+    for area, declarations in _plain(dialect).items():
+        for declaration in declarations:
+            module = f"{_package(_home(declaration))}.{_PLAIN}.{area}"
+            plain.setdefault(module, []).append(_name(declaration))
+    yield ""
+    yield "# ruff: noqa: I001 - one import for each module"
+    yield ""
+    yield "from typing import TYPE_CHECKING"
+    yield ""
+    yield "from ev3proto.late import late"
+    yield ""
+    yield "if TYPE_CHECKING:"
+    for package in sorted(set(families.values())):
+        names = [name for name, home in families.items() if home == package]
+        yield from indented(_reexported(package, names))
+    for module in sorted(plain):
+        yield from indented(_reexported(module, plain[module]))
+    yield ""
+    yield "_FAMILIES = {"
+    yield from (f'{INDENT}"{name}": "{families[name]}.{name}",' for name in sorted(families, key=natural))
+    yield "}"
+    yield '"""The module of each family."""'
+    yield ""
+    yield "_PLAIN = {"
+    for module in sorted(plain):
+        names = [f'"{name}"' for name in sorted(plain[module], key=natural)]
+        end = ",)," if len(names) == 1 else "),"
+        yield from indented(bracketed(f'"{module}": (', names, end, indent=INDENT))
+    yield "}"
+    yield '"""The modules of all other opcodes, and what is in each."""'
+    yield ""
+    yield "if not TYPE_CHECKING:"
+    unknown = f"the {dialect} firmware has no operation "
+    yield f'{INDENT}__getattr__, __dir__ = late(globals(), _FAMILIES, _PLAIN, "{unknown}")'
+
+
+def _reexported(module: str, names: Sequence[str]) -> Iterator[str]:
+    pairs = [f"{name} as {name}" for name in sorted(names, key=natural)]
+    line = f"from {module} import {', '.join(pairs)}"
+    if len(INDENT) + len(line) <= WIDTH:
+        yield line
+    else:
+        yield f"from {module} import ("
+        yield from (f"{INDENT}{pair}," for pair in pairs)
+        yield ")"
+
+
+# The modules with functions
+
+
+def _family(opcode: Opcode, dialect: str) -> Iterator[str]:
+    declarations = _commands(opcode, dialect)
+    own = [declaration for declaration in declarations if _home(declaration) == dialect]
+    name = python_name(opcode.name)
+    others: dict[str, list[str]] = {}
+    for declaration in declarations:
+        if _home(declaration) != dialect:
+            others.setdefault(f"{_package(_home(declaration))}.{name}", []).append(_name(declaration))
+    yield from docstring([sentence(f"{opcode.name}: {opcode.text[:1].lower()}{opcode.text[1:]}"), "", MARK])
+    yield from _imports(own, others, has_hints=True)
+    yield ""
+    yield from exported(map(_name, declarations))
+    yield ""
+    yield "if not TYPE_CHECKING:"
+    yield f'{INDENT}__getattr__, __dir__ = listed(__all__, "the {dialect} firmware has no operation {name}.")'
+    yield from _functions(own, dialect)
+
+
+def _area(area: str, declarations: Sequence[Declaration], dialect: str) -> Iterator[str]:
+    package = _package(dialect).removeprefix("ev3proto.")
+    text = f"Opcodes without a CMD in the firmware's area `{area}`; `{package}` has each under its name."
+    yield from docstring([text, "", MARK])
+    yield from _imports(declarations, {}, has_hints=False)
+    yield ""
+    yield from exported(map(_name, declarations))
+    yield from _functions(declarations, dialect)
+
+
+def _imports(
+    declarations: Sequence[Declaration], others: Mapping[str, Sequence[str]], *, has_hints: bool
+) -> Iterator[str]:
+    types = {argument_type(parameter) for declaration in declarations for parameter in declaration.parameters}
+    words = {word for each in types for word in re.findall(r"\w+", each)}
+    is_overloaded = any(map(_is_overloaded, declarations))
+    aliases = words - {"Sequence"} | ({"Number"} if is_overloaded else set())
+    yield ""
+    yield "from __future__ import annotations"
+    yield ""
+    if "Sequence" in words:
+        yield "from collections.abc import Sequence"
+    typing = [*(["TYPE_CHECKING"] if aliases or has_hints else []), *(["overload"] if is_overloaded else [])]
+    if typing:
+        yield f"from typing import {', '.join(typing)}"
+    yield ""
+    yield from imported("ev3proto.compose.calls", ["explained", *(["REQUIRED"] if is_overloaded else [])])
+    yield "from ev3proto.compose.drafts import Draft, drafts"
+    if has_hints:
+        yield "from ev3proto.late import listed"
+    for module, names in others.items():
+        yield from imported(module, names)
+    if aliases:
+        yield ""
+        yield "if TYPE_CHECKING:"
+        yield from indented(imported("ev3proto.ops.argument_types", aliases, INDENT))
+
+
+def _functions(declarations: Sequence[Declaration], dialect: str) -> Iterator[str]:
+    yield ""
+    yield f'_OPERATIONS = drafts("{dialect}")'
+    for declaration in declarations:
+        yield ""
+        yield ""
+        yield from _function(declaration)
+
+
+def _optional(declaration: Declaration) -> list[bool]:
+    return [may_be_left_away(declaration, number) for number in range(len(declaration.parameters))]
+
+
+def _is_overloaded(declaration: Declaration) -> bool:
+    """Whether something that may be omitted stands before something that may not."""
+    optional = _optional(declaration)
+    return True in optional and not all(optional[optional.index(True) :])
+
+
+def _function(declaration: Declaration) -> Iterator[str]:
+    name = _name(declaration)
+    names = [python_name(parameter.name) for parameter in declaration.parameters]
+    optional = _optional(declaration)
+    types = [argument_type(parameter) for parameter in declaration.parameters]
+    in_order = [
+        f"{each}: {kind}{' | None' if may and kind == 'Number' else ''}"
+        for each, kind, may in zip(names, types, optional, strict=True)
+    ]
+    by_name = [f"{each} = None" if may else each for each, may in zip(in_order, optional, strict=True)]
+    parameters = by_name
+    if _is_overloaded(declaration):
+        split = optional.index(True)
+        # By position all have to be there; by name, what may be omitted need not.
+        yield "@overload"
+        yield from bracketed(f"def {name}(", [*in_order, "*", _UNCHECKED], ") -> Draft: ...")
+        yield ""
+        yield ""
+        yield "@overload"
+        yield from bracketed(f"def {name}(", [*in_order[:split], "*", *by_name[split:], _UNCHECKED], ") -> Draft: ...")
+        yield ""
+        yield ""
+        after = [each if may else f"{each} = REQUIRED" for each, may in zip(by_name, optional, strict=True)]
+        parameters = [*by_name[:split], *after[split:]]
+    yield "@explained"
+    yield from bracketed(f"def {name}(", [*parameters, "*", _UNCHECKED], ") -> Draft:")
+    texts = [
+        (each, text_of(parameter, is_optional=may))
+        for each, parameter, may in zip(names, declaration.parameters, optional, strict=True)
+    ]
+    if names:
+        texts.append(("unchecked", "Let values through that mean nothing to the brick, as far as they can be encoded."))
+    yield from indented(described(declaration.text, texts, INDENT))
+    values = f"({', '.join(names)}{',' if len(names) == 1 else ''})"
+    line = f'return _OPERATIONS["{declaration.name}"].draft({values}, unchecked)'
+    if len(INDENT) + len(line) <= WIDTH:
+        yield f"{INDENT}{line}"
+    else:
+        yield f'{INDENT}return _OPERATIONS["{declaration.name}"].draft('
+        yield from indented(indented(bracketed("(", names, "), unchecked", indent=INDENT * 2)))
+        yield f"{INDENT})"

@@ -1,0 +1,115 @@
+"""Python source in pieces: docstrings, signatures, imports, lists, in the form in which the formatter leaves them."""
+
+from __future__ import annotations
+
+import keyword
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
+
+from ev3proto.tables.declaration import DIALECTS
+
+WIDTH = 120
+INDENT = "    "
+
+MARK = "Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate."
+"""A line in the docstring of every generated module."""
+
+FIRMWARES = {
+    "official": "LEGO's own firmware",
+    "xtended": "the community's extended firmware",
+    "compat": "the community's compatible firmware",
+}
+assert tuple(FIRMWARES) == DIALECTS
+
+
+def python_name(name: str) -> str:
+    """A firmware's name as Python writes it: in lower case, with a `_` after it where it is a word of Python."""
+    lowered = name.lower()
+    return f"{lowered}_" if keyword.iskeyword(lowered) else lowered
+
+
+def natural(name: str) -> list[tuple[int, str]]:
+    """The key that puts `move8_8` before `move16_8`, as the formatter sorts imports."""
+    return [(int(piece), "") if piece.isdigit() else (-1, piece) for piece in re.findall(r"\d+|\D+", name)]
+
+
+def indented(lines: Iterable[str]) -> Iterator[str]:
+    """The same lines one step further in."""
+    return (f"{INDENT}{line}" if line else "" for line in lines)
+
+
+def docstring(lines: Sequence[str]) -> Iterator[str]:
+    """A docstring of these lines."""
+    first, *rest = [line.replace("\\", r"\\").replace('"""', r"\"\"\"") for line in lines]
+    if rest:
+        yield f'"""{first}'
+        yield from rest
+        yield '"""'
+    else:
+        yield f'"""{first}"""'
+
+
+def sentence(*pieces: str) -> str:
+    """Pieces of text as one sentence: `How loud; 0 to 100 %; DATA8.`"""
+    text = "; ".join(pieces)
+    return f"{text[:1].upper()}{text[1:]}."
+
+
+def described(text: str, arguments: Sequence[tuple[str, str]], indent: str) -> Iterator[str]:
+    """The docstring of a function: what it does, and what its parameters are.
+
+    Args:
+        text: One sentence without its full stop.
+        arguments: Each parameter's name and a sentence.
+        indent: What stands before the lines in the file.
+    """
+    lines = [sentence(text)]
+    if arguments:
+        lines += ["", "Args:"]
+    for name, meaning in arguments:
+        lines += wrap(
+            f"{name}: {meaning}",
+            WIDTH - len(indent),
+            initial_indent=INDENT,
+            subsequent_indent=INDENT * 2,
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+    yield from docstring(lines)
+
+
+def bracketed(start: str, items: Sequence[str], end: str, indent: str = "") -> Iterator[str]:
+    """`start` and `end` with the items between them: in one line where there is room, else an item a line."""
+    line = f"{start}{', '.join(items)}{end}"
+    if len(indent) + len(line) <= WIDTH:
+        yield line
+    else:
+        yield start
+        yield from (f"{INDENT}{item}," for item in items)
+        yield end
+
+
+def imported(module: str, names: Iterable[str], indent: str = "") -> Iterator[str]:
+    """`from module import name, ...`"""
+    found = sorted(set(names), key=_import_order)
+    line = f"from {module} import {', '.join(found)}"
+    if len(indent) + len(line) <= WIDTH:
+        yield line
+    else:
+        yield from bracketed(f"from {module} import (", found, ")", indent=" " * WIDTH)
+
+
+def _import_order(name: str) -> tuple[int, list[tuple[int, str]]]:
+    """Constants, then classes, then functions."""
+    return (0 if name.isupper() and len(name) > 1 else 1 if name[0].isupper() else 2), natural(name.lower())
+
+
+def exported(names: Iterable[str]) -> Iterator[str]:
+    """`__all__`."""
+    yield from bracketed("__all__ = [", [f'"{name}"' for name in sorted(names, key=natural)], "]")
+
+
+def joined(lines: Iterable[str]) -> str:
+    """The text of a file."""
+    return "\n".join(lines) + "\n"

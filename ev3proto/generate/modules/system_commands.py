@@ -1,0 +1,138 @@
+"""`ev3proto.system`: a function for each system command."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.generate.modules.source import (
+    INDENT,
+    MARK,
+    bracketed,
+    described,
+    docstring,
+    exported,
+    indented,
+    joined,
+    sentence,
+)
+from ev3proto.schema.fields import NUMBERS
+from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand
+
+_REPLY_HEAD: int = HEADER_SIZE + 2
+"""Bytes of a reply before its fields: header, command, status."""
+
+_ROOM = "max_bytes"
+"""The field that says how much a reply may carry."""
+
+
+def module() -> str:
+    """The text of `ev3proto.system`."""
+    return joined(_system())
+
+
+def bootloader_module() -> str:
+    """The text of `ev3proto.system.bootloader`."""
+    return joined(_bootloader())
+
+
+def _system() -> Iterator[str]:
+    entries = [entry for entry in SYSTEM if not entry.bootloader]
+    yield from docstring(
+        [
+            'Every system command as a function: `system.list_files("/home/root/lms2012/sys/")`, and files cut into',
+            "commands.",
+            "",
+            "Names are the firmware's in lower case; those of the bootloader are in `system.bootloader`. A path comes",
+            "first, lengths are worked out, and as much is asked for at a time as a reply can carry. `download` and",
+            "`pieces` are those that make several commands.",
+            "",
+            MARK,
+        ]
+    )
+    yield ""
+    yield "from typing import TYPE_CHECKING"
+    yield ""
+    yield "from ev3proto.compose.calls import explained"
+    yield "from ev3proto.late import listed"
+    yield "from ev3proto.messages import SystemCommand"
+    yield "from ev3proto.system import bootloader"
+    yield "from ev3proto.system.moving import download, pieces"
+    yield "from ev3proto.system.requests import request"
+    yield ""
+    yield from exported([*(entry.name.lower() for entry in entries), "bootloader", "download", "pieces"])
+    yield ""
+    yield "if not TYPE_CHECKING:"
+    yield f'{INDENT}__getattr__, __dir__ = listed(__all__, "there is no system command system.")'
+    for entry in entries:
+        yield from _function(entry)
+
+
+def _bootloader() -> Iterator[str]:
+    entries = [entry for entry in SYSTEM if entry.bootloader]
+    yield from docstring(["What only the brick's firmware updater knows (USB only).", "", MARK])
+    yield ""
+    yield "from typing import TYPE_CHECKING"
+    yield ""
+    yield "from ev3proto.compose.calls import explained"
+    yield "from ev3proto.late import listed"
+    yield "from ev3proto.messages import SystemCommand"
+    yield "from ev3proto.system.requests import request"
+    yield ""
+    yield from exported(entry.name.lower() for entry in entries)
+    yield ""
+    yield "if not TYPE_CHECKING:"
+    yield f'{INDENT}__getattr__, __dir__ = listed(__all__, "there is no system command system.bootloader.")'
+    for entry in entries:
+        yield from _function(entry)
+
+
+def _function(entry: SystemCommand) -> Iterator[str]:
+    # The path, what has to be said, what may be omitted.
+    fields = sorted(entry.request, key=lambda field: (_default(entry, field) is not None, field.name != "path"))
+    always = ("*", "counter: int = 0", f"reply: bool = {entry.answered}")
+    yield ""
+    yield ""
+    yield "@explained"
+    parameters = [*(_parameter(entry, field) for field in fields), *always]
+    yield from bracketed(f"def {entry.name.lower()}(", parameters, ") -> SystemCommand:")
+    texts = [(field.name, sentence(*_pieces(field))) for field in fields]
+    texts.append(("counter", "Of the message, 0 to 65535."))
+    texts.append(
+        ("reply", "Whether the brick is to answer" + ("." if entry.answered else "; it never answers this one."))
+    )
+    yield from indented(described(entry.text, texts, INDENT))
+    values = [f"0x{entry.number:02X}", "counter", "reply", *(f"{field.name}={field.name}" for field in fields)]
+    yield from indented(bracketed("return request(", values, ")", INDENT))
+
+
+def _default(entry: SystemCommand, field: Field) -> str | None:
+    """What a field is when it is omitted; None where it has to be said."""
+    if field.name == _ROOM:
+        return str(_room(entry))
+    return "None" if field.counts is not None or field.optional else None
+
+
+def _room(entry: SystemCommand) -> int:
+    """Most bytes of contents that fit a reply."""
+    fixed: int = sum(NUMBERS[field.kind].sizeof() for field in entry.reply if field.kind in NUMBERS)
+    return MAX_FRAME - _REPLY_HEAD - fixed
+
+
+def _parameter(entry: SystemCommand, field: Field) -> str:
+    kind = "int" if field.kind in NUMBERS else "bytes" if field.kind is Kind.DATA else "str"
+    default = _default(entry, field)
+    if default is None:
+        return f"{field.name}: {kind}"
+    return f"{field.name}: {kind}{' | None' if default == 'None' else ''} = {default}"
+
+
+def _pieces(field: Field) -> Iterator[str]:
+    yield field.text
+    if field.kind in NUMBERS:
+        yield f"0 to {(1 << 8 * NUMBERS[field.kind].sizeof()) - 1}"
+    if field.most is not None:
+        yield f"at most {field.most} bytes{' with its zero' if field.kind is Kind.TEXT else ''}"
+    if field.counts is not None:
+        yield f"worked out from {field.counts} when omitted"

@@ -1,0 +1,379 @@
+"""ARRAY: makes, fills, copies and resizes arrays.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, overload
+
+from ev3proto.compose.calls import REQUIRED, explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import AnySLOT, Elements, Number, Output, Real
+
+__all__ = [
+    "copy",
+    "create8",
+    "create16",
+    "create32",
+    "createf",
+    "delete",
+    "fill",
+    "init8",
+    "init16",
+    "init32",
+    "initf",
+    "read_content",
+    "read_size",
+    "resize",
+    "size",
+    "write_content",
+]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation array.")
+
+_OPERATIONS = drafts("official")
+
+
+@explained
+def delete(handle: Number, *, unchecked: bool = False) -> Draft:
+    """Deletes an array and gives its handle back.
+
+    Args:
+        handle: The array; handle.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.DELETE"].draft((handle,), unchecked)
+
+
+@explained
+def create8(elements: Number, handle: Output = None, *, unchecked: bool = False) -> Draft:
+    """Creates an array of DATA8 elements.
+
+    Args:
+        elements: How many elements it has at first; 0 to 2147483647; DATA32.
+        handle: What names the array from now on; handle; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.CREATE8"].draft((elements, handle), unchecked)
+
+
+@explained
+def create16(elements: Number, handle: Output = None, *, unchecked: bool = False) -> Draft:
+    """Creates an array of DATA16 elements.
+
+    Args:
+        elements: How many elements it has at first; 0 to 2147483647; DATA32.
+        handle: What names the array from now on; handle; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.CREATE16"].draft((elements, handle), unchecked)
+
+
+@explained
+def create32(elements: Number, handle: Output = None, *, unchecked: bool = False) -> Draft:
+    """Creates an array of DATA32 elements.
+
+    Args:
+        elements: How many elements it has at first; 0 to 2147483647; DATA32.
+        handle: What names the array from now on; handle; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.CREATE32"].draft((elements, handle), unchecked)
+
+
+@explained
+def createf(elements: Number, handle: Output = None, *, unchecked: bool = False) -> Draft:
+    """Creates an array of DATAF elements.
+
+    Args:
+        elements: How many elements it has at first; 0 to 2147483647; DATA32.
+        handle: What names the array from now on; handle; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.CREATEF"].draft((elements, handle), unchecked)
+
+
+@explained
+def resize(handle: Number, elements: Number, *, unchecked: bool = False) -> Draft:
+    """Changes how many elements an array has.
+
+    Args:
+        handle: The array; handle.
+        elements: How many elements it has from now on; 0 to 2147483647; DATA32.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.RESIZE"].draft((handle, elements), unchecked)
+
+
+@explained
+def fill(handle: Number, value: Real, *, unchecked: bool = False) -> Draft:
+    """Sets every element of an array to one value.
+
+    Args:
+        handle: The array; handle.
+        value: The value, of the array's type; array-typed.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.FILL"].draft((handle, value), unchecked)
+
+
+@explained
+def copy(hsource: Number, hdest: Number, *, unchecked: bool = False) -> Draft:
+    """Copies the content of one array into another of the same type, which takes its size.
+
+    Args:
+        hsource: Array to copy from; handle.
+        hdest: Array to copy into, which has to exist; handle.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.COPY"].draft((hsource, hdest), unchecked)
+
+
+@overload
+def init8(
+    handle: Number,
+    index: Number,
+    elements: Number | None,
+    values: Sequence[Number],
+    *,
+    unchecked: bool = False,
+) -> Draft: ...
+
+
+@overload
+def init8(
+    handle: Number,
+    index: Number,
+    *,
+    elements: Number | None = None,
+    values: Sequence[Number],
+    unchecked: bool = False,
+) -> Draft: ...
+
+
+@explained
+def init8(
+    handle: Number,
+    index: Number,
+    elements: Number | None = None,
+    values: Sequence[Number] = REQUIRED,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Writes several elements of a DATA8 array, all within its size.
+
+    Args:
+        handle: The array; handle.
+        index: First element to write, counted from 0; 0 to 2147483647; DATA32.
+        elements: How many values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        values: The values, one parameter each; a list of DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.INIT8"].draft((handle, index, elements, values), unchecked)
+
+
+@overload
+def init16(
+    handle: Number,
+    index: Number,
+    elements: Number | None,
+    values: Sequence[Number],
+    *,
+    unchecked: bool = False,
+) -> Draft: ...
+
+
+@overload
+def init16(
+    handle: Number,
+    index: Number,
+    *,
+    elements: Number | None = None,
+    values: Sequence[Number],
+    unchecked: bool = False,
+) -> Draft: ...
+
+
+@explained
+def init16(
+    handle: Number,
+    index: Number,
+    elements: Number | None = None,
+    values: Sequence[Number] = REQUIRED,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Writes several elements of a DATA16 array, all within its size.
+
+    Args:
+        handle: The array; handle.
+        index: First element to write, counted from 0; 0 to 2147483647; DATA32.
+        elements: How many values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        values: The values, one parameter each; a list of DATA16.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.INIT16"].draft((handle, index, elements, values), unchecked)
+
+
+@overload
+def init32(
+    handle: Number,
+    index: Number,
+    elements: Number | None,
+    values: Sequence[Number],
+    *,
+    unchecked: bool = False,
+) -> Draft: ...
+
+
+@overload
+def init32(
+    handle: Number,
+    index: Number,
+    *,
+    elements: Number | None = None,
+    values: Sequence[Number],
+    unchecked: bool = False,
+) -> Draft: ...
+
+
+@explained
+def init32(
+    handle: Number,
+    index: Number,
+    elements: Number | None = None,
+    values: Sequence[Number] = REQUIRED,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Writes several elements of a DATA32 array, all within its size.
+
+    Args:
+        handle: The array; handle.
+        index: First element to write, counted from 0; 0 to 2147483647; DATA32.
+        elements: How many values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        values: The values, one parameter each; a list of DATA32.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.INIT32"].draft((handle, index, elements, values), unchecked)
+
+
+@overload
+def initf(
+    handle: Number,
+    index: Number,
+    elements: Number | None,
+    values: Sequence[Real],
+    *,
+    unchecked: bool = False,
+) -> Draft: ...
+
+
+@overload
+def initf(
+    handle: Number,
+    index: Number,
+    *,
+    elements: Number | None = None,
+    values: Sequence[Real],
+    unchecked: bool = False,
+) -> Draft: ...
+
+
+@explained
+def initf(
+    handle: Number,
+    index: Number,
+    elements: Number | None = None,
+    values: Sequence[Real] = REQUIRED,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Writes several elements of a DATAF array, all within its size.
+
+    Args:
+        handle: The array; handle.
+        index: First element to write, counted from 0; 0 to 2147483647; DATA32.
+        elements: How many values follow; 0 to 2147483647; DATA32; worked out when omitted.
+        values: The values, one parameter each; a list of DATAF.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.INITF"].draft((handle, index, elements, values), unchecked)
+
+
+@explained
+def size(handle: Number, elements: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells how many elements an array has.
+
+    Args:
+        handle: The array; handle.
+        elements: How many elements it has, 0 where there is no such array; DATA32; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.SIZE"].draft((handle, elements), unchecked)
+
+
+@explained
+def read_content(
+    prgid: AnySLOT,
+    handle: Number,
+    index: Number,
+    bytes: Number,
+    array: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Reads an array's content as bytes, of another program too.
+
+    Args:
+        prgid: Slot of the program that owns the array; a member of SLOT; DATA16.
+        handle: The array; handle.
+        index: First byte in the array's content, whatever its elements; 0 to 2147483647; DATA32.
+        bytes: How many bytes; 0 to 2147483647 bytes; DATA32.
+        array: The bytes, zeros beyond the end of the array; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.READ_CONTENT"].draft((prgid, handle, index, bytes, array), unchecked)
+
+
+@explained
+def write_content(
+    prgid: AnySLOT,
+    handle: Number,
+    index: Number,
+    bytes: Number,
+    array: Elements,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Writes an array's content as bytes; the array then ends with them.
+
+    Args:
+        prgid: Slot of the program that owns the array; a member of SLOT; DATA16.
+        handle: The array; handle.
+        index: First byte in the array's content, whatever its elements; 0 to 2147483647; DATA32.
+        bytes: How many bytes; 0 to 2147483647 bytes; DATA32.
+        array: The bytes; DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.WRITE_CONTENT"].draft((prgid, handle, index, bytes, array), unchecked)
+
+
+@explained
+def read_size(prgid: AnySLOT, handle: Number, bytes: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells how many bytes an array's content has, of another program too.
+
+    Args:
+        prgid: Slot of the program that owns the array; a member of SLOT; DATA16.
+        handle: The array; handle.
+        bytes: How many bytes, 0 where there is no such array; bytes; DATA32; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.READ_SIZE"].draft((prgid, handle, bytes), unchecked)

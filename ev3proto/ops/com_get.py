@@ -1,0 +1,326 @@
+"""COM_GET: asks about the brick's connections and the devices around it.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import AnyHWTYPE, Number, Output, Text
+
+__all__ = [
+    "connec_item",
+    "connec_items",
+    "favour_item",
+    "favour_items",
+    "get_brickname",
+    "get_encrypt",
+    "get_id",
+    "get_incoming",
+    "get_mode2",
+    "get_network",
+    "get_on_off",
+    "get_pin",
+    "get_present",
+    "get_result",
+    "get_visible",
+    "search_item",
+    "search_items",
+]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation com_get.")
+
+_OPERATIONS = drafts("official")
+
+
+@explained
+def get_on_off(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells whether Bluetooth or WiFi is on.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        active: Whether it is on; 0 to 1; 0: off, 1: on; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_ON_OFF"].draft((hardware, active), unchecked)
+
+
+@explained
+def get_visible(hardware: AnyHWTYPE, visible: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells whether other devices can see the brick by Bluetooth.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        visible: Whether it is visible; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_VISIBLE"].draft((hardware, visible), unchecked)
+
+
+@explained
+def get_result(hardware: AnyHWTYPE, item: Number, result: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells how a search or connection request is going.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        item: Place in the list, ignored by the firmware; DATA8.
+        result: State of the request; a member of RESULT; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_RESULT"].draft((hardware, item, result), unchecked)
+
+
+@explained
+def get_pin(
+    hardware: AnyHWTYPE,
+    name: Text,
+    length: Number,
+    pincode: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Reads the PIN for a device, always 1234.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        name: Name of the other device or network; string.
+        length: Room for the PIN with its zero; bytes; DATA8.
+        pincode: The PIN; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_PIN"].draft((hardware, name, length, pincode), unchecked)
+
+
+@explained
+def search_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells how many devices or networks a search found.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        items: How many the list has; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.SEARCH_ITEMS"].draft((hardware, items), unchecked)
+
+
+@explained
+def search_item(
+    hardware: AnyHWTYPE,
+    item: Number,
+    length: Number,
+    name: Output = None,
+    paired: Output = None,
+    connected: Output = None,
+    type: Output = None,
+    visible: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Describes one device or network that a search found.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        item: Place in the list, counted from 0; DATA8.
+        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        name: Name of the other device or network; string; an output, in global memory when omitted.
+        paired: Whether it is paired (Bluetooth) or known (WiFi); 0 to 1; 0: no, 1: yes; DATA8; an output, in global
+            memory when omitted.
+        connected: Whether it is connected; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        type: Kind of device (Bluetooth) or encryption (WiFi); 0: WiFi, not encrypted, 1: WiFi, WPA2; a member of
+            BTTYPE; DATA8; an output, in global memory when omitted.
+        visible: Whether it is in sight; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.SEARCH_ITEM"].draft(
+        (hardware, item, length, name, paired, connected, type, visible), unchecked
+    )
+
+
+@explained
+def favour_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells how many devices are paired, in sight or not.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        items: How many the list has; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.FAVOUR_ITEMS"].draft((hardware, items), unchecked)
+
+
+@explained
+def favour_item(
+    hardware: AnyHWTYPE,
+    item: Number,
+    length: Number,
+    name: Output = None,
+    paired: Output = None,
+    connected: Output = None,
+    type: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Describes one paired device or known network.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        item: Place in the list, counted from 0; DATA8.
+        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        name: Name of the other device or network; string; an output, in global memory when omitted.
+        paired: Whether it is paired (Bluetooth) or known (WiFi); 0 to 1; 0: no, 1: yes; DATA8; an output, in global
+            memory when omitted.
+        connected: Whether it is connected; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        type: Kind of device (Bluetooth) or encryption (WiFi); 0: WiFi, not encrypted, 1: WiFi, WPA2; a member of
+            BTTYPE; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.FAVOUR_ITEM"].draft((hardware, item, length, name, paired, connected, type), unchecked)
+
+
+@explained
+def get_id(hardware: AnyHWTYPE, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads the brick's Bluetooth address.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        string: 12 hex digits; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_ID"].draft((hardware, length, string), unchecked)
+
+
+@explained
+def get_brickname(length: Number, name: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads the brick's name.
+
+    Args:
+        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        name: Name of the brick; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_BRICKNAME"].draft((length, name), unchecked)
+
+
+@explained
+def get_network(
+    hardware: AnyHWTYPE,
+    length: Number,
+    name: Output = None,
+    mac: Output = None,
+    ip: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Reads network name and addresses, WiFi only.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        length: Room for each of the three texts with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        name: Name of the network, NONE without one; string; an output, in global memory when omitted.
+        mac: MAC address of the brick, ?? when WiFi is off; string; an output, in global memory when omitted.
+        ip: IP address of the brick, ?? when not connected; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_NETWORK"].draft((hardware, length, name, mac, ip), unchecked)
+
+
+@explained
+def get_present(hardware: AnyHWTYPE, ok: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells whether the hardware is there, for WiFi a known dongle.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        ok: Whether it is there; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_PRESENT"].draft((hardware, ok), unchecked)
+
+
+@explained
+def get_encrypt(hardware: AnyHWTYPE, item: Number, type: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells the encryption of a network, WiFi only.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        item: Place in the list, counted from 0; DATA8.
+        type: Kind of encryption, the 2013 firmware says none; a member of ENCRYPT; DATA8; an output, in global memory
+            when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_ENCRYPT"].draft((hardware, item, type), unchecked)
+
+
+@explained
+def connec_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells how many devices are connected, Bluetooth only.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        items: How many the list has; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.CONNEC_ITEMS"].draft((hardware, items), unchecked)
+
+
+@explained
+def connec_item(
+    hardware: AnyHWTYPE,
+    item: Number,
+    length: Number,
+    name: Output = None,
+    type: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Describes one connected device, Bluetooth only.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        item: Place in the list, counted from 0; DATA8.
+        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        name: Name of the device; string; an output, in global memory when omitted.
+        type: Kind of device; a member of BTTYPE; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.CONNEC_ITEM"].draft((hardware, item, length, name, type), unchecked)
+
+
+@explained
+def get_incoming(
+    hardware: AnyHWTYPE,
+    length: Number,
+    name: Output = None,
+    type: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Tells which device asks for a connection, Bluetooth only.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
+        name: Name of the device; string; an output, in global memory when omitted.
+        type: Kind of device; a member of BTTYPE; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_INCOMING"].draft((hardware, length, name, type), unchecked)
+
+
+@explained
+def get_mode2(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells whether Bluetooth is in its mode for Apple devices.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        active: Whether it is on; 0 to 1; 0: off, 1: on; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.GET_MODE2"].draft((hardware, active), unchecked)

@@ -1,0 +1,44 @@
+"""COM_READ: fetches direct commands, for the brick's own command program.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import Number, Output
+
+__all__ = ["command"]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation com_read.")
+
+_OPERATIONS = drafts("official")
+
+
+@explained
+def command(
+    length: Number,
+    image: Output = None,
+    global_: Output = None,
+    flag: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Tells where the direct command received last lies in the brick's memory.
+
+    Args:
+        length: Most bytes of code, ignored by the firmware; bytes; DATA32.
+        image: Address of the code; DATA32; an output, in global memory when omitted.
+        global_: Address of its global memory; DATA32; an output, in global memory when omitted.
+        flag: Whether a command waits; 0 to 1; 0: none, 1: ready to run; DATA8; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_READ.COMMAND"].draft((length, image, global_, flag), unchecked)

@@ -1,0 +1,72 @@
+"""COM_GET: asks about the brick's connections and the devices around it.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+from ev3proto.ops.com_get import (
+    connec_item,
+    connec_items,
+    favour_item,
+    favour_items,
+    get_brickname,
+    get_encrypt,
+    get_id,
+    get_incoming,
+    get_mode2,
+    get_network,
+    get_on_off,
+    get_pin,
+    get_present,
+    get_result,
+    get_visible,
+    search_item,
+    search_items,
+)
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import AnyHWTYPE, Output
+
+__all__ = [
+    "connec_item",
+    "connec_items",
+    "favour_item",
+    "favour_items",
+    "get_brickname",
+    "get_encrypt",
+    "get_id",
+    "get_incoming",
+    "get_mode2",
+    "get_network",
+    "get_on_off",
+    "get_pin",
+    "get_present",
+    "get_result",
+    "get_visible",
+    "list_state",
+    "search_item",
+    "search_items",
+]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the compat firmware has no operation com_get.")
+
+_OPERATIONS = drafts("compat")
+
+
+@explained
+def list_state(hardware: AnyHWTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads a number that changes when a device enters or leaves a list.
+
+    Args:
+        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        state: Number to compare with the one of the last call; DATA16; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["COM_GET.LIST_STATE"].draft((hardware, state), unchecked)

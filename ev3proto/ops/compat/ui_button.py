@@ -1,0 +1,67 @@
+"""UI_BUTTON: reads or simulates the buttons.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+from ev3proto.ops.ui_button import (
+    flush,
+    get_back_block,
+    get_click,
+    get_horz,
+    get_vert,
+    longpress,
+    press,
+    pressed,
+    release,
+    set_back_block,
+    shortpress,
+    testlongpress,
+    testshortpress,
+    wait_for_press,
+)
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import AnyBUTTONTYPE, Output
+
+__all__ = [
+    "flush",
+    "get_back_block",
+    "get_bumped",
+    "get_click",
+    "get_horz",
+    "get_vert",
+    "longpress",
+    "press",
+    "pressed",
+    "release",
+    "set_back_block",
+    "shortpress",
+    "testlongpress",
+    "testshortpress",
+    "wait_for_press",
+]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the compat firmware has no operation ui_button.")
+
+_OPERATIONS = drafts("compat")
+
+
+@explained
+def get_bumped(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells whether a button was pressed and let go since last asked, and forgets it.
+
+    Args:
+        button: Which button; a member of BUTTONTYPE; DATA8.
+        state: Whether the button was pressed and let go; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["UI_BUTTON.GET_BUMPED"].draft((button, state), unchecked)

@@ -1,0 +1,483 @@
+"""FILE: works on files, folders, data logs, program images and the list of recent files.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import AnyDEL, AnySLOT, Elements, Number, Output, Real, Text
+
+__all__ = [
+    "close",
+    "close_log",
+    "del_cache_file",
+    "del_subfolder",
+    "get_cache_file",
+    "get_cache_files",
+    "get_folders",
+    "get_handle",
+    "get_image",
+    "get_item",
+    "get_log_name",
+    "get_log_sync_time",
+    "get_pool",
+    "get_subfolder_name",
+    "load_image",
+    "make_folder",
+    "move",
+    "open_append",
+    "open_log",
+    "open_read",
+    "open_write",
+    "put_cache_file",
+    "read_bytes",
+    "read_text",
+    "read_value",
+    "remove",
+    "set_log_sync_time",
+    "write_bytes",
+    "write_log",
+    "write_text",
+    "write_value",
+]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation file.")
+
+_OPERATIONS = drafts("official")
+
+
+@explained
+def open_append(name: Text, handle: Output = None, *, unchecked: bool = False) -> Draft:
+    """Opens a file to write at its end, creates it where there is none.
+
+    Args:
+        name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
+        handle: What names the file from now on; handle; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.OPEN_APPEND"].draft((name, handle), unchecked)
+
+
+@explained
+def open_read(name: Text, handle: Output = None, size: Output = None, *, unchecked: bool = False) -> Draft:
+    """Opens a file to read.
+
+    Args:
+        name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
+        handle: What names the file from now on; handle; an output, in global memory when omitted.
+        size: Size of the file; bytes; 0: not found; DATA32; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.OPEN_READ"].draft((name, handle, size), unchecked)
+
+
+@explained
+def open_write(name: Text, handle: Output = None, *, unchecked: bool = False) -> Draft:
+    """Creates a file or empties the one there is, and opens it to write.
+
+    Args:
+        name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
+        handle: What names the file from now on; handle; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.OPEN_WRITE"].draft((name, handle), unchecked)
+
+
+@explained
+def read_value(handle: Number, del_: AnyDEL, value: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads the text up to the next delimiter and turns it into a number.
+
+    Args:
+        handle: The open file; handle.
+        del_: What stands between two values in the file; a member of DEL; DATA8.
+        value: The number, 0 where the text is none; DATAF; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.READ_VALUE"].draft((handle, del_, value), unchecked)
+
+
+@explained
+def write_value(
+    handle: Number,
+    del_: AnyDEL,
+    value: Real,
+    figures: Number,
+    decimals: Number,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Writes a number as text, and a delimiter after it.
+
+    Args:
+        handle: The open file; handle.
+        del_: What stands between two values in the file; a member of DEL; DATA8.
+        value: The number; DATAF.
+        figures: Least width in characters, the decimal point included; DATA8.
+        decimals: Digits after the decimal point; DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.WRITE_VALUE"].draft((handle, del_, value, figures, decimals), unchecked)
+
+
+@explained
+def read_text(handle: Number, del_: AnyDEL, length: Number, text: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads text up to the next delimiter.
+
+    Args:
+        handle: The open file; handle.
+        del_: What stands between two values in the file; a member of DEL; DATA8.
+        length: Most bytes to read; LEGO's firmware keeps the low 8 bits, so 127; bytes; DATA16.
+        text: The text, without a zero at its end when it fills all the room; string; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.READ_TEXT"].draft((handle, del_, length, text), unchecked)
+
+
+@explained
+def write_text(handle: Number, del_: AnyDEL, text: Text, *, unchecked: bool = False) -> Draft:
+    """Writes text without its zero, and a delimiter after it.
+
+    Args:
+        handle: The open file; handle.
+        del_: What stands between two values in the file; a member of DEL; DATA8.
+        text: The text; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.WRITE_TEXT"].draft((handle, del_, text), unchecked)
+
+
+@explained
+def close(handle: Number, *, unchecked: bool = False) -> Draft:
+    """Closes a file and gives its handle back.
+
+    Args:
+        handle: The open file; handle.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.CLOSE"].draft((handle,), unchecked)
+
+
+@explained
+def load_image(prgid: AnySLOT, name: Text, size: Output = None, ip: Output = None, *, unchecked: bool = False) -> Draft:
+    """Loads a program file into a stopped slot, for PROGRAM_START to run.
+
+    Args:
+        prgid: Slot to load it into; 0 to 4; a member of SLOT; DATA16.
+        name: Path of the program, relative to /home/root/lms2012/sys; .rbf may be left out; at most 119 characters;
+            string.
+        size: Size of the program; bytes; 0: not loaded; DATA32; an output, in global memory when omitted.
+        ip: Where it was loaded, to be handed to PROGRAM_START; 0: not loaded; DATA32; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.LOAD_IMAGE"].draft((prgid, name, size, ip), unchecked)
+
+
+@explained
+def get_handle(name: Text, handle: Output = None, write: Output = None, *, unchecked: bool = False) -> Draft:
+    """Finds the handle of a file that is already open.
+
+    Args:
+        name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
+        handle: The open file; -1: not open; handle; an output, in global memory when omitted.
+        write: Whether it is open to write or append; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_HANDLE"].draft((name, handle, write), unchecked)
+
+
+@explained
+def make_folder(name: Text, success: Output = None, *, unchecked: bool = False) -> Draft:
+    """Creates a folder unless it is there.
+
+    Args:
+        name: Path of the folder, relative to /home/root/lms2012/sys; at most 119 characters; string.
+        success: Whether the folder is there now; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.MAKE_FOLDER"].draft((name, success), unchecked)
+
+
+@explained
+def get_pool(size: Number, handle: Output = None, ip: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reserves a block of memory for the program.
+
+    Args:
+        size: How much memory; 0 to 2147483647 bytes; DATA32.
+        handle: What names the block from now on; handle; an output, in global memory when omitted.
+        ip: Address of the block; DATA32; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_POOL"].draft((size, handle, ip), unchecked)
+
+
+@explained
+def set_log_sync_time(time: Number, tick: Number, *, unchecked: bool = False) -> Draft:
+    """Stores the time and tick by which data logs are lined up.
+
+    Args:
+        time: The common time; DATA32.
+        tick: The brick's tick at that time; DATA32.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.SET_LOG_SYNC_TIME"].draft((time, tick), unchecked)
+
+
+@explained
+def get_folders(name: Text, items: Output = None, *, unchecked: bool = False) -> Draft:
+    """Counts the entries of a folder, hidden ones left out.
+
+    Args:
+        name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
+        items: How many entries there are; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_FOLDERS"].draft((name, items), unchecked)
+
+
+@explained
+def get_log_sync_time(time: Output = None, tick: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells the time and tick by which data logs are lined up.
+
+    Args:
+        time: The common time; DATA32; an output, in global memory when omitted.
+        tick: The brick's tick at that time; DATA32; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_LOG_SYNC_TIME"].draft((time, tick), unchecked)
+
+
+@explained
+def get_subfolder_name(
+    name: Text,
+    item: Number,
+    length: Number,
+    string: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Tells the name of one entry of a folder.
+
+    Args:
+        name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
+        item: Which entry of the folder, the first is 1; 1 to 127; DATA8.
+        length: Room for the string, its zero included; bytes; DATA8.
+        string: Its name without extension, empty where there is no such entry; string; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_SUBFOLDER_NAME"].draft((name, item, length, string), unchecked)
+
+
+@explained
+def write_log(handle: Number, time: Number, items: Number, values: Elements, *, unchecked: bool = False) -> Draft:
+    """Adds one row of samples to a data log.
+
+    Args:
+        handle: The open data log; handle.
+        time: Time of the samples since the log began; ms; DATA32.
+        items: How many samples; with 0 nothing is written; 0 to 127; DATA8.
+        values: The samples, in one array; DATAF.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.WRITE_LOG"].draft((handle, time, items, values), unchecked)
+
+
+@explained
+def close_log(handle: Number, name: Text, *, unchecked: bool = False) -> Draft:
+    """Writes a data log to its end and closes it.
+
+    Args:
+        handle: The open data log; handle.
+        name: Path of the log as given to OPEN_LOG; .rdf may be left out; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.CLOSE_LOG"].draft((handle, name), unchecked)
+
+
+@explained
+def get_image(name: Text, prgid: AnySLOT, item: Number, ip: Output = None, *, unchecked: bool = False) -> Draft:
+    """Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails.
+
+    Args:
+        name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
+        prgid: Slot to load it into; a member of SLOT; DATA16.
+        item: Which entry of the folder, the first is 1; 1 to 127; DATA8.
+        ip: Where it was loaded; DATA32; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_IMAGE"].draft((name, prgid, item, ip), unchecked)
+
+
+@explained
+def get_item(name: Text, string: Text, item: Output = None, *, unchecked: bool = False) -> Draft:
+    """Finds an entry of a folder by its name.
+
+    Args:
+        name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
+        string: Name to look for, without extension; string.
+        item: Which entry it is, the first is 1; 1 to 127; 0: not found; DATA8; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_ITEM"].draft((name, string, item), unchecked)
+
+
+@explained
+def get_cache_files(items: Output = None, *, unchecked: bool = False) -> Draft:
+    """Counts the recently run files.
+
+    Args:
+        items: How many there are, 10 at most; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_CACHE_FILES"].draft((items,), unchecked)
+
+
+@explained
+def put_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
+    """Puts a file first in the list of recently run files.
+
+    Args:
+        string: Path of the file; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.PUT_CACHE_FILE"].draft((string,), unchecked)
+
+
+@explained
+def get_cache_file(item: Number, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells the path of one recently run file.
+
+    Args:
+        item: Which one, 1 is the latest; 1 to 10; DATA8.
+        length: Room for the string, its zero included; bytes; DATA8.
+        string: Path of the file, empty where there is none; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_CACHE_FILE"].draft((item, length, string), unchecked)
+
+
+@explained
+def del_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
+    """Takes a file off the list of recently run files.
+
+    Args:
+        string: Path of the file, as PUT_CACHE_FILE got it; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.DEL_CACHE_FILE"].draft((string,), unchecked)
+
+
+@explained
+def del_subfolder(name: Text, item: Number, *, unchecked: bool = False) -> Draft:
+    """Deletes one entry of a folder together with the files in it.
+
+    Args:
+        name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
+        item: Which entry of the folder, the first is 1; 1 to 127; DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.DEL_SUBFOLDER"].draft((name, item), unchecked)
+
+
+@explained
+def get_log_name(length: Number, name: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells the path of the data log that is open.
+
+    Args:
+        length: Room for the string, its zero included; bytes; DATA8.
+        name: Path of the log, empty where none is open; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.GET_LOG_NAME"].draft((length, name), unchecked)
+
+
+@explained
+def open_log(
+    name: Text,
+    syncedtime: Number,
+    syncedtick: Number,
+    nowtick: Number,
+    sample_interval_in_ms: Number,
+    duration_in_ms: Number,
+    sdata: Text,
+    handle: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Creates a data log and writes its header.
+
+    Args:
+        name: Path of the log; .rdf may be left out; with an empty one it stays in memory; string.
+        syncedtime: The common time, as GET_LOG_SYNC_TIME tells it; DATA32.
+        syncedtick: The brick's tick at that time; DATA32.
+        nowtick: The brick's tick at the start of the log; DATA32.
+        sample_interval_in_ms: Time between samples; fast logs are kept in memory first; ms; DATA32.
+        duration_in_ms: How long the log is to run; ms; DATA32.
+        sdata: Text that describes the sensors, copied into the header; string.
+        handle: What names the log from now on; handle; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.OPEN_LOG"].draft(
+        (name, syncedtime, syncedtick, nowtick, sample_interval_in_ms, duration_in_ms, sdata, handle), unchecked
+    )
+
+
+@explained
+def read_bytes(handle: Number, bytes: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads bytes from a file as they are.
+
+    Args:
+        handle: The open file; handle.
+        bytes: How many bytes; 0 to 32767 bytes; DATA16.
+        destination: The bytes; a zero follows where the file ended early; DATA8; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.READ_BYTES"].draft((handle, bytes, destination), unchecked)
+
+
+@explained
+def write_bytes(handle: Number, bytes: Number, source: Elements, *, unchecked: bool = False) -> Draft:
+    """Writes bytes to a file as they are.
+
+    Args:
+        handle: The open file; handle.
+        bytes: How many bytes; 0 to 32767 bytes; DATA16.
+        source: The bytes; DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.WRITE_BYTES"].draft((handle, bytes, source), unchecked)
+
+
+@explained
+def remove(name: Text, *, unchecked: bool = False) -> Draft:
+    """Deletes a file, or a folder with the files in it.
+
+    Args:
+        name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.REMOVE"].draft((name,), unchecked)
+
+
+@explained
+def move(source: Text, dest: Text, *, unchecked: bool = False) -> Draft:
+    """Copies a file or folder over whatever is at the destination; the source stays.
+
+    Args:
+        source: Path to copy from; string.
+        dest: Path to copy to; what is there is deleted first; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILE.MOVE"].draft((source, dest), unchecked)

@@ -1,0 +1,140 @@
+"""FILENAME: takes file names apart, checks them, and packs files.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import Number, Output, Text
+
+__all__ = ["check", "exist", "get_foldername", "merge", "pack", "split", "totalsize", "unpack"]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation filename.")
+
+_OPERATIONS = drafts("official")
+
+
+@explained
+def exist(name: Text, flag: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells whether a file or folder is there.
+
+    Args:
+        name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
+        flag: Whether it is there; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILENAME.EXIST"].draft((name, flag), unchecked)
+
+
+@explained
+def totalsize(name: Text, files: Output = None, size: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells how many files a folder has and their size.
+
+    Args:
+        name: Path of the folder or file; string.
+        files: How many entries, with . and .. counted in; 0 for a file; DATA32; an output, in global memory when
+            omitted.
+        size: Size of all of them, rounded up; KiB; DATA32; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILENAME.TOTALSIZE"].draft((name, files, size), unchecked)
+
+
+@explained
+def split(
+    filename: Text,
+    length: Number,
+    folder: Output = None,
+    name: Output = None,
+    ext: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Takes a path apart into folder, name and extension.
+
+    Args:
+        filename: The path; string.
+        length: Room for each of the three parts, its zero included; bytes; DATA8.
+        folder: The folder, on LEGO's firmware with its closing slash; string; an output, in global memory when omitted.
+        name: The name, without folder and extension; string; an output, in global memory when omitted.
+        ext: The extension with its dot; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILENAME.SPLIT"].draft((filename, length, folder, name, ext), unchecked)
+
+
+@explained
+def merge(
+    folder: Text,
+    name: Text,
+    ext: Text,
+    length: Number,
+    filename: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Puts a path together from folder, name and extension.
+
+    Args:
+        folder: The folder, without a slash at its end; string.
+        name: The name; string.
+        ext: The extension with its dot; string.
+        length: Room for the string, its zero included; bytes; DATA8.
+        filename: The path; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILENAME.MERGE"].draft((folder, name, ext, length, filename), unchecked)
+
+
+@explained
+def check(filename: Text, ok: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells whether a path has allowed characters and lengths; the file need not exist.
+
+    Args:
+        filename: The path; string.
+        ok: Whether the path can be used; 0: not allowed, 1: allowed; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILENAME.CHECK"].draft((filename, ok), unchecked)
+
+
+@explained
+def pack(filename: Text, *, unchecked: bool = False) -> Draft:
+    """Packs a file or folder into a .raf archive beside it.
+
+    Args:
+        filename: Path of what to pack; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILENAME.PACK"].draft((filename,), unchecked)
+
+
+@explained
+def unpack(filename: Text, *, unchecked: bool = False) -> Draft:
+    """Unpacks a .raf archive into the folder it is in.
+
+    Args:
+        filename: Path of the archive; whatever its extension, .raf is taken; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILENAME.UNPACK"].draft((filename,), unchecked)
+
+
+@explained
+def get_foldername(length: Number, foldername: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells the program's own folder.
+
+    Args:
+        length: Room for the string, its zero included; bytes; DATA8.
+        foldername: Path of the folder, without a slash at its end; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["FILENAME.GET_FOLDERNAME"].draft((length, foldername), unchecked)

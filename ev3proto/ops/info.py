@@ -1,0 +1,101 @@
+"""INFO: reads and sets the error log, the volume and the time to power off.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import Number, Output
+
+__all__ = ["errortext", "get_error", "get_minutes", "get_volume", "set_error", "set_minutes", "set_volume"]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation info.")
+
+_OPERATIONS = drafts("official")
+
+
+@explained
+def set_error(number: Number, *, unchecked: bool = False) -> Draft:
+    """Puts an error into the brick's error log.
+
+    Args:
+        number: Number of the error; 0: nothing is logged; DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["INFO.SET_ERROR"].draft((number,), unchecked)
+
+
+@explained
+def get_error(number: Output = None, *, unchecked: bool = False) -> Draft:
+    """Takes the oldest error out of the brick's error log.
+
+    Args:
+        number: Number of the error; 0: the log is empty; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["INFO.GET_ERROR"].draft((number,), unchecked)
+
+
+@explained
+def errortext(number: Number, length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
+    """Converts the number of an error to its name.
+
+    Args:
+        number: Number of the error; 0: gives an empty text; DATA8.
+        length: Room for the text, with its zero; bytes; -1: no limit; DATA8.
+        destination: Name of the error, less than 32 characters; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["INFO.ERRORTEXT"].draft((number, length, destination), unchecked)
+
+
+@explained
+def get_volume(value: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads the volume setting.
+
+    Args:
+        value: How loud; 0 to 100 %; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["INFO.GET_VOLUME"].draft((value,), unchecked)
+
+
+@explained
+def set_volume(value: Number, *, unchecked: bool = False) -> Draft:
+    """Changes the volume setting.
+
+    Args:
+        value: How loud; 0 to 100 %; DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["INFO.SET_VOLUME"].draft((value,), unchecked)
+
+
+@explained
+def get_minutes(value: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads after how long without use the brick powers off.
+
+    Args:
+        value: Time without use; 0 to 120 min; 0: never; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["INFO.GET_MINUTES"].draft((value,), unchecked)
+
+
+@explained
+def set_minutes(value: Number, *, unchecked: bool = False) -> Draft:
+    """Changes after how long without use the brick powers off.
+
+    Args:
+        value: Time without use; 0 to 120 min; 0: never; DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["INFO.SET_MINUTES"].draft((value,), unchecked)

@@ -1,0 +1,73 @@
+"""SOUND: plays or stops a sound.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import Number, Text
+
+__all__ = ["break_", "play", "repeat", "service", "tone"]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation sound.")
+
+_OPERATIONS = drafts("official")
+
+
+@explained
+def break_(*, unchecked: bool = False) -> Draft:
+    """Stops the tone or file that is playing."""
+    return _OPERATIONS["SOUND.BREAK"].draft((), unchecked)
+
+
+@explained
+def tone(volume: Number, frequency: Number, duration: Number, *, unchecked: bool = False) -> Draft:
+    """Plays one tone and returns at once.
+
+    Args:
+        volume: How loud; 0 to 100 %; 0: silent; DATA8.
+        frequency: Pitch; the driver moves others into the range; 250 to 10000 Hz; DATA16.
+        duration: How long, read without sign (-1 is 65535); ms; 0: until BREAK or the next sound; DATA16.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["SOUND.TONE"].draft((volume, frequency, duration), unchecked)
+
+
+@explained
+def play(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
+    """Plays a sound file once and returns at once.
+
+    Args:
+        volume: How loud; 0 to 100 %; 0: silent; DATA8.
+        name: Sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys; at most 119
+            characters; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["SOUND.PLAY"].draft((volume, name), unchecked)
+
+
+@explained
+def repeat(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
+    """Plays a sound file over and over until BREAK and returns at once.
+
+    Args:
+        volume: How loud; 0 to 100 %; 0: silent; DATA8.
+        name: Sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys; at most 119
+            characters; string.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["SOUND.REPEAT"].draft((volume, name), unchecked)
+
+
+@explained
+def service(*, unchecked: bool = False) -> Draft:
+    """Does nothing here: the firmware itself feeds its sound driver by this number."""
+    return _OPERATIONS["SOUND.SERVICE"].draft((), unchecked)

@@ -1,0 +1,197 @@
+"""STRINGS: works with texts: joins, compares, converts from and to numbers.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import Number, Output, Real, Text
+
+__all__ = [
+    "add",
+    "compare",
+    "duplicate",
+    "get_size",
+    "number_formatted",
+    "number_to_string",
+    "string_to_value",
+    "strip",
+    "sub",
+    "value_formatted",
+    "value_to_string",
+]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation strings.")
+
+_OPERATIONS = drafts("official")
+
+
+@explained
+def get_size(source1: Text, size: Output = None, *, unchecked: bool = False) -> Draft:
+    """Measures a text.
+
+    Args:
+        source1: Text to work on; string.
+        size: Its length without the zero; bytes; DATA16; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.GET_SIZE"].draft((source1, size), unchecked)
+
+
+@explained
+def add(source1: Text, source2: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
+    """Joins two texts.
+
+    Args:
+        source1: First part; string.
+        source2: Second part; string.
+        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.ADD"].draft((source1, source2, destination), unchecked)
+
+
+@explained
+def compare(source1: Text, source2: Text, result: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells whether two texts are the same, upper and lower case kept apart.
+
+    Args:
+        source1: One text; string.
+        source2: The other text; string.
+        result: Whether they match; 0 to 1; 0: different, 1: the same; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.COMPARE"].draft((source1, source2, result), unchecked)
+
+
+@explained
+def duplicate(source1: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
+    """Copies a text.
+
+    Args:
+        source1: Text to work on; string.
+        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.DUPLICATE"].draft((source1, destination), unchecked)
+
+
+@explained
+def value_to_string(
+    value: Real,
+    figures: Number,
+    decimals: Number,
+    destination: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Writes a floating-point number as text, without zeros at its end.
+
+    Args:
+        value: Number to write; NaN becomes ----; DATAF.
+        figures: Width with the point; negative aligns left; characters; DATA8.
+        decimals: Digits after the point; DATA8.
+        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.VALUE_TO_STRING"].draft((value, figures, decimals, destination), unchecked)
+
+
+@explained
+def string_to_value(source1: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads a number from a text.
+
+    Args:
+        source1: Text to read; a comma counts as decimal point; string.
+        destination: The number; DATAF; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.STRING_TO_VALUE"].draft((source1, destination), unchecked)
+
+
+@explained
+def strip(source1: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
+    """Removes every space from a text.
+
+    Args:
+        source1: Text to work on; string.
+        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.STRIP"].draft((source1, destination), unchecked)
+
+
+@explained
+def number_to_string(value: Number, figures: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
+    """Writes a whole number as text, with zeros in front.
+
+    Args:
+        value: Number to write; DATA16.
+        figures: Width of the text; characters; DATA8.
+        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.NUMBER_TO_STRING"].draft((value, figures, destination), unchecked)
+
+
+@explained
+def sub(source1: Text, source2: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
+    """Takes from a text what comes after another text found in it.
+
+    Args:
+        source1: Text to search; string.
+        source2: Text to find; it should be there; string.
+        destination: Resulting text, ended by its zero; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.SUB"].draft((source1, source2, destination), unchecked)
+
+
+@explained
+def value_formatted(
+    value: Real,
+    format: Text,
+    size: Number,
+    destination: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Writes a floating-point number as text in a format of C's printf.
+
+    Args:
+        value: Number to write; DATAF.
+        format: Format, such as %5.2f; string.
+        size: Room for the text, with its zero; bytes; DATA8.
+        destination: Resulting text; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.VALUE_FORMATTED"].draft((value, format, size, destination), unchecked)
+
+
+@explained
+def number_formatted(
+    value: Number,
+    format: Text,
+    size: Number,
+    destination: Output = None,
+    *,
+    unchecked: bool = False,
+) -> Draft:
+    """Writes a whole number as text in a format of C's printf.
+
+    Args:
+        value: Number to write; DATA32.
+        format: Format, such as %05d or %X; string.
+        size: Room for the text, with its zero; bytes; DATA8.
+        destination: Resulting text; string; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["STRINGS.NUMBER_FORMATTED"].draft((value, format, size, destination), unchecked)

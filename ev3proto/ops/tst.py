@@ -1,0 +1,178 @@
+"""TST: tests the hardware, as the factory does; all but TST_OPEN fail unless opened before.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import Elements, Number, Output
+
+__all__ = [
+    "tst_accu_switch",
+    "tst_boot_mode2",
+    "tst_close",
+    "tst_close_mode2",
+    "tst_disable_uart",
+    "tst_enable_uart",
+    "tst_open",
+    "tst_poll_mode2",
+    "tst_ram_check",
+    "tst_read_adc",
+    "tst_read_pins",
+    "tst_read_uart",
+    "tst_write_pins",
+    "tst_write_uart",
+]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation tst.")
+
+_OPERATIONS = drafts("official")
+
+
+@explained
+def tst_open(*, unchecked: bool = False) -> Draft:
+    """Allows test commands for 10 seconds; each one renews the time."""
+    return _OPERATIONS["TST.TST_OPEN"].draft((), unchecked)
+
+
+@explained
+def tst_close(*, unchecked: bool = False) -> Draft:
+    """Ends the test mode."""
+    return _OPERATIONS["TST.TST_CLOSE"].draft((), unchecked)
+
+
+@explained
+def tst_read_pins(port: Number, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads the pins of a connector.
+
+    Args:
+        port: Connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D; 0 to 19; DATA8.
+        length: How many pins to read, usually 5; DATA8.
+        string: One character per pin: 0 low, 1 high; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["TST.TST_READ_PINS"].draft((port, length, string), unchecked)
+
+
+@explained
+def tst_write_pins(port: Number, length: Number, string: Elements, *, unchecked: bool = False) -> Draft:
+    """Sets the pins of a connector.
+
+    Args:
+        port: Connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D; 0 to 19; DATA8.
+        length: How many pins to set, usually 5; DATA8.
+        string: One character per pin: 0 low, 1 high, X floating, - as it is; DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["TST.TST_WRITE_PINS"].draft((port, length, string), unchecked)
+
+
+@explained
+def tst_read_adc(index: Number, value: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads the analog converter.
+
+    Args:
+        index: Channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports; 0 to 15; 12: battery
+            temperature, 13: motor current, 14: battery current, 15: battery voltage; DATA8.
+        value: Raw reading; 0 to 4095 counts; DATA16; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["TST.TST_READ_ADC"].draft((index, value), unchecked)
+
+
+@explained
+def tst_write_uart(port: Number, length: Number, string: Elements, *, unchecked: bool = False) -> Draft:
+    """Sends bytes out of a sensor port's serial line.
+
+    Args:
+        port: Sensor port less one; 0 to 3; DATA8.
+        length: How many bytes to send; 0 to 63 bytes; DATA8.
+        string: The bytes; DATA8.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["TST.TST_WRITE_UART"].draft((port, length, string), unchecked)
+
+
+@explained
+def tst_read_uart(port: Number, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads bytes that arrived on a sensor port's serial line.
+
+    Args:
+        port: Sensor port less one; 0 to 3; DATA8.
+        length: How many bytes to read; 0 to 63 bytes; DATA8.
+        string: The bytes, filled up with zeros; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["TST.TST_READ_UART"].draft((port, length, string), unchecked)
+
+
+@explained
+def tst_enable_uart(bitrate: Number, *, unchecked: bool = False) -> Draft:
+    """Switches the serial lines of all sensor ports on.
+
+    Args:
+        bitrate: Speed of the line; 2400 to 115200 bit/s; DATA32.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["TST.TST_ENABLE_UART"].draft((bitrate,), unchecked)
+
+
+@explained
+def tst_disable_uart(*, unchecked: bool = False) -> Draft:
+    """Switches the serial lines of all sensor ports off."""
+    return _OPERATIONS["TST.TST_DISABLE_UART"].draft((), unchecked)
+
+
+@explained
+def tst_accu_switch(active: Output = None, *, unchecked: bool = False) -> Draft:
+    """Reads the switch that senses the rechargeable battery.
+
+    Args:
+        active: State of the switch; 0 to 1; 0: other batteries, 1: rechargeable battery; DATA8; an output, in global
+            memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["TST.TST_ACCU_SWITCH"].draft((active,), unchecked)
+
+
+@explained
+def tst_boot_mode2(*, unchecked: bool = False) -> Draft:
+    """Starts mode 2 of Bluetooth, the one for Apple's devices."""
+    return _OPERATIONS["TST.TST_BOOT_MODE2"].draft((), unchecked)
+
+
+@explained
+def tst_poll_mode2(status: Output = None, *, unchecked: bool = False) -> Draft:
+    """Asks how far the start of Bluetooth's mode 2 is.
+
+    Args:
+        status: OK, BUSY (still starting) or FAIL; 0 to 2; a member of RESULT; DATA8; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["TST.TST_POLL_MODE2"].draft((status,), unchecked)
+
+
+@explained
+def tst_close_mode2(*, unchecked: bool = False) -> Draft:
+    """Ends mode 2 of Bluetooth."""
+    return _OPERATIONS["TST.TST_CLOSE_MODE2"].draft((), unchecked)
+
+
+@explained
+def tst_ram_check(status: Output = None, *, unchecked: bool = False) -> Draft:
+    """Asks how the memory test at power-on went.
+
+    Args:
+        status: OK or FAIL; 0 to 2; a member of RESULT; DATA8; an output, in global memory when omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["TST.TST_RAM_CHECK"].draft((status,), unchecked)

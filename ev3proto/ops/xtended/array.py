@@ -1,0 +1,79 @@
+"""ARRAY: makes, fills, copies and resizes arrays.
+
+Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.compose.calls import explained
+from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.late import listed
+from ev3proto.ops.array import (
+    copy,
+    create8,
+    create16,
+    create32,
+    createf,
+    fill,
+    init8,
+    init16,
+    init32,
+    initf,
+    read_content,
+    read_size,
+    resize,
+    write_content,
+)
+
+if TYPE_CHECKING:
+    from ev3proto.ops.argument_types import Number, Output
+
+__all__ = [
+    "copy",
+    "create8",
+    "create16",
+    "create32",
+    "createf",
+    "destroy",
+    "fill",
+    "init8",
+    "init16",
+    "init32",
+    "initf",
+    "read_content",
+    "read_size",
+    "resize",
+    "set_size",
+    "write_content",
+]
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = listed(__all__, "the xtended firmware has no operation array.")
+
+_OPERATIONS = drafts("xtended")
+
+
+@explained
+def destroy(handle: Number, *, unchecked: bool = False) -> Draft:
+    """Deletes an array and gives its handle back (LEGO's name for it is DELETE).
+
+    Args:
+        handle: The array; handle.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.DESTROY"].draft((handle,), unchecked)
+
+
+@explained
+def set_size(handle: Number, elements: Output = None, *, unchecked: bool = False) -> Draft:
+    """Tells how many elements an array has (LEGO's name for it is SIZE).
+
+    Args:
+        handle: The array; handle.
+        elements: How many elements it has, 0 where there is no such array; DATA32; an output, in global memory when
+            omitted.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
+    """
+    return _OPERATIONS["ARRAY.SET_SIZE"].draft((handle, elements), unchecked)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ev3proto.semantics.domain import limits
 from ev3proto.generate.modules.source import sentence
+from ev3proto.semantics.domain import limits
 from ev3proto.tables.declaration import Direction, Parameter, Type
 
 

@@ -1,0 +1,32 @@
+r"""Programs: images (.rbf) and sources (.lms), taken apart and put together.
+
+    program = ev3proto.program.parse(Path("robot.rbf").read_bytes())
+    for part in program.objects:
+        print(part.number, part.kind, part.local_size, part.operations)
+    ev3proto.program.build(program) == image                # always, byte for byte, whoever wrote it
+
+`HEADER` is the Construct of the header and the table of objects, `IMAGE` that of a whole image; both stand in anybody's
+own `Struct`.
+"""
+
+from __future__ import annotations
+
+from ev3proto.program.header import HEADER
+from ev3proto.program.image import IMAGE, build, parse
+from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects, Program
+from ev3proto.program.parameters import ProgramParameter
+from ev3proto.tables.program import DEFAULT_VERSION, ObjectKind
+
+__all__ = [
+    "DEFAULT_VERSION",
+    "HEADER",
+    "IMAGE",
+    "NO_DEFECTS",
+    "CodeObject",
+    "Defects",
+    "ObjectKind",
+    "Program",
+    "ProgramParameter",
+    "build",
+    "parse",
+]

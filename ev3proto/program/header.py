@@ -1,0 +1,44 @@
+"""Constructs of an image's header, of its table of objects, and of the table of parameters that starts a subcall."""
+
+from __future__ import annotations
+
+from construct import Array, BitsInteger, BitStruct, Const, Flag, If, Int8ul, Int16ul, Int32ul, Struct, this
+
+from ev3proto.schema.packed import packed
+from ev3proto.tables.program import SIGN, STRING_CODE
+
+IMAGE_HEADER = Struct(
+    "sign" / Const(SIGN),
+    "size" / Int32ul,
+    "version" / Int16ul,
+    "count" / Int16ul,
+    "globals" / Int32ul,
+)
+"""What an image starts with: its own size, version, number of objects, bytes of global memory."""
+
+OBJECT_HEADER = Struct(
+    "offset" / Int32ul,
+    "owner" / Int16ul,
+    "triggers" / Int16ul,
+    "locals" / Int32ul,
+)
+"""One object: where its code starts in the image, its owner's number, its triggers, bytes of local memory."""
+
+HEADER = Struct(*IMAGE_HEADER.subcons, "objects" / Array(this.count, OBJECT_HEADER))
+"""All that stands in front of the codes."""
+
+PARAMETER_CODE = BitStruct("is_in" / Flag, "is_out" / Flag, "reserved" / BitsInteger(3), "type" / BitsInteger(3))
+"""The byte that declares a parameter."""
+
+PARAMETER = Struct("code" / PARAMETER_CODE, "size" / If(this.code.type == STRING_CODE, Int8ul))
+"""A parameter of a subcall; of a string, its size modulo 256 follows."""
+
+PARAMETERS = Struct("count" / Int8ul, "parameters" / Array(this.count, PARAMETER))
+"""What the code of a subcall starts with."""
+
+PACKED_HEADER = packed(Struct(*IMAGE_HEADER.subcons[1:]))
+PACKED_OBJECT = packed(OBJECT_HEADER)
+"""The same for reading at once: an image may have thousands of objects."""
+
+IMAGE_HEADER_SIZE = IMAGE_HEADER.sizeof()
+OBJECT_HEADER_SIZE = OBJECT_HEADER.sizeof()

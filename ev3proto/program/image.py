@@ -1,0 +1,296 @@
+"""Images: bytes to programs and back. Whatever is damaged is read as far as it goes, and builds back as it was."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from construct import Int16ul, Int32ul
+
+from ev3proto.errors import BuildError, DecodeError, Fault, counted
+from ev3proto.messages import NO_FLAW, Flaw, Operation
+from ev3proto.program.header import (
+    IMAGE_HEADER_SIZE,
+    OBJECT_HEADER_SIZE,
+    PACKED_HEADER,
+    PACKED_OBJECT,
+)
+from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects, Program
+from ev3proto.program.parameters import ProgramParameter, read_table
+from ev3proto.program.retyped import with_types
+from ev3proto.schema.bytewise import Bytewise
+from ev3proto.schema.instructions import InstructionSet, instruction_set
+from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS, SIGN, ObjectKind, kind_of
+
+MAX_IMAGE = 1 << 25
+"""Bytes of the largest image that is read: more than the brick has memory for."""
+
+_COUNT_AT = len(SIGN) + Int32ul.sizeof() + Int16ul.sizeof()
+"""Offset of the number of objects."""
+
+_OBJECT_END = "OBJECT_END"
+
+
+class _Code(NamedTuple):
+    """What the code at an offset says."""
+
+    parameters: tuple[ProgramParameter, ...] = ()
+    operations: tuple[Operation, ...] = ()
+    flaw: Flaw = NO_FLAW
+
+
+class _Reader:
+    """Reads one image. Code that several objects share is read once, so that no image takes longer than its size."""
+
+    def __init__(self, image: bytes, instructions: InstructionSet) -> None:
+        self.image = image
+        self.faults: list[Fault] = []
+        self._instructions = instructions
+        self._ends: dict[int, int] = {}
+
+    def program(self) -> Program:
+        """The whole of it. Raises DecodeError where there is not even a header."""
+        size, version, count, global_size = self._header()
+        end = len(self.image)
+        if size != end:
+            self._fault(len(SIGN), f"the header says {counted(size, 'byte')}; the image has {end}", size > end)
+        room = (end - IMAGE_HEADER_SIZE) // OBJECT_HEADER_SIZE
+        known = min(count, room)
+        if known < count:
+            self._fault(_COUNT_AT, f"the table of objects is cut off: {count} should be in it, {known} are", True)
+        table_end = IMAGE_HEADER_SIZE + known * OBJECT_HEADER_SIZE
+        entries = [
+            PACKED_OBJECT.unpack_from(self.image, IMAGE_HEADER_SIZE + index * OBJECT_HEADER_SIZE)
+            for index in range(known)
+        ]
+        starts = sorted({offset for offset, *_ in entries if table_end <= offset < end})
+        self._ends = dict(zip(starts, [*starts[1:], end], strict=True)) if starts else {}
+        objects = self._objects(entries)
+        first = starts[0] if starts else end
+        gaps = ((table_end, self.image[table_end:first]),) if first > table_end else ()
+        offsets = tuple(offset for offset, *_ in entries)
+        regular = tuple(_regular_offsets(objects))
+        defects = Defects(
+            tuple(self.faults),
+            size if size != end else None,
+            count if known < count else None,
+            offsets if offsets != regular or gaps else None,
+            gaps,
+        )
+        return Program(
+            version=version,
+            global_size=global_size,
+            objects=tuple(objects),
+            defects=NO_DEFECTS if defects == NO_DEFECTS else defects,
+        )
+
+    def _header(self) -> tuple[int, int, int, int]:
+        image = self.image
+        if not image.startswith(SIGN[: len(image)]) or not image:
+            raise DecodeError(0, f"an image starts with {SIGN.decode()}, and here is {image[: len(SIGN)]!r}")
+        if len(image) < IMAGE_HEADER_SIZE:
+            raise DecodeError(
+                len(image),
+                f"an image starts with a header of {IMAGE_HEADER_SIZE} bytes, and here are {len(image)}",
+                truncated=True,
+            )
+        size, version, count, global_size = PACKED_HEADER.unpack_from(image, len(SIGN))
+        return size, version, count, global_size
+
+    def _fault(self, offset: int, reason: str, truncated: bool = False) -> None:
+        self.faults.append(Fault(offset, reason, truncated))
+
+    def _objects(self, entries: list[tuple[int, int, int, int]]) -> list[CodeObject]:
+        codes = self._codes(entries)
+        first: dict[int, int] = {}
+        objects = []
+        for number, (offset, owner, triggers, local_size) in enumerate(entries, 1):
+            shares = first.get(offset)
+            if offset not in self._ends:
+                code = self._nowhere(number, offset)
+            else:
+                first.setdefault(offset, number)
+                code = codes[offset, kind_of(owner, triggers) is ObjectKind.SUBCALL]
+            objects.append(
+                CodeObject(
+                    number=number,
+                    owner=owner,
+                    triggers=triggers,
+                    local_size=local_size,
+                    parameters=code.parameters,
+                    operations=code.operations,
+                    offset=offset,
+                    shares=shares,
+                    flaw=code.flaw,
+                )
+            )
+        return objects
+
+    def _codes(self, entries: list[tuple[int, int, int, int]]) -> dict[tuple[int, bool], _Code]:
+        """Every code by its offset and by whether it is read as that of a subcall, with the types that others tell."""
+        codes: dict[tuple[int, bool], _Code] = {}
+        callees: dict[int, tuple[ProgramParameter, ...]] = {}
+        for number, (offset, owner, triggers, _) in enumerate(entries, 1):
+            if offset not in self._ends:
+                continue
+            key = (offset, kind_of(owner, triggers) is ObjectKind.SUBCALL)
+            if key not in codes:
+                codes[key] = self._read_code(*key)
+            callees[number] = codes[key].parameters
+        typed = with_types([code.operations for code in codes.values()], callees, self._instructions.dialect)
+        return {
+            key: code._replace(operations=operations)
+            for (key, code), operations in zip(codes.items(), typed, strict=True)
+        }
+
+    def _nowhere(self, number: int, offset: int) -> _Code:
+        """An object whose offset leads to no code."""
+        at = IMAGE_HEADER_SIZE + (number - 1) * OBJECT_HEADER_SIZE
+        where = "in the header" if offset < len(self.image) else "behind the end of the image"
+        fault = Fault(at, f"the code of object {number} should be at offset {offset}, {where}")
+        return _Code(flaw=Flaw(fault, headless=True))
+
+    def _read_code(self, start: int, is_subcall: bool) -> _Code:
+        at, end = start, self._ends[start]
+        parameters: tuple[ProgramParameter, ...] = ()
+        if is_subcall:
+            try:
+                parameters, at = read_table(self.image, at, end)
+            except DecodeError as error:
+                return _Code(flaw=Flaw(error.fault, self.image[start:end], headless=True))
+        operations, fault = self._instructions.read_between(self.image, at, end)
+        if fault is None:
+            return _Code(parameters, operations)
+        last = _last_end(operations)
+        if last is not None:
+            # Nothing behind the end of an object is run, so what cannot be read there is no code.
+            operations = operations[: last + 1]
+            return _Code(parameters, operations, Flaw(rest=self.image[_end_of(operations, at) : end]))
+        return _Code(parameters, operations, Flaw(fault.fault, self.image[_end_of(operations, at) : end]))
+
+
+def _last_end(operations: tuple[Operation, ...]) -> int | None:
+    """The place of the last OBJECT_END, None where there is none."""
+    found = (place for place in range(len(operations) - 1, -1, -1) if operations[place].name == _OBJECT_END)
+    return next(found, None)
+
+
+def _end_of(operations: tuple[Operation, ...], start: int) -> int:
+    return operations[-1].offset + operations[-1].length if operations else start
+
+
+def _regular_offsets(objects: list[CodeObject] | tuple[CodeObject, ...]) -> Iterator[int]:
+    """Where the codes start as every writer puts them: in their order, without gaps, shared code once."""
+    at = IMAGE_HEADER_SIZE + len(objects) * OBJECT_HEADER_SIZE
+    offsets: list[int] = []
+    for part in objects:
+        if part.shares is not None and 0 < part.shares <= len(offsets):
+            offset = offsets[part.shares - 1]
+        else:
+            offset = at
+            at += len(part.code)
+        offsets.append(offset)
+        yield offset
+
+
+class ImageSchema(Bytewise):
+    """The schema of a whole image, for one dialect."""
+
+    def __init__(self, dialect: str) -> None:
+        super().__init__()
+        self.instructions = instruction_set(dialect)
+
+    def read(self, data: bytes, at: int) -> tuple[Program, int]:
+        """The image from an offset to where its header says it ends. Raises DecodeError."""
+        head = data[at : at + IMAGE_HEADER_SIZE]
+        size = PACKED_HEADER.unpack_from(head, len(SIGN))[0] if len(head) == IMAGE_HEADER_SIZE else len(data)
+        end = min(at + size, len(data))
+        program = self.read_image(data[at:end])
+        if program.fault is not None:
+            raise DecodeError(*program.fault)
+        return program, end
+
+    def read_image(self, image: bytes) -> Program:
+        """Exactly one image, as far as it can be read. DecodeError where there is not even a header."""
+        if len(image) > MAX_IMAGE:
+            raise DecodeError(MAX_IMAGE, f"the image has {len(image)} bytes; at most {MAX_IMAGE} are read")
+        return _Reader(image, self.instructions).program()
+
+    def write(self, value: Any) -> bytes:
+        """The image of a program. Raises BuildError."""
+        return build(value)
+
+
+_SCHEMAS: dict[str, ImageSchema] = {}
+
+
+def image_schema(dialect: str = "official") -> ImageSchema:
+    """The schema of images for a dialect, made once. ValueError for an unknown dialect."""
+    if dialect not in _SCHEMAS:
+        _SCHEMAS[dialect] = ImageSchema(dialect)
+    return _SCHEMAS[dialect]
+
+
+IMAGE = image_schema()
+"""The Construct of an image for LEGO's firmware."""
+
+
+def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect: str = "official") -> Program:
+    """A program image.
+
+    image    from its sign to its last byte, at most 32 MiB
+    strict   False: nothing behind the header raises; `program.faults` says what is wrong and where, and what could be
+             read is there
+    dialect  "official", "xtended" or "compat": the firmware whose instruction set to read by
+
+    `program.build()` gives the same bytes again. Raises DecodeError, a ValueError with `offset` and `reason`;
+    ValueError for an unknown dialect.
+    """
+    program = image_schema(dialect).read_image(bytes(memoryview(image)))
+    if strict and program.fault is not None:
+        raise DecodeError(*program.fault)
+    return program
+
+
+def build(program: Program) -> bytes:
+    """The image of a program, each code laid where its writer had it, or else one after the other.
+
+    Raises BuildError, which names the field, for what no image can carry.
+    """
+    defects = program.defects
+    objects = program.objects
+    if len(objects) > MAX_OBJECTS:
+        raise BuildError(f"a program cannot have {len(objects)} objects: at most {MAX_OBJECTS}")
+    offsets = tuple(_regular_offsets(objects)) if defects.offsets is None else defects.offsets
+    if len(offsets) != len(objects):
+        raise BuildError(f"the program has {len(objects)} objects, and its defects name {len(offsets)} offsets")
+    body = b"".join(piece for _, piece in _pieces(objects, offsets, defects))
+    size = IMAGE_HEADER_SIZE + len(objects) * OBJECT_HEADER_SIZE + len(body)
+    head = SIGN + PACKED_HEADER.pack(
+        _field("the size", size if defects.stated_size is None else defects.stated_size, MAX_MEMORY),
+        _field("version", program.version, 0xFFFF),
+        len(objects) if defects.stated_count is None else defects.stated_count,
+        _field("global_size", program.global_size, MAX_MEMORY),
+    )
+    table = b"".join(
+        PACKED_OBJECT.pack(
+            _field("the offset", offset, MAX_MEMORY),
+            _field("owner", part.owner, MAX_OBJECTS),
+            _field("triggers", part.triggers, 0xFFFF),
+            _field("local_size", part.local_size, MAX_MEMORY),
+        )
+        for part, offset in zip(objects, offsets, strict=True)
+    )
+    return head + table + body
+
+
+def _pieces(objects: tuple[CodeObject, ...], offsets: tuple[int, ...], defects: Defects) -> list[tuple[int, bytes]]:
+    """The codes and what lies between them, in the order of the image."""
+    own = [(offset, part.code) for part, offset in zip(objects, offsets, strict=True) if part.shares is None]
+    return sorted([*defects.gaps, *own], key=lambda piece: piece[0]) if defects.offsets is not None else own
+
+
+def _field(name: str, value: int, most: int) -> int:
+    if isinstance(value, int) and 0 <= value <= most:
+        return value
+    raise BuildError(f"{name} cannot be {value!r}: it is a whole number from 0 to {most}")

@@ -1,0 +1,131 @@
+"""What people hold of a program: the program, its objects, the parameters they declare. Immutable, typed, printable."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ev3proto.errors import Fault
+from ev3proto.messages import NO_FLAW, Flaw, Operation
+from ev3proto.program.parameters import ProgramParameter, table_bytes
+from ev3proto.tables.program import DEFAULT_VERSION, ObjectKind, aligned, kind_of
+
+
+class Place(NamedTuple):
+    """Where a parameter lies: its offset in local memory, and its bytes."""
+
+    offset: int
+    size: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CodeObject:
+    """A thread, subcall or block of a program.
+
+    number      1 or more: the place in the program's table
+    owner       number of the object that a block belongs to, else 0
+    triggers    how often it has to be triggered before it starts; 1 for subcalls and blocks
+    local_size  bytes of local memory, 0 to 4294967295
+    parameters  what a subcall declares
+    operations  its code, the last OBJECT_END included; offsets are those in the image
+    offset      of its code in the image
+    shares      number of the earlier object whose code it uses; None where the code is its own
+    flaw        what is wrong with it, and the bytes that could not be read; NO_FLAW for nearly all
+    """
+
+    number: int = 0
+    owner: int = 0
+    triggers: int = 0
+    local_size: int = 0
+    parameters: tuple[ProgramParameter, ...] = ()
+    operations: tuple[Operation, ...] = ()
+    offset: int = 0
+    shares: int | None = None
+    flaw: Flaw = NO_FLAW
+
+    @property
+    def kind(self) -> ObjectKind:
+        """Thread, subcall or block."""
+        return kind_of(self.owner, self.triggers)
+
+    @property
+    def fault(self) -> Fault | None:
+        """What is wrong with it, None when nothing is."""
+        return self.flaw.fault
+
+    @property
+    def rest(self) -> bytes:
+        """Bytes at the end of its code that could not be read."""
+        return self.flaw.rest
+
+    @property
+    def code(self) -> bytes:
+        """All bytes of its code: the table of parameters, the operations, what could not be read."""
+        table = b""
+        if self.kind is ObjectKind.SUBCALL and not self.flaw.headless:
+            table = table_bytes(self.parameters)
+        return table + b"".join([operation.raw for operation in self.operations]) + self.flaw.rest
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """Where its parameters lie in local memory: they are its first locals."""
+        found = []
+        end = 0
+        for parameter in self.parameters:
+            start = aligned(end, parameter.bytes)
+            found.append(Place(start, parameter.bytes))
+            end = start + parameter.bytes
+        return tuple(found)
+
+
+class Defects(NamedTuple):
+    """What is kept of an image that is not as every writer makes it, so that it builds back byte for byte.
+
+    faults        what is wrong with the image as a whole; what is wrong with an object is at the object
+    stated_size   the field of the size, where it does not say what the image has
+    stated_count  the field of the number of objects, where the table is cut off
+    offsets       of every object's code, where they are not in their order without gaps
+    gaps          offset and bytes of what belongs to no object
+    """
+
+    faults: tuple[Fault, ...] = ()
+    stated_size: int | None = None
+    stated_count: int | None = None
+    offsets: tuple[int, ...] | None = None
+    gaps: tuple[tuple[int, bytes], ...] = ()
+
+
+NO_DEFECTS = Defects()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Program:
+    """A program for the brick's virtual machine.
+
+    version      100 times the version of the byte code, 0 to 65535; the machine does not depend on it
+    global_size  bytes of global memory, 0 to 4294967295
+    objects      threads, subcalls and blocks, numbered from 1; the first is started with the program
+    defects      what the image has beside that; NO_DEFECTS for nearly all
+    """
+
+    version: int = DEFAULT_VERSION
+    global_size: int = 0
+    objects: tuple[CodeObject, ...] = ()
+    defects: Defects = NO_DEFECTS
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        """Everything that is wrong with the image, in the order of the offsets."""
+        found = [*self.defects.faults, *(part.fault for part in self.objects if part.fault is not None)]
+        return tuple(sorted(set(found)))
+
+    @property
+    def fault(self) -> Fault | None:
+        """The first of them, None when nothing is wrong."""
+        return next(iter(self.faults), None)
+
+    def build(self) -> bytes:
+        """The image. Raises BuildError when no image can carry the program."""
+        from ev3proto.program.image import build
+
+        return build(self)

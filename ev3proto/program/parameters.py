@@ -1,0 +1,104 @@
+"""The table of parameters at the start of a subcall: bytes to declarations and back."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from ev3proto.errors import BuildError, DecodeError
+from ev3proto.program.header import PARAMETER_CODE
+from ev3proto.tables.declaration import DATA8, Direction, Type
+from ev3proto.tables.program import MAX_PARAMETERS, PARAMETER_CODES, PARAMETER_DIRECTIONS, STRING_CODE
+
+
+@cache
+def _parsed(code: int) -> tuple[Direction, Type | None]:
+    found = PARAMETER_CODE.parse(bytes((code,)))
+    known = None if found.reserved else PARAMETER_CODES.get(found.type)
+    return PARAMETER_DIRECTIONS.get((found.is_in, found.is_out), Direction.IN), known
+
+
+def direction_of(code: int) -> Direction:
+    """Which way a parameter with that code carries its value; IN for a code that says neither."""
+    return _parsed(code)[0]
+
+
+def type_of(code: int) -> Type:
+    """What a parameter with that code holds; DATA8 for a code that means none."""
+    return _parsed(code)[1] or DATA8
+
+
+@cache
+def has_size(code: int) -> bool:
+    """Whether a byte of size follows the code: that of a string does."""
+    return bool(PARAMETER_CODE.parse(bytes((code,))).type == STRING_CODE)
+
+
+def code_of(direction: Direction, kind: Type) -> int:
+    """The code of a parameter."""
+    is_in, is_out = next(bits for bits, one in PARAMETER_DIRECTIONS.items() if one is direction)
+    number = next(number for number, one in PARAMETER_CODES.items() if one is kind)
+    code: bytes = PARAMETER_CODE.build({"is_in": is_in, "is_out": is_out, "reserved": 0, "type": number})
+    return code[0]
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramParameter:
+    """A parameter that a subcall declares.
+
+    code  the byte that stands in the image: direction and type
+    size  of a string: the byte behind it, its size modulo 256; else None
+    """
+
+    code: int
+    size: int | None = None
+
+    @property
+    def type(self) -> Type:
+        """DATA8, DATA16 (also for a handle), DATA32, DATAF or STRING; DATA8 for a code that means none."""
+        return type_of(self.code)
+
+    @property
+    def direction(self) -> Direction:
+        """Which way it carries its value; IN for a code that says neither."""
+        return direction_of(self.code)
+
+    @property
+    def bytes(self) -> int:
+        """Bytes that it takes in local memory; of a string of 256 bytes or more, what is left modulo 256."""
+        return self.type.size if self.size is None else self.size
+
+
+def read_table(data: bytes, at: int, end: int) -> tuple[tuple[ProgramParameter, ...], int]:
+    """The parameters that a subcall declares, and the offset behind their table. Raises DecodeError."""
+    start = at
+    count = data[at] if at < end else None
+    at += 1
+    found: list[ProgramParameter] = []
+    while count is not None and len(found) < count and at < end:
+        code = data[at]
+        if not has_size(code):
+            found.append(ProgramParameter(code))
+            at += 1
+        elif at + 1 < end:
+            found.append(ProgramParameter(code, data[at + 1]))
+            at += 2
+        else:
+            break
+    if count is None or len(found) < count:
+        said = "its number of parameters is missing" if count is None else f"it should declare {count} parameters"
+        raise DecodeError(start, f"the code of the subcall ends in its table of parameters: {said}", truncated=True)
+    return tuple(found), at
+
+
+def table_bytes(parameters: Sequence[ProgramParameter]) -> bytes:
+    """The table of parameters of a subcall. Raises BuildError for more than the count can tell."""
+    if len(parameters) > MAX_PARAMETERS:
+        raise BuildError(f"a subcall cannot have {len(parameters)} parameters: at most {MAX_PARAMETERS}")
+    table = bytearray((len(parameters),))
+    for parameter in parameters:
+        table.append(parameter.code)
+        if has_size(parameter.code):
+            table.append((parameter.size or 0) & 0xFF)
+    return bytes(table)

@@ -11,6 +11,7 @@ import struct
 from collections import deque
 from collections.abc import Hashable
 from pathlib import Path
+from random import Random
 from typing import NamedTuple
 
 from ev3proto.brick.clock import (
@@ -24,6 +25,7 @@ from ev3proto.brick.clock import (
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.parts import Part
 from ev3proto.brick.programs import CMD_SLOT, FAIL, OK, RUNNING, STOPPED, Program, ProgramObject
+from ev3proto.brick.settings import Settings
 from ev3proto.checking.verdict import Reason, verdict
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER, HEADER_SIZE
 from ev3proto.schema.packed import packed
@@ -69,12 +71,20 @@ class Brick:
         self.dialect = check_dialect(dialect)
         self.root = None if root is None else Path(root)
         self.microseconds = 0
+        self.is_dead = False
+        self.tests_until = 0
+        self.settings = Settings()
+        self.random = Random()
         self.machine = Machine(self, self.dialect)
         self.parts: list[Part] = []
         self._global_memory = bytearray(GRANTED_GLOBALS)
         self._waiting: deque[Incoming] = deque()
         self._replies: list[Outgoing] = []
         self._command: _Command | None = None
+
+    def used_kilobytes(self) -> int:
+        """KB of the flash memory that users' files take."""
+        return 0
 
     # Frames
 
@@ -139,7 +149,8 @@ class Brick:
             if not self._waiting:
                 return
             channel, frame = self._waiting.popleft()
-            self._take_up(channel, frame)
+            if not self.is_dead:
+                self._take_up(channel, frame)
 
     def _take_up(self, channel: Hashable, frame: bytes) -> None:
         if len(frame) < HEADER_SIZE:
@@ -167,8 +178,8 @@ class Brick:
         code = bytearray(frame[COMMAND_HEADER_SIZE:])
         code += BEHIND
         end = len(frame) - COMMAND_HEADER_SIZE
-        only = ProgramObject(1, 0, bytearray(max(LOCALS, memory >> GLOBAL_BITS)), status=RUNNING)
-        program = Program(CMD_SLOT, code, end, self._global_memory, {1: only}, started=self.microseconds)
+        only = ProgramObject(1, 0, bytearray(LOCALS), memory >> GLOBAL_BITS, status=RUNNING)
+        program = Program(CMD_SLOT, code, end, self._global_memory, global_size, {1: only}, started=self.microseconds)
         command = _Command(channel, counter, wants_reply, global_size, program)
         if not found.accepted:
             program.status, program.result = STOPPED, FAIL
@@ -192,7 +203,8 @@ class Brick:
             if is_waiting:
                 return False
         self._command = None
-        self._answer(command)
+        if not self.is_dead:
+            self._answer(command)
         return True
 
     def _answer(self, command: _Command) -> None:
@@ -236,9 +248,7 @@ class Brick:
             part.program_started(program)
 
     def program_ended(self, program: Program) -> None:
-        """What happens when a program or a direct command has ended: what it holds is freed."""
-        for number, _ in program.handles.items():
-            program.handles.remove(number)
+        """What happens when a program or a direct command has ended."""
         if program.slot != CMD_SLOT:
             for part in self.parts:
                 part.program_ended(program)

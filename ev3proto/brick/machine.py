@@ -9,10 +9,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ev3proto.brick.dispatch import Family, dispatch_table
-from ev3proto.brick.handles import ROOM, Array
+from ev3proto.brick.handles import ROOM, Array, Closable
 from ev3proto.brick.memory import Place
 from ev3proto.brick.outcomes import Busy, Failure, Leave, Sleep, WildAccess
 from ev3proto.brick.programs import FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
+from ev3proto.schema.argument import SIZES, UNDEFINED
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
@@ -145,8 +146,11 @@ class Machine:
             return
         program.status = STOPPED
         program.result = result
+        program.ended = self.microseconds
         for entry in program.objects.values():
             entry.status = STOPPED
+        for handle, _ in program.handles.items():
+            self.release(program, handle)
         self.brick.program_ended(program)
 
     def jump(self, distance: int) -> None:
@@ -197,6 +201,13 @@ class Machine:
     def places(self) -> list[Place]:
         """Reads a count and so many parameters behind it; none for a negative count."""
         return [self.place() for _ in range(self.int8())]
+
+    def skip(self) -> None:
+        """Goes past a parameter without looking at its value."""
+        size = SIZES[self.code[self.ip]]
+        if size == UNDEFINED:
+            size = 1
+        self.ip = self.ip + size if size else self.code.index(0, self.ip + 1) + 1
 
     def place(self) -> Place:
         """Reads a parameter of any type: the place where its value stands.
@@ -263,6 +274,19 @@ class Machine:
         if offset is None:
             raise WildAccess
         return offset - self.ip
+
+    # Slots and handles
+
+    def program_in(self, slot: int) -> Program | None:
+        """The program that runs in a slot or ran there last; None where there is no such slot."""
+        return self.slots[slot] if 0 <= slot < SLOTS else None
+
+    def release(self, program: Program, handle: int) -> bool:
+        """Frees a handle of a program and closes what it named. Returns whether it named anything."""
+        entry = program.handles.remove(handle)
+        if isinstance(entry, Closable):
+            entry.close()
+        return entry is not None
 
     # Results
 

@@ -46,6 +46,10 @@ class Place:
             raise WildAccess
         return self.at
 
+    def check(self, size: int) -> None:
+        """Raises WildAccess where so many bytes do not fit."""
+        self._whole(size)
+
     # Numbers
 
     def read8(self) -> int:

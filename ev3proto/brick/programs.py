@@ -27,6 +27,7 @@ class ProgramObject:
     number        counted from 1
     start         offset of its first operation, or of a subroutine's table of parameters
     local_memory  its variables; those of its owner for a block
+    local_size    bytes of them that its header asks for
     triggers      how many triggers start it; 0: it is started by itself
     status        one of OBJSTAT
     ip            offset of the next operation
@@ -38,6 +39,7 @@ class ProgramObject:
     number: int
     start: int
     local_memory: bytearray
+    local_size: int
     triggers: int = 0
     status: int = STOPPED
     ip: int = 0
@@ -59,8 +61,10 @@ class Program:
     code           what offsets in it count from: for a direct command its operations, else the whole image
     end            offset behind the code
     global_memory  its global variables
+    global_size    bytes of them that its header asks for
     objects        by number, counted from 1
     started        of the machine's clock, in microseconds
+    ended          the same; None while it runs
     status         one of OBJSTAT
     result         one of RESULT
     folder         where names without a folder are looked up, with its closing slash; empty: the current folder
@@ -73,8 +77,10 @@ class Program:
     code: bytearray
     end: int
     global_memory: bytearray
+    global_size: int
     objects: dict[int, ProgramObject]
     started: int = 0
+    ended: int | None = None
     status: int = RUNNING
     result: int = BUSY
     folder: str = ""

@@ -3,6 +3,32 @@
 Importing this package registers them all. A new file is imported here.
 """
 
-from ev3proto.brick.areas import move, programs
+from ev3proto.brick.areas import (
+    arrays,
+    branch,
+    compare,
+    info,
+    math,
+    memory,
+    move,
+    ports,
+    programs,
+    strings,
+    tests,
+    timers,
+)
 
-__all__ = ["move", "programs"]
+__all__ = [
+    "arrays",
+    "branch",
+    "compare",
+    "info",
+    "math",
+    "memory",
+    "move",
+    "ports",
+    "programs",
+    "strings",
+    "tests",
+    "timers",
+]

@@ -78,13 +78,16 @@ def _read_element(size: int) -> Callable[[Machine, Place, int, Place], None]:
     return read_element
 
 
-def _write_element(size: int) -> Callable[[Machine, Place, int, Place], None]:
-    def write_element(_: Machine, source: Place, index: int, destination: Place) -> None:
-        destination.moved(index * size).write_bytes(source.read_bytes(size))
+def _write_element(size: int) -> Callable[[Machine], None]:
+    def write_element(vm: Machine) -> None:
+        # The value is read before the index: as constants both would stand in the same place.
+        value = vm.place().read_bytes(size)
+        index = vm.int8()
+        vm.place().moved(index * size).write_bytes(value)
 
     return write_element
 
 
 for _suffix, _type in _TYPES.items():
     handles(f"READ{_suffix}", places=("SOURCE",))(_read_element(_type.size))
-    handles(f"WRITE{_suffix}", places=("SOURCE", "DESTINATION"))(_write_element(_type.size))
+    handles(f"WRITE{_suffix}", raw=True)(_write_element(_type.size))

@@ -1,0 +1,66 @@
+"""Jumps: always, by a flag, by comparing two numbers. Where nothing is jumped, the offset is not looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from operator import eq, ge, gt, le, lt, ne
+from typing import Any
+
+from ev3proto.brick.conversions import is_nan
+from ev3proto.brick.handlers import handles
+from ev3proto.brick.machine import Machine
+
+RELATIONS: dict[str, Callable[[Any, Any], bool]] = {"LT": lt, "GT": gt, "EQ": eq, "NEQ": ne, "LTEQ": le, "GTEQ": ge}
+"""What each of them means; with NaN on either side only NEQ holds, as in C."""
+
+NUMBERS: dict[str, Callable[[Machine], float]] = {
+    "8": Machine.int8,
+    "16": Machine.int16,
+    "32": Machine.int32,
+    "F": Machine.float32,
+}
+"""How a number of each type is read."""
+
+
+def _jump_if(vm: Machine, holds: bool) -> None:
+    if holds:
+        vm.jump(vm.int32())
+    else:
+        vm.skip()
+
+
+@handles("JR", raw=True)
+def jump(vm: Machine) -> None:
+    """Always."""
+    vm.jump(vm.int32())
+
+
+@handles("JR_TRUE", raw=True)
+def jump_if_true(vm: Machine) -> None:
+    """Anything but 0 is true."""
+    _jump_if(vm, vm.int8() != 0)
+
+
+@handles("JR_FALSE", raw=True)
+def jump_if_false(vm: Machine) -> None:
+    """Anything but 0 is true."""
+    _jump_if(vm, vm.int8() == 0)
+
+
+@handles("JR_NAN", raw=True)
+def jump_if_nan(vm: Machine) -> None:
+    """By the bits of a float."""
+    _jump_if(vm, is_nan(vm.float_bits()))
+
+
+def _jump_by(read: Callable[[Machine], float], relation: Callable[[Any, Any], bool]) -> Callable[[Machine], None]:
+    def jump_by_comparison(vm: Machine) -> None:
+        left = read(vm)
+        _jump_if(vm, relation(left, read(vm)))
+
+    return jump_by_comparison
+
+
+for _name, _relation in RELATIONS.items():
+    for _suffix, _read in NUMBERS.items():
+        handles(f"JR_{_name}{_suffix}", raw=True)(_jump_by(_read, _relation))

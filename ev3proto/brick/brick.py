@@ -14,6 +14,7 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
+from ev3proto.brick.buttons import Buttons
 from ev3proto.brick.clock import (
     MOST_FRAMES,
     MOST_OPERATIONS,
@@ -22,10 +23,14 @@ from ev3proto.brick.clock import (
     TICK,
     TURNS_PER_TICK,
 )
+from ev3proto.brick.display import Display
 from ev3proto.brick.machine import Machine
+from ev3proto.brick.panel import Panel
 from ev3proto.brick.parts import Part
-from ev3proto.brick.programs import CMD_SLOT, FAIL, OK, RUNNING, STOPPED, Program, ProgramObject
+from ev3proto.brick.programs import CMD_SLOT, FAIL, OK, RUNNING, STOP, STOPPED, USER_SLOT, Program, ProgramObject
 from ev3proto.brick.settings import Settings
+from ev3proto.brick.sound import Sound
+from ev3proto.brick.terminal import Terminal
 from ev3proto.checking.verdict import Reason, verdict
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER, HEADER_SIZE
 from ev3proto.schema.packed import packed
@@ -76,7 +81,12 @@ class Brick:
         self.settings = Settings()
         self.random = Random()
         self.machine = Machine(self, self.dialect)
-        self.parts: list[Part] = []
+        self.display = Display()
+        self.buttons = Buttons(self._stop_user_program)
+        self.panel = Panel()
+        self.console = Terminal()
+        self.sound = Sound()
+        self.parts: list[Part] = [self.display, self.buttons, self.panel, self.sound]
         self._global_memory = bytearray(GRANTED_GLOBALS)
         self._waiting: deque[Incoming] = deque()
         self._replies: list[Outgoing] = []
@@ -85,6 +95,32 @@ class Brick:
     def used_kilobytes(self) -> int:
         """KB of the flash memory that users' files take."""
         return 0
+
+    # What stands round the machine
+
+    @property
+    def leds(self) -> int:
+        """The pattern of the light behind the buttons, 0 to 9."""
+        return self.panel.light
+
+    @property
+    def terminal(self) -> bytes:
+        """What UI_WRITE's text buffer has gathered since it was flushed."""
+        return bytes(self.console.text)
+
+    def press(self, button: str) -> None:
+        """Presses a button by hand: up, enter, down, right, left or back. ValueError for any other name."""
+        self.buttons.press(button, self.microseconds)
+
+    def release(self, button: str) -> None:
+        """Releases a button. ValueError for a name that is none."""
+        self.buttons.release(button, self.microseconds)
+
+    def _stop_user_program(self) -> None:
+        """What the back button does."""
+        program = self.machine.slots[USER_SLOT]
+        if program is not None:
+            self.machine.end_program(program, STOP)
 
     # Frames
 

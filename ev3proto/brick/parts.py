@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Protocol
-
 from ev3proto.brick.programs import Program
 
 
-class Part(Protocol):
+class Part:
     """Something on which operations act and which changes with time.
 
     A part is made by `Brick.__init__`, is an attribute of the brick, and stands in `Brick.parts`. While a program

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ev3proto.brick.conversions import wrap16
+
 WIDTH = 178
 HEIGHT = 128
 ROW_BYTES = 23
@@ -24,11 +26,6 @@ _LONGEST_WALK = 1 << 17
 
 REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
 """A byte with its bits turned round: the firmware's pictures and frame buffer have the leftmost pixel lowest."""
-
-
-def wrap16(value: int) -> int:
-    """A number as the firmware's DATA16 keeps it."""
-    return (value + 0x8000 & 0xFFFF) - 0x8000
 
 
 def span(left: int, right: int) -> int:

@@ -11,16 +11,20 @@ from dataclasses import dataclass
 
 from ev3proto.brick.display.canvas import WIDTH, Canvas
 from ev3proto.brick.display.fonts import FONTS, Font
+from ev3proto.brick.display.graph import Graph
 from ev3proto.brick.display.icons import ICONS
 from ev3proto.brick.display.pictures import Picture
+from ev3proto.brick.formatting import fixed
+from ev3proto.brick.parts import Part
+from ev3proto.brick.programs import USER_SLOT, Program
 from ev3proto.tables.enumerations import FONTTYPE, ICONTYPE, S_ICON_NO
 
 NORMAL, SMALL, LARGE = (FONTTYPE.members[name] for name in ("NORMAL_FONT", "SMALL_FONT", "LARGE_FONT"))
 STORE_LEVELS = 3
 """Pictures that STORE can save."""
 
-TOP_LINE_PERIOD = 0.4
-"""Seconds between two redraws of the line at the top while it is on."""
+TOP_LINE_PERIOD = 400_000
+"""Microseconds between two redraws of the line at the top while it is on."""
 
 _TOP_LINE_HEIGHT = 10
 _NAME_LENGTH = 12
@@ -41,13 +45,22 @@ class TopLine:
     """Small icons shown from the left: the states of Bluetooth, WiFi and USB."""
 
 
-class Display:
-    """The display of a brick that was just switched on: everything is clear."""
+class Display(Part):
+    """The display of a brick that was just switched on: everything is clear.
+
+    canvas    what is drawn on
+    font      number of the selected font
+    top_line  the line at the top
+    graph     what GRAPH_SETUP set up
+    """
 
     def __init__(self) -> None:
         self.canvas = Canvas()
         self.font = NORMAL
         self.top_line = TopLine()
+        self.graph = Graph()
+        self._popup: Canvas | None = None
+        self._next_top_line = 0
         self._shown = self.canvas.to_bytes()
         self._stored = [Canvas() for _ in range(STORE_LEVELS)]
 
@@ -65,11 +78,18 @@ class Display:
             self._draw_top_line()
         self._shown = self.canvas.to_bytes()
 
-    def refresh_top_line(self) -> None:
-        """What the firmware does by itself every 0.4 s: redraws the line at the top and shows the canvas."""
-        if self.top_line.on:
-            self._draw_top_line()
-            self._shown = self.canvas.to_bytes()
+    def advance(self, microseconds: int) -> None:
+        """The firmware redraws the line at the top every 0.4 s, and shows the canvas with it."""
+        if microseconds >= self._next_top_line:
+            self._next_top_line = microseconds + TOP_LINE_PERIOD
+            if self.top_line.on:
+                self._draw_top_line()
+                self._shown = self.canvas.to_bytes()
+
+    def program_started(self, program: Program) -> None:
+        """The screen before a user program is stored at level 0."""
+        if program.slot == USER_SLOT:
+            self.store(0)
 
     def clean(self) -> None:
         """Clears the canvas and selects the normal font."""
@@ -94,6 +114,13 @@ class Display:
         """Brings a saved canvas back; levels other than 0 to 2 are ignored."""
         if 0 <= level < STORE_LEVELS:
             self.canvas = self._stored[level].copy()
+
+    def popup(self, is_open: bool) -> None:
+        """Keeps the canvas as it is now until the popup is closed, or brings it back."""
+        if is_open:
+            self._popup = self.canvas.copy()
+        elif self._popup is not None:
+            self.canvas, self._popup = self._popup, None
 
     # Text
 
@@ -139,7 +166,7 @@ class Display:
         if math.isnan(number):
             self.text(color, x, y, b"-" * figures)
             return
-        digits = format_fixed(number, max(figures, 0), decimals)
+        digits = fixed(number, decimals).rjust(max(figures, 0)).encode()
         self.text(color, x, y, digits[: abs(figures) + digits.startswith(b"-")])
 
     def view_value(self, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
@@ -162,7 +189,7 @@ class Display:
         if math.isnan(number):
             self.text(color, x, y, b"-" * figures, font)
             return None
-        digits = format_fixed(number, 0, decimals)
+        digits = fixed(number, decimals).encode()
         negative = digits.startswith(b"-")
         digits = digits.removeprefix(b"-")
         if len(digits) > figures:
@@ -207,8 +234,3 @@ class Display:
         level = min(line.battery * len(_BATTERY_ICONS) // 100, len(_BATTERY_ICONS) - 1)
         self.icon(1, _BATTERY_X, 1, _SMALL_ICONS, _BATTERY_ICONS[level])
         canvas.line(1, 0, _TOP_LINE_HEIGHT, WIDTH - 1, _TOP_LINE_HEIGHT)
-
-
-def format_fixed(number: float, width: int, decimals: int) -> bytes:
-    """A number as C's `%*.*f` prints it: a negative width aligns left, negative decimals mean six."""
-    return b"%*.*f" % (width, decimals if decimals >= 0 else 6, number)

@@ -6,13 +6,13 @@ GRAPH_SETUP says where the values stand in memory, GRAPH_SAMPLE stores them, GRA
 from __future__ import annotations
 
 import math
-import struct
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from ev3proto.brick.display.canvas import Canvas, wrap16
+from ev3proto.brick.conversions import single, wrap16
+from ev3proto.brick.display.canvas import Canvas
 
 MOST_ITEMS = 8
 """Values that one graph can show."""
@@ -94,19 +94,19 @@ class Graph:
                 else:
                     _thick_line(canvas, x, before, y)
                 before = y
-                total = _single(total + sample)
+                total = single(total + sample)
                 valid.append(sample)
             x += 1
         if not valid:
             return Summary(_NOTHING, _NOTHING, _NOTHING, _NOTHING)
-        return Summary(valid[-1], min(valid), max(valid), _single(total / len(valid)))
+        return Summary(valid[-1], min(valid), max(valid), single(total / len(valid)))
 
 
 def _height(sample: float, scale: Scale) -> int:
     """How far above its bottom a sample is drawn, computed in single precision as on the brick."""
-    rise = _single(_single(sample - scale.least) * scale.span)
-    run = _single(scale.most - scale.least)
-    height = _single(rise / run) if run else math.copysign(math.inf, rise) if rise else math.nan
+    rise = single(single(sample - scale.least) * scale.span)
+    run = single(scale.most - scale.least)
+    height = single(rise / run) if run else math.copysign(math.inf, rise) if rise else math.nan
     whole = 0 if math.isnan(height) else int(max(min(height, _MOST_WHOLE), -_MOST_WHOLE - 1))
     return max(min(wrap16(whole), scale.span), 0)
 
@@ -123,11 +123,3 @@ def _thick_line(canvas: Canvas, x: int, before: int, y: int) -> None:
     else:
         canvas.line(1, x - 1, before - 1, x, y - 1)
         canvas.line(1, x - 1, before + 1, x, y + 1)
-
-
-def _single(number: float) -> float:
-    """A number rounded to single precision; what is too large becomes infinite."""
-    try:
-        return float(struct.unpack("<f", struct.pack("<f", number))[0])
-    except OverflowError:
-        return math.copysign(math.inf, number)

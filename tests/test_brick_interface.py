@@ -1,0 +1,295 @@
+"""The virtual brick's operations of display, buttons, light, terminal, battery and sound, sent as direct commands."""
+
+import pytest
+from support.brick import RefusedError, answer, ask
+
+from ev3proto.brick import Brick
+
+
+@pytest.fixture
+def brick() -> Brick:
+    return Brick()
+
+
+def rows(brick: Brick, first: int, count: int) -> list[str]:
+    """Rows that are shown, in hex."""
+    return [row.hex() for row in brick.display.rows[first : first + count]]
+
+
+class TestDrawing:
+    @pytest.mark.parametrize(
+        ("draw", "shown"),
+        [
+            ("UI_DRAW(PIXEL, 1, 1, 0)", ["40", "00", "00"]),
+            ("UI_DRAW(LINE, 1, 0, 0, 2, 2)", ["80", "40", "20"]),
+            ("UI_DRAW(DOTLINE, 1, 0, 1, 7, 1, 2, 2)", ["00", "cc", "00"]),
+            ("UI_DRAW(RECT, 1, 0, 0, 4, 3)", ["f0", "90", "f0"]),
+            ("UI_DRAW(FILLRECT, 1, 4, 1, 4, 2)", ["00", "0f", "0f"]),
+            ("UI_DRAW(FILLRECT, 1, 0, 0, 8, 3) UI_DRAW(INVERSERECT, 1, 1, 6, 1)", ["ff", "81", "ff"]),
+            ("UI_DRAW(CIRCLE, 1, 1, 1, 1)", ["40", "a0", "40"]),
+            ("UI_DRAW(FILLCIRCLE, 1, 1, 1, 1)", ["40", "e0", "40"]),
+            ("UI_DRAW(FILLWINDOW, 1, 1, 1)", ["00", "ff", "00"]),
+            ("UI_DRAW(FILLWINDOW, 3, 0, 2)", ["c0", "3f", "00"]),
+            ("UI_DRAW(FILLRECT, 1, 0, 1, 8, 9) UI_DRAW(SCROLL, 8)", ["ff", "ff", "00"]),
+            ("UI_DRAW(FILLRECT, 1, 0, 0, 9, 9) UI_DRAW(CLEAN)", ["00", "00", "00"]),
+            ("UI_DRAW(VERTBAR, 1, 0, 0, 3, 3, 0, 3, 0)", ["e0", "a0", "e0"]),
+            ("UI_DRAW(PIXEL, 1, 0, 0) UI_DRAW(STORE, 1) UI_DRAW(CLEAN) UI_DRAW(RESTORE, 1)", ["80", "00", "00"]),
+            ("UI_DRAW(POPUP, 1) UI_DRAW(PIXEL, 1, 0, 0) UI_DRAW(POPUP, 0)", ["00", "00", "00"]),
+            ("UI_DRAW(SELECT_FONT, TINY_FONT) UI_DRAW(TEXT, 0, 0, 0, ' ')", ["f8", "f8", "f8"]),
+            ("UI_DRAW(TEXT, 0, -4, -7, ' ')", ["f0", "f0", "00"]),
+            ("UI_DRAW(VALUE, 0, 0, -7, 2.0F, 0, 0)", ["00", "00", "00"]),
+            ("UI_DRAW(ICON, 0, 7, -10, SMALL_ICON, 17)", ["00", "00", "00"]),
+            ("UI_DRAW(ICON, 0, 7, -6, SMALL_ICON, 17)", ["ff", "ff", "00"]),
+        ],
+    )
+    def test_what_is_seen_at_the_top_left(self, brick: Brick, draw: str, shown: list[str]) -> None:
+        ask(brick, f"{draw} UI_DRAW(UPDATE)")
+        assert [row[:2] for row in rows(brick, 0, 3)] == shown
+
+    def test_pictures_survive_the_command_that_stored_them(self, brick: Brick) -> None:
+        ask(brick, "UI_DRAW(PIXEL, 1, 0, 0) UI_DRAW(STORE, 2) UI_DRAW(CLEAN)")
+        ask(brick, "UI_DRAW(RESTORE, 2) UI_DRAW(UPDATE)")
+        assert rows(brick, 0, 1) == ["80" + "00" * 22]
+
+    def test_the_line_at_the_top_comes_by_itself(self, brick: Brick) -> None:
+        ask(brick, "UI_DRAW(TOPLINE, 1) UI_DRAW(FILLRECT, 1, 0, 9, 8, 3)")
+        brick.advance(0.5)
+        assert rows(brick, 9, 4) == ["00" * 23, "ff" * 22 + "c0", "ff" + "00" * 22, "00" * 23]
+
+    def test_a_graph_lives_for_one_command(self, brick: Brick) -> None:
+        """Three samples of one item: two pixels, then three lines from the second to the third."""
+        memory = ask(
+            brick,
+            """
+            DATAF actual  DATAF lowest  DATAF highest  DATAF average
+            local DATA16 offset  local DATA16 span  local DATAF min  local DATAF max  local DATAF value
+            MOVE16_16(10, offset)  MOVE16_16(20, span)  MOVEF_F(0.0F, min)  MOVEF_F(100.0F, max)
+            UI_DRAW(GRAPH_SETUP, 5, 50, 1, offset, span, min, max, value)
+            MOVEF_F(50.0F, value) UI_WRITE(GRAPH_SAMPLE)
+            MOVEF_F(0.0F, value) UI_WRITE(GRAPH_SAMPLE)
+            MOVEF_F(10.0F, value) UI_WRITE(GRAPH_SAMPLE)
+            UI_DRAW(GRAPH_DRAW, 0, actual, lowest, highest, average)
+            UI_DRAW(UPDATE)
+            """,
+        )
+        assert memory == "00 00 20 41 00 00 00 00 00 00 48 42 00 00 a0 41"
+        seen = [f"{int(row[:4], 16):016b}"[4:10] for row in rows(brick, 20, 12)]
+        assert seen == [
+            "010000",  # the first sample, 50 of 100
+            "000000",
+            "000000",
+            "000000",
+            "000000",
+            "000000",
+            "000000",
+            "000010",
+            "000100",
+            "001100",
+            "011000",
+            "010000",
+        ]
+
+
+class TestText:
+    @pytest.mark.parametrize(
+        ("number", "memory"),
+        [
+            (0, "00"),
+            (1, "6f 6e 65 00"),
+            (2, "74 77 6f 00"),
+            (3, "74 68 72 65 65 00"),
+            (4, "00"),
+        ],
+    )
+    def test_lines_of_a_text_box(self, brick: Brick, number: int, memory: str) -> None:
+        """The second line has the mark of a font before it."""
+        text = "one\\n\\x02two\\nthree"
+        read = f"UI_READ(TEXTBOX_READ, '{text}', 99, DEL_LINEFEED, 16, {number}, line)"
+        assert ask(brick, f"DATAS line 16 {read}").startswith(memory)
+
+    def test_lines_are_appended_within_the_size(self, brick: Brick) -> None:
+        append = "UI_WRITE(TEXTBOX_APPEND, text, 8, DEL_COMMA, 'abc')"
+        assert ask(brick, f"DATAS text 9 {append}") == "61 62 63 2c 00 00 00 00 00"
+        assert ask(brick, f"DATAS text 9 UI_DRAW(SELECT_FONT, 2) {append}") == "61 62 63 2c 02 61 62 63 00"
+
+    @pytest.mark.parametrize(
+        ("write", "text"),
+        [
+            ("UI_WRITE(PUT_STRING, 'abc') UI_WRITE(PUT_STRING, 'd')", b"abcd"),
+            ("UI_WRITE(VALUE8, -5)", b"-5"),
+            ("UI_WRITE(VALUE16, -1)", b"65535"),
+            ("UI_WRITE(VALUE32, -1)", b"-1"),
+            ("UI_WRITE(VALUEF, 0.1F)", b"0.100000"),
+            ("UI_WRITE(FLOATVALUE, 3.14159F, 6, 2)", b"  3.14"),
+            ("UI_WRITE(VALUE8, -128) UI_WRITE(VALUE16, -32768) UI_WRITE(VALUE32, -2147483648)", b"nannannan"),
+            ("UI_WRITE(PUT_STRING, 'abc') UI_FLUSH()", b""),
+            ("UI_WRITE(PUT_STRING, 'abc') UI_WRITE(WRITE_FLUSH)", b""),
+            ("UI_WRITE(STAMP, 'here')", b""),
+            (f"UI_WRITE(PUT_STRING, '{'a' * 250}') UI_WRITE(PUT_STRING, 'bcdefghi')", b"ghi"),
+        ],
+    )
+    def test_the_terminal_gathers_text(self, brick: Brick, write: str, text: bytes) -> None:
+        ask(brick, write)
+        assert brick.terminal == text
+
+    def test_the_terminal_prints_when_it_is_on(self, brick: Brick) -> None:
+        ask(
+            brick,
+            "UI_WRITE(PUT_STRING, 'lost') UI_FLUSH() UI_WRITE(TERMINAL, 1) UI_WRITE(PUT_STRING, 'seen') UI_FLUSH()",
+        )
+        assert bytes(brick.console.printed) == b"seen"
+
+    def test_what_is_typed_is_waited_for(self, brick: Brick) -> None:
+        assert ask(brick, "DATA8 key UI_READ(KEY, key)") == "00"
+        assert ask(brick, "DATAS line 6 UI_READ(GET_STRING, 5, line)", seconds=1) == "busy"
+        brick.console.typed += b"hello\rx"
+        assert answer(brick.advance(0.01)) == "68 65 6c 6c 6f 00"
+        assert ask(brick, "DATA8 key UI_READ(KEY, key)") == "78"
+
+
+class TestState:
+    @pytest.mark.parametrize(
+        ("read", "text"),
+        [
+            ("UI_READ(GET_FW_VERS, 16, text)", b"V1.04H"),
+            ("UI_READ(GET_FW_VERS, 4, text)", b"V1."),
+            ("UI_READ(GET_FW_VERS, -1, text)", b"V1.04H"),
+            ("UI_READ(GET_FW_VERS, 0, text)", b""),
+            ("UI_READ(GET_HW_VERS, 16, text)", b"V0.60"),
+            ("UI_READ(GET_OS_VERS, 20, text)", b"Linux 2.6.33-rc4"),
+            ("UI_READ(GET_OS_BUILD, 20, text)", b"1212131117"),
+            ("UI_READ(GET_IP, 16, text)", b""),
+        ],
+    )
+    def test_what_the_brick_says_it_is(self, brick: Brick, read: str, text: bytes) -> None:
+        assert bytes.fromhex(ask(brick, f"DATAS text 20 {read}")) == text.ljust(20, b"\0")
+
+    @pytest.mark.parametrize(
+        ("read", "memory"),
+        [
+            ("DATAF volt UI_READ(GET_VBATT, volt)", "00 00 f0 40"),
+            ("DATA8 percent UI_READ(GET_LBATT, percent)", "64"),
+            ("DATAF ampere UI_READ(GET_IBATT, ampere)", "cd cc 4c 3e"),
+            ("DATA8 p DATA32 t DATA32 f UI_READ(GET_SDCARD, p, t, f)", " ".join(["00"] * 12)),
+            ("DATA8 flags UI_WRITE(SET_BUSY, 1) UI_READ(GET_WARNING, flags)", "80"),
+            ("DATA8 event UI_READ(GET_EVENT, event)", "00"),
+        ],
+    )
+    def test_how_it_is_doing(self, brick: Brick, read: str, memory: str) -> None:
+        assert ask(brick, read) == memory
+
+    @pytest.mark.parametrize(("volt", "percent"), [(6.0, 0), (6.85, 50), (9.0, 100)])
+    def test_how_full_the_battery_is(self, brick: Brick, volt: float, percent: int) -> None:
+        brick.panel.battery.voltage = volt
+        assert ask(brick, "DATA8 percent UI_READ(GET_LBATT, percent)") == f"{percent:02x}"
+
+    @pytest.mark.parametrize(("number", "pattern"), [(-3, 0), (0, 0), (2, 2), (9, 9), (10, 9)])
+    def test_the_light(self, brick: Brick, number: int, pattern: int) -> None:
+        assert brick.leds == 1
+        ask(brick, f"UI_WRITE(LED, {number})")
+        assert brick.leds == pattern
+
+    def test_the_light_is_orange_while_there_is_a_warning(self, brick: Brick) -> None:
+        brick.panel.warnings = 4
+        ask(brick, "UI_WRITE(LED, LED_RED_FLASH)")
+        assert brick.leds == 6
+
+    def test_an_unknown_command_of_ui_write_fails(self, brick: Brick) -> None:
+        """ADDRESS has a number that the validator lets pass, and no code."""
+        with pytest.raises(RefusedError):
+            ask(brick, "DATA32 a UI_WRITE(ADDRESS, a)")
+
+
+class TestButtons:
+    PRESS, RELEASE = "UI_BUTTON(PRESS, {0})", "UI_BUTTON(RELEASE, {0})"
+
+    @pytest.mark.parametrize(
+        ("commands", "memory"),
+        [
+            # Within a command the firmware has not yet looked; after 20 ms, or in the next command, it has.
+            (["UI_BUTTON(PRESS, 2) UI_BUTTON(PRESSED, 2, a)"], "00"),
+            (["DATA32 t UI_BUTTON(PRESS, 2) TIMER_WAIT(20, t) TIMER_READY(t) UI_BUTTON(PRESSED, 2, a)"], "01"),
+            (["UI_BUTTON(PRESS, 2)", "UI_BUTTON(PRESSED, 2, a)"], "01"),
+            (["UI_BUTTON(PRESS, 2)", "UI_BUTTON(PRESSED, 3, a)"], "00"),
+            (["UI_BUTTON(PRESS, 2)", "UI_BUTTON(PRESSED, 7, a)"], "01"),
+            (["UI_BUTTON(PRESS, 2)", "UI_BUTTON(PRESSED, 99, a)"], "01"),
+            (["UI_BUTTON(PRESSED, 0, a)"], "00"),
+            (["UI_BUTTON(PRESS, 9)", "UI_BUTTON(PRESSED, 6, a)"], "01"),
+            # A press is remembered until somebody asks.
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(RELEASE, 1)", "UI_BUTTON(SHORTPRESS, 1, a)"], "01"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(SHORTPRESS, 1, b)", "UI_BUTTON(SHORTPRESS, 1, a)"], "00"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(SHORTPRESS, 7, b)", "UI_BUTTON(SHORTPRESS, 1, a)"], "00"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(TESTSHORTPRESS, 1, b)", "UI_BUTTON(SHORTPRESS, 1, a)"], "01"),
+            (["UI_BUTTON(SHORTPRESS, 0, a)"], "01"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(SHORTPRESS, 0, a)"], "00"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(FLUSH)", "UI_BUTTON(SHORTPRESS, 1, a)"], "00"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(GET_BUMBED, 1, a)"], "00"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(RELEASE, 1)", "UI_BUTTON(GET_BUMBED, 1, a)"], "01"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(SHORTPRESS, 1, b)", "UI_BUTTON(GET_CLICK, a)"], "01"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(TESTSHORTPRESS, 1, b)", "UI_BUTTON(GET_CLICK, a)"], "00"),
+            (["UI_BUTTON(SET_BACK_BLOCK, 5)", "UI_BUTTON(GET_BACK_BLOCK, a)"], "05"),
+        ],
+    )
+    def test_a_virtual_finger(self, brick: Brick, commands: list[str], memory: str) -> None:
+        reply = ""
+        for command in commands:
+            reply = ask(brick, f"DATA8 a local DATA8 b {command.replace('DATA32 t', 'local DATA32 t')}", seconds=0.1)
+        assert reply == memory
+
+    @pytest.mark.parametrize(
+        ("pressed", "horizontal", "vertical"),
+        [("left", "ff ff", "00 00"), ("right", "01 00", "00 00"), ("up", "00 00", "ff ff"), ("down", "00 00", "01 00")],
+    )
+    def test_two_buttons_as_an_axis(self, brick: Brick, pressed: str, horizontal: str, vertical: str) -> None:
+        brick.press(pressed)
+        both = ask(brick, "DATA16 h DATA16 v UI_BUTTON(GET_HORZ, h) UI_BUTTON(GET_VERT, v)")
+        assert both == f"{horizontal} {vertical}"
+
+    def test_a_press_by_hand_that_is_held(self, brick: Brick) -> None:
+        short, long = "DATA8 a UI_BUTTON(SHORTPRESS, 3, a)", "DATA8 a UI_BUTTON(LONGPRESS, 3, a)"
+        brick.press("down")
+        found = []
+        for seconds in (0, 0.3, 0.2, 0.2, 2.1, 0.3):
+            brick.advance(seconds)
+            found.append(ask(brick, short) + ask(brick, long))
+        assert found == ["0100", "0000", "0100", "0100", "0100", "0101"]
+        brick.release("down")
+        assert ask(brick, "DATA8 a UI_BUTTON(GET_BUMBED, 3, a)") == "01"
+
+    def test_enter_is_not_repeated(self, brick: Brick) -> None:
+        brick.press("enter")
+        ask(brick, "DATA8 a UI_BUTTON(SHORTPRESS, 2, a)")
+        brick.advance(2)
+        assert ask(brick, "DATA8 a UI_BUTTON(SHORTPRESS, 2, a)") == "00"
+
+    def test_waiting_for_any_button(self, brick: Brick) -> None:
+        assert ask(brick, "UI_BUTTON(WAIT_FOR_PRESS)", seconds=5) == "busy"
+        brick.press("left")
+        assert answer(brick.advance(0.02)) == ""
+
+    def test_an_unknown_button(self, brick: Brick) -> None:
+        with pytest.raises(ValueError, match="no button 'start'; it must be one of up, enter, down, right, left, back"):
+            brick.press("start")
+
+
+class TestSound:
+    TEST = "DATA8 busy SOUND_TEST(busy)"
+
+    def test_a_tone_ends_by_itself(self, brick: Brick) -> None:
+        ask(brick, "SOUND(TONE, 50, 20000, 100)")
+        assert brick.sound.playing is not None
+        assert (brick.sound.playing.volume, brick.sound.playing.frequency) == (48, 10000)
+        assert ask(brick, self.TEST) == "01"
+        brick.advance(0.1)
+        assert ask(brick, self.TEST) == "00"
+
+    def test_a_tone_without_end_is_broken_off(self, brick: Brick) -> None:
+        ask(brick, "SOUND(TONE, 50, 440, 0)")
+        brick.advance(3600)
+        assert ask(brick, self.TEST) == "01"
+        ask(brick, "SOUND(BREAK)")
+        assert ask(brick, self.TEST) == "00"
+
+    def test_waiting_for_silence(self, brick: Brick) -> None:
+        assert ask(brick, "SOUND(TONE, 1, 440, 50) SOUND_READY()", seconds=0.045) == "busy"
+        assert answer(brick.advance(0.01)) == ""

@@ -350,7 +350,7 @@ def test_sequence_numbers_wrap(at: int) -> None:
 
 def test_a_stream_longer_than_its_numbers() -> None:
     """Positions count on where sequence numbers start again."""
-    from ev3proto.capture.carriers.tcp import Hole, Reassembly, Segment
+    from ev3proto.capture.carriers.wifi.tcp import Hole, Reassembly, Segment
 
     stream = Reassembly()
     at, big = 2**32 - 100, bytes(1 << 20)

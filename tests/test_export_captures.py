@@ -178,7 +178,7 @@ def test_times_that_go_back_and_carriers_that_are_none() -> None:
     writer.add(TimedFrame(DIALOGUE[0].build(), 2000))
     with pytest.raises(BuildError, match="the frame has the time 1999 ns, but the one in front of it has 2000 ns"):
         writer.add(TimedFrame(DIALOGUE[1].build(), 1999))
-    with pytest.raises(ValueError, match="carrier 'serial' is not known: it is one of wifi, usb, bluetooth"):
+    with pytest.raises(ValueError, match="carrier 'serial' is not known: it must be one of usb, bluetooth, wifi"):
         write_pcapng([], io.BytesIO(), carrier="serial")
 
 

@@ -19,8 +19,8 @@ import ev3proto
 from ev3proto import SystemStatus
 from ev3proto.capture import Carrier, Event, Record, Route, read
 from ev3proto.capture import files as module
-from ev3proto.capture.errors import CaptureError
 from ev3proto.capture.files import Outcome, RecoveredFile, recover, survey
+from ev3proto.capture.record import CaptureError
 from ev3proto.capture.safe_paths import MOST_BYTES, parts_of, safe_name
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import FieldValue, Message

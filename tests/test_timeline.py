@@ -27,11 +27,11 @@ from ev3proto import (
     system_reply,
 )
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Record, Route, Said, Skipped
+from ev3proto.capture.record import Announcement, Direction, Event, Record, Route, Said, Skipped
 from ev3proto.capture.timeline import (
     Form,
-    Kind,
     Lane,
+    LaneKind,
     Mark,
     MissingLibraryError,
     Outcome,
@@ -49,6 +49,7 @@ from ev3proto.capture.timeline.wording import clean, clean_path
 from ev3proto.cli.timeline import timeline as command
 from ev3proto.schema.discovery import Beacon
 from ev3proto.schema.frame import frame_schema
+from ev3proto.tables.carriers import Carrier
 
 CAPTURES = Path(__file__).parent.parent / "captures"
 NOON = 1_767_268_800_000_000_000
@@ -125,7 +126,7 @@ def test_a_command_and_its_reply_are_one_mark() -> None:
     timeline = collected([brick.tells(0, ask(42, VOLTAGE)), brick.answers(4.5, volts(42))])
     assert timeline.marks == [
         Mark(
-            lane=Lane("USB 1.7", Kind.DIRECT, "UI_READ.GET_VBATT"),
+            lane=Lane("USB 1.7", LaneKind.DIRECT, "UI_READ.GET_VBATT"),
             outcome=Outcome.ANSWERED,
             begin_ns=NOON,
             end_ns=NOON + 4_500_000,
@@ -159,13 +160,13 @@ def test_how_it_went() -> None:
     ]
     marks = collected(events).marks
     assert [(mark.outcome, mark.lane.kind, mark.lane.subject, mark.latency_ns) for mark in marks] == [
-        (Outcome.ORPHAN, Kind.DIRECT, "command not seen", None),
-        (Outcome.SILENT, Kind.DIRECT, "SOUND.TONE", None),
-        (Outcome.ERROR, Kind.DIRECT, "UI_READ.GET_VBATT", 3_000_000),
-        (Outcome.UNANSWERED, Kind.DIRECT, "UI_READ.GET_VBATT", None),
-        (Outcome.FAULTY, Kind.TROUBLE, "faulty frames", None),
-        (Outcome.SILENT, Kind.DIRECT, "SOUND.TONE", None),
-        (Outcome.SKIPPED, Kind.TROUBLE, "skipped bytes", None),
+        (Outcome.ORPHAN, LaneKind.DIRECT, "command not seen", None),
+        (Outcome.SILENT, LaneKind.DIRECT, "SOUND.TONE", None),
+        (Outcome.ERROR, LaneKind.DIRECT, "UI_READ.GET_VBATT", 3_000_000),
+        (Outcome.UNANSWERED, LaneKind.DIRECT, "UI_READ.GET_VBATT", None),
+        (Outcome.FAULTY, LaneKind.TROUBLE, "faulty frames", None),
+        (Outcome.SILENT, LaneKind.DIRECT, "SOUND.TONE", None),
+        (Outcome.SKIPPED, LaneKind.TROUBLE, "skipped bytes", None),
     ]
     assert [mark.label for mark in marks][1:3] == ["5 %, 440 Hz, 250 ms", "error"]
     assert marks[4].details["fault"].startswith("at offset ")
@@ -288,7 +289,7 @@ def polls(count: int, brick: Brick | None = None) -> Iterator[Event]:
 
 def test_beyond_the_limit_marks_are_counted() -> None:
     timeline = collected(list(polls(1000)), most_marks=100)
-    lane = Lane("USB 1.7", Kind.DIRECT, "UI_READ.GET_VBATT")
+    lane = Lane("USB 1.7", LaneKind.DIRECT, "UI_READ.GET_VBATT")
     # 10 s in at most 600 bins: 50 ms each, 5 commands.
     assert timeline.bin_ns == 50 * MS
     assert len(timeline.cells) == 200
@@ -321,7 +322,7 @@ def test_troubles_are_kept_up_to_a_limit() -> None:
 
 def test_bins_never_are_more_than_the_limit() -> None:
     bins = Bins()
-    lane = Lane("USB 1.7", Kind.DIRECT, "SOUND.TONE")
+    lane = Lane("USB 1.7", LaneKind.DIRECT, "SOUND.TONE")
     at = NOON
     for step in range(3000):
         at += 1 << (step % 50)  # from a nanosecond to thirteen days

@@ -1,9 +1,9 @@
 """Captured traffic: files of packets read into frames with time, carrier and direction. `read` is where to start."""
 
 from ev3proto.capture.byte_account import Account
-from ev3proto.capture.errors import CaptureError
 from ev3proto.capture.reading import Capture, read
-from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Record, Route, Said, Skipped
+from ev3proto.capture.record import Announcement, CaptureError, Direction, Event, Record, Route, Said, Skipped
+from ev3proto.tables.carriers import Carrier
 
 __all__ = [
     "Account",

@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 from ev3proto.capture.conversation import MOST_PENDING
 from ev3proto.capture.record import Event, Record
+from ev3proto.messages import Message, SystemReply
 
 
-class Spoken(NamedTuple):
+class RequestReply(NamedTuple):
     """A command and its reply.
 
     command  None for a reply whose command was not seen
@@ -28,7 +29,14 @@ class Spoken(NamedTuple):
         return record
 
 
-def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterator[Spoken]:
+def is_error(message: Message) -> bool:
+    """Whether a reply says that its command failed. END_OF_FILE is no failure: files end with it."""
+    if isinstance(message, SystemReply):
+        return message.is_error
+    return message.type is not None and message.type.is_error
+
+
+def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterator[RequestReply]:
     """Commands with their replies, as they are complete; those that wait in vain come when nothing more does.
 
     patience_ns  nanoseconds after which a command is given without a reply, should it come after all, then with it;
@@ -42,19 +50,19 @@ def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterat
             oldest = next(iter(waiting.values()))
             if event.time_ns - oldest.time_ns < patience_ns:
                 break
-            yield Spoken(waiting.popitem(last=False)[1], None)
+            yield RequestReply(waiting.popitem(last=False)[1], None)
         if not isinstance(event, Record):
             continue
         if event.request is not None:
             waiting.pop(id(event.request), None)
-            yield Spoken(event.request, event)
+            yield RequestReply(event.request, event)
         elif event.message.type is not None and not event.message.type.is_command:
-            yield Spoken(None, event)
+            yield RequestReply(None, event)
         elif not event.message.wants_reply:
-            yield Spoken(event, None)
+            yield RequestReply(event, None)
         else:
             waiting[id(event)] = event
             if len(waiting) > MOST_PENDING:
-                yield Spoken(waiting.popitem(last=False)[1], None)
+                yield RequestReply(waiting.popitem(last=False)[1], None)
     for command in waiting.values():
-        yield Spoken(command, None)
+        yield RequestReply(command, None)

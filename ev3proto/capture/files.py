@@ -20,10 +20,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import BinaryIO, Self
 
-from ev3proto.capture.errors import CaptureError
+from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.moving import LISTINGS, UPLOADS, entry_of, piece_of
-from ev3proto.capture.record import Event, Record
-from ev3proto.capture.replies import is_error
+from ev3proto.capture.record import CaptureError, Event, Record
 from ev3proto.capture.safe_paths import Shelf, parts_of, safe_name
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import SystemCommand, SystemReply

@@ -40,7 +40,7 @@ _LINE_END = b"\r\n"
 _BEGUN_INSIDE, _BETWEEN = "the capture begins inside a frame", "bytes between frames"
 
 
-class Kind(Enum):
+class PartKind(Enum):
     """What a piece of a stream is."""
 
     FRAME = auto()
@@ -51,10 +51,10 @@ class Kind(Enum):
     OTHER = auto()
 
 
-_TEXTS = (Kind.UNLOCK, Kind.ACCEPT)
+_TEXTS = (PartKind.UNLOCK, PartKind.ACCEPT)
 
 
-class Piece(NamedTuple):
+class StreamPart(NamedTuple):
     """A piece of a stream.
 
     kind     what it is; TEXT_END is the rest of a text that came before, OTHER is none of ours
@@ -63,7 +63,7 @@ class Piece(NamedTuple):
     reason   for LOST: why nobody can read it
     """
 
-    kind: Kind
+    kind: PartKind
     data: bytes
     numbers: tuple[int, ...]
     reason: str = ""
@@ -85,13 +85,13 @@ class Cutter:
         self._marks: list[tuple[int, int]] = []  # where in the buffer each packet's bytes start
         self._in_step = in_step
         self._is_claimed = is_claimed
-        self._after_text: Kind | None = None
+        self._after_text: PartKind | None = None
         self._reason = "" if in_step else _BEGUN_INSIDE
 
-    def feed(self, data: bytes, number: int) -> list[Piece]:
+    def feed(self, data: bytes, number: int) -> list[StreamPart]:
         """The pieces that are complete with the next bytes of the stream, which came in that packet."""
         if self.takes_whole(data):
-            return [Piece(Kind.FRAME, data, (number,))]
+            return [StreamPart(PartKind.FRAME, data, (number,))]
         self._marks.append((len(self._buffer), number))
         self._buffer += data
         return self._cut()
@@ -116,7 +116,7 @@ class Cutter:
         """The packets whose bytes wait for more."""
         return [number for _, number in self._marks] if self._marks else []
 
-    def leave_hole(self, missing: int) -> list[Piece]:
+    def leave_hole(self, missing: int) -> list[StreamPart]:
         """Says that bytes are missing in the stream here, 0 for nobody knows how many: what waits gets no rest."""
         what = "text" if self._is_in_text() else "frame"
         waiting = self._give_up()
@@ -128,7 +128,7 @@ class Cutter:
         )
         return waiting
 
-    def end(self) -> list[Piece]:
+    def end(self) -> list[StreamPart]:
         """Says that nothing more will come."""
         found = self._give_up()
         buffer = self._buffer
@@ -140,7 +140,7 @@ class Cutter:
             reason += f" and {(buffer[0] | buffer[1] << 8) + LENGTH_FIELD - len(buffer)} are missing"
         return found + self._take_all(reason)
 
-    def _give_up(self) -> list[Piece]:
+    def _give_up(self) -> list[StreamPart]:
         """What there is behind a place where a frame might have started, of which no more will come."""
         return [] if self._in_step or not self._is_claimed else self._cut(is_last=True)
 
@@ -148,36 +148,36 @@ class Cutter:
         """Whether what waits is the beginning of a text."""
         return len(self._buffer) >= LENGTH_FIELD and self._is_part_of_text(self._buffer)
 
-    def _take_all(self, reason: str) -> list[Piece]:
+    def _take_all(self, reason: str) -> list[StreamPart]:
         if not self._buffer:
             return []
-        kind = Kind.LOST if self._is_claimed else Kind.OTHER
-        if self._after_text is Kind.UNLOCK and not self._buffer.strip(_LINE_END):
-            kind = Kind.TEXT_END
+        kind = PartKind.LOST if self._is_claimed else PartKind.OTHER
+        if self._after_text is PartKind.UNLOCK and not self._buffer.strip(_LINE_END):
+            kind = PartKind.TEXT_END
         piece = self._piece(kind, 0, len(self._buffer), self._reason or reason)
         self._buffer, self._marks = b"", []
-        if kind is Kind.LOST:
+        if kind is PartKind.LOST:
             # Should more come all the same, it does not start with a frame.
             self._in_step, self._reason = False, _BETWEEN
         return [piece]
 
-    def _cut(self, *, is_last: bool = False) -> list[Piece]:
+    def _cut(self, *, is_last: bool = False) -> list[StreamPart]:
         buffer, at = self._buffer, 0
-        found: list[Piece] = []
+        found: list[StreamPart] = []
         trials = MOST_TRIALS
         while at < len(buffer):
             kind, end = self._next(buffer, at)
-            if is_last and kind is Kind.FRAME and end > len(buffer) and not self._in_step:
-                kind = Kind.LOST
-            if kind is Kind.LOST:
+            if is_last and kind is PartKind.FRAME and end > len(buffer) and not self._in_step:
+                kind = PartKind.LOST
+            if kind is PartKind.LOST:
                 end, trials = self._next_step(buffer, at + 1, trials)
             if end > len(buffer):
                 break
-            reason = self._lost(buffer, at) if kind is Kind.LOST else ""
+            reason = self._lost(buffer, at) if kind is PartKind.LOST else ""
             found.append(self._piece(kind, at, end, reason))
-            if kind is Kind.FRAME or kind in _TEXTS:
+            if kind is PartKind.FRAME or kind in _TEXTS:
                 self._is_claimed, self._in_step, self._reason = True, True, ""
-            if kind is not Kind.TEXT_END:
+            if kind is not PartKind.TEXT_END:
                 self._after_text = kind if kind in _TEXTS else None
             at = end
         if at == 0:
@@ -192,9 +192,9 @@ class Cutter:
             last = index + 1 == len(self._marks)
             yield start, number, len(self._buffer) if last else self._marks[index + 1][0]
 
-    def _piece(self, kind: Kind, at: int, end: int, reason: str = "") -> Piece:
+    def _piece(self, kind: PartKind, at: int, end: int, reason: str = "") -> StreamPart:
         numbers = tuple(dict.fromkeys(number for start, number, stop in self._spans() if start < end and stop > at))
-        return Piece(kind, self._buffer[at:end], numbers, reason)
+        return StreamPart(kind, self._buffer[at:end], numbers, reason)
 
     def _lost(self, buffer: bytes, at: int) -> str:
         if self._in_step:
@@ -207,35 +207,35 @@ class Cutter:
             )
         return self._reason
 
-    def _next(self, buffer: bytes, at: int) -> tuple[Kind, int]:
+    def _next(self, buffer: bytes, at: int) -> tuple[PartKind, int]:
         """What stands at an offset and where it ends, which is behind the buffer's end where more is needed."""
         more = len(buffer) + 1
         text = self._text(buffer, at)
         if text is not None:
             return text
         if len(buffer) - at < LENGTH_FIELD:
-            return Kind.FRAME, more
+            return PartKind.FRAME, more
         length = buffer[at] | buffer[at + 1] << 8
         end = at + LENGTH_FIELD + length
         if self._in_step:
             if not MIN_LENGTH <= length <= MAX_LENGTH:
-                return Kind.LOST, more
-            return Kind.FRAME, end
+                return PartKind.LOST, more
+            return PartKind.FRAME, end
         if not self._may_start(buffer, at):
-            return (Kind.LOST, more) if self._is_claimed else (Kind.OTHER, self._end_of_chunk(at))
+            return (PartKind.LOST, more) if self._is_claimed else (PartKind.OTHER, self._end_of_chunk(at))
         if not self._is_claimed:
             if len(buffer) - at < HEADER_SIZE:
-                return Kind.FRAME, more
+                return PartKind.FRAME, more
             self._is_claimed = self._in_step = True
-            return Kind.FRAME, end
+            return PartKind.FRAME, end
         if end <= len(buffer) and self._is_flawless(buffer[at:end]):
-            return Kind.FRAME, end
+            return PartKind.FRAME, end
         # Senders begin their frames with a packet: there one may also be at fault, or not be whole yet. But where
         # something stands in the middle of it that cannot be by chance, it is none.
         is_start = any(start == at for start, _ in self._marks)
         if not is_start or any(start > at and self._stands(buffer, start) for start, _ in self._marks[-2:]):
-            return Kind.LOST, more
-        return Kind.FRAME, end if end <= len(buffer) else more
+            return PartKind.LOST, more
+        return PartKind.FRAME, end if end <= len(buffer) else more
 
     def _next_step(self, buffer: bytes, at: int, trials: int) -> tuple[int, int]:
         """The first place from an offset on where a frame or text stands, or the end; and the trials that are left."""
@@ -276,7 +276,7 @@ class Cutter:
 
     # Texts
 
-    def _text(self, buffer: bytes, at: int) -> tuple[Kind, int] | None:
+    def _text(self, buffer: bytes, at: int) -> tuple[PartKind, int] | None:
         """The text that stands at an offset, or the rest of one that came before; None where a frame may stand."""
         if self._after_text is not None:
             rest = self._rest_of_text(buffer, at)
@@ -287,7 +287,7 @@ class Cutter:
         whole = self._whole_text(buffer, at)
         if whole is not None:
             return whole
-        return (Kind.UNLOCK, len(buffer) + 1) if self._is_part_of_text(buffer[at:]) else None
+        return (PartKind.UNLOCK, len(buffer) + 1) if self._is_part_of_text(buffer[at:]) else None
 
     def _is_part_of_text(self, part: bytes) -> bool:
         """Whether these bytes are the start of a text, of which more is to come."""
@@ -295,22 +295,22 @@ class Cutter:
             return True
         return part.startswith(_REQUEST) and len(part) < MOST_UNLOCK
 
-    def _rest_of_text(self, buffer: bytes, at: int) -> tuple[Kind, int] | None:
+    def _rest_of_text(self, buffer: bytes, at: int) -> tuple[PartKind, int] | None:
         """What comes late of the text before: line ends behind an unlock text, the zero behind the answer to it."""
-        if self._after_text is Kind.ACCEPT:
-            return (Kind.TEXT_END, at + 1) if self._is_zero(buffer, at) else None
+        if self._after_text is PartKind.ACCEPT:
+            return (PartKind.TEXT_END, at + 1) if self._is_zero(buffer, at) else None
         end = at + len(buffer[at:]) - len(buffer[at:].lstrip(_LINE_END))
         while end > at and self._is_frame_rather(buffer, end - 1):
             end -= 1
         if end > at and end == len(buffer):
             # The last one may be the length of a frame of which nothing more is there.
             end = end - 1 if end - 1 > at else end + 1
-        return (Kind.TEXT_END, end) if end > at else None
+        return (PartKind.TEXT_END, end) if end > at else None
 
-    def _whole_text(self, buffer: bytes, at: int) -> tuple[Kind, int] | None:
+    def _whole_text(self, buffer: bytes, at: int) -> tuple[PartKind, int] | None:
         if buffer.startswith(ACCEPT, at):
             end = at + len(ACCEPT)
-            return Kind.ACCEPT, end + self._is_zero(buffer, end)
+            return PartKind.ACCEPT, end + self._is_zero(buffer, end)
         if not buffer.startswith(_REQUEST, at):
             return None
         try:
@@ -319,7 +319,7 @@ class Cutter:
             return None
         if unlock.endings and self._is_frame_rather(buffer, end - 1):
             end -= len(unlock.newline)
-        return Kind.UNLOCK, end
+        return PartKind.UNLOCK, end
 
     def _is_zero(self, buffer: bytes, at: int) -> bool:
         """Whether the zero stands here that the firmware sends behind its answer: it is no start of a length."""

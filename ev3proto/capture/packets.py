@@ -3,29 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import IntEnum
 from typing import NamedTuple
-
-
-class Link(IntEnum):
-    """What a packet starts with, by the numbers of https://www.tcpdump.org/linktypes.html."""
-
-    LOOPBACK = 0
-    ETHERNET = 1
-    RAW_BSD = 12
-    RAW_OPENBSD = 14
-    RAW_IP = 101
-    LOOPBACK_OPENBSD = 108
-    LINUX_COOKED = 113
-    HCI = 187
-    USBMON = 189
-    HCI_WITH_DIRECTION = 201
-    USBMON_PADDED = 220
-    IPV4 = 228
-    IPV6 = 229
-    USBPCAP = 249
-    BLUETOOTH_MONITOR = 254
-    LINUX_COOKED_2 = 276
 
 
 @dataclass(frozen=True, slots=True)

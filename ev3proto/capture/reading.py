@@ -95,7 +95,7 @@ def read(
         return Capture(wireshark_events(source, account, dialect=dialect, ports=ports, tshark=tshark), account)
     if engine != "builtin":
         raise ValueError(f"there is no engine {engine!r}: it is builtin or wireshark")
-    from ev3proto.capture.engine.reading import events
+    from ev3proto.capture.builtin import events
 
     file = source if isinstance(source, CaptureFile) else _opened(source)
     try:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
 from ev3proto.messages import Message
+from ev3proto.tables.carriers import Carrier
 
 if TYPE_CHECKING:
     from ev3proto.schema.discovery import Beacon, Unlock
@@ -17,12 +18,8 @@ NANOSECONDS = 1_000_000_000
 """In a second."""
 
 
-class Carrier(StrEnum):
-    """What carries frames."""
-
-    USB = "usb"
-    BLUETOOTH = "bluetooth"
-    WIFI = "wifi"
+class CaptureError(ValueError):
+    """What is wrong with a capture as a whole, as a sentence. Everything readable was given before it is raised."""
 
 
 class Direction(StrEnum):

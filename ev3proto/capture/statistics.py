@@ -17,10 +17,10 @@ from dataclasses import asdict, dataclass, field
 from typing import Any, NamedTuple
 
 from ev3proto.capture.byte_account import Account
+from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.latencies import Latencies, Percentiles
 from ev3proto.capture.moving import UPLOADS, begins
 from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Skipped, utc
-from ev3proto.capture.replies import is_error
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
 from ev3proto.tables.system import SYSTEM_BY_NUMBER

@@ -15,6 +15,7 @@ from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
 from ev3proto.cli.sources import Source, SourceReader, packets, sources
 from ev3proto.errors import BuildError
+from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
@@ -24,9 +25,6 @@ if TYPE_CHECKING:
     from ev3proto.generate.captures import CaptureWriter, TimedFrame
 
 F = TypeVar("F", bound=Callable[..., object])
-
-CARRIERS = ("wifi", "usb", "bluetooth")
-"""Those that ev3proto.generate.captures has, without the time that importing it takes."""
 
 _MOST_INTERVAL = 3_600_000.0
 _NANOSECONDS_EACH = 1_000_000
@@ -213,7 +211,11 @@ class _Carrying(SourceReader):
     "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write to this file, not standard output."
 )
 @click.option(
-    "--carrier", type=click.Choice(CARRIERS), default=CARRIERS[0], show_default=True, help="What carries them."
+    "--carrier",
+    type=click.Choice(CARRIERS),
+    default=DEFAULT_CARRIER.value,
+    show_default=True,
+    help="What carries them.",
 )
 @click.option(
     "--interval",

@@ -16,7 +16,7 @@ from ev3proto.cli.show import Show
 
 if TYPE_CHECKING:
     from ev3proto.capture import Announcement, Event
-    from ev3proto.capture.dialogues import Spoken
+    from ev3proto.capture.dialogues import RequestReply
     from ev3proto.capture.wireshark.live import Live
 
 PATIENCE_NS = 2_000_000_000
@@ -128,7 +128,7 @@ class _Watching:
                     complain(str(event))
             yield event
 
-    def _is_wanted(self, spoken: Spoken) -> bool:
+    def _is_wanted(self, spoken: RequestReply) -> bool:
         chosen = self._chosen
         return chosen is None or any(record is not None and chosen(record) for record in spoken)
 

@@ -17,7 +17,7 @@ from ev3proto.text.tree import tree
 
 if TYPE_CHECKING:
     from ev3proto.capture import Announcement, Record
-    from ev3proto.capture.dialogues import Spoken
+    from ev3proto.capture.dialogues import RequestReply
 
 FORMATS = ("tree", "table", "asm", "json")
 
@@ -77,7 +77,7 @@ class Show:
         told = ", ".join(f"{name} {value}" for name, value in facts.items())
         self._aside([*line, (f": {told}" if told else "", Role.VALUE)])
 
-    def dialogue(self, spoken: Spoken, start_ns: int) -> None:
+    def dialogue(self, spoken: RequestReply, start_ns: int) -> None:
         """A command with its reply, on one line."""
         from ev3proto.capture.record import NANOSECONDS
 

@@ -1,7 +1,112 @@
-"""Carriers of frames: how a brick shows itself on USB and where it listens on Bluetooth; WiFi is in `discovery`."""
+"""Carriers of frames: one entry each, and the numbers by which a brick is found on them.
 
-CARRIERS = ("usb", "bluetooth", "wifi")
-"""What can carry frames."""
+To add a carrier, add an entry to `Carrier`. Its name is also the name of the folder in `capture/carriers` that reads
+it, of the module in `generate/captures` that writes it, and of the part of the dissector in
+`generate/dissector/runtime`. The texts by which bricks are found on WiFi are in `discovery`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum, StrEnum
+from typing import Self
+
+
+class Link(IntEnum):
+    """What the packets of a capture start with, by the numbers of https://www.tcpdump.org/linktypes.html."""
+
+    LOOPBACK = 0
+    ETHERNET = 1
+    RAW_BSD = 12
+    RAW_OPENBSD = 14
+    RAW_IP = 101
+    LOOPBACK_OPENBSD = 108
+    LINUX_COOKED = 113
+    HCI = 187
+    USBMON = 189
+    HCI_WITH_DIRECTION = 201
+    USBMON_PADDED = 220
+    IPV4 = 228
+    IPV6 = 229
+    USBPCAP = 249
+    BLUETOOTH_MONITOR = 254
+    LINUX_COOKED_2 = 276
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CarrierFacts:
+    """What the tables know of a carrier.
+
+    label      how people write its name
+    links      link types of captures that have it
+    export     the link type in which captures of it are written
+    interface  name of an interface on which such captures are made
+    """
+
+    label: str
+    links: tuple[Link, ...]
+    export: Link
+    interface: str
+
+
+class Carrier(StrEnum):
+    """What carries frames."""
+
+    facts: CarrierFacts
+
+    def __new__(cls, name: str, facts: CarrierFacts | None = None) -> Self:
+        """A member with its name as the value. The default is for type checkers: `Carrier("usb")` looks like a call."""
+        assert facts is not None
+        member = str.__new__(cls, name)
+        member._value_ = name
+        member.facts = facts
+        return member
+
+    USB = (
+        "usb",
+        CarrierFacts(
+            label="USB",
+            links=(Link.USBMON, Link.USBMON_PADDED, Link.USBPCAP),
+            export=Link.USBMON_PADDED,
+            interface="usbmon1",
+        ),
+    )
+    BLUETOOTH = (
+        "bluetooth",
+        CarrierFacts(
+            label="Bluetooth",
+            links=(Link.HCI, Link.HCI_WITH_DIRECTION, Link.BLUETOOTH_MONITOR),
+            export=Link.HCI_WITH_DIRECTION,
+            interface="bluetooth0",
+        ),
+    )
+    WIFI = (
+        "wifi",
+        CarrierFacts(
+            label="WiFi",
+            links=(
+                Link.ETHERNET,
+                Link.LOOPBACK,
+                Link.LOOPBACK_OPENBSD,
+                Link.LINUX_COOKED,
+                Link.LINUX_COOKED_2,
+                Link.RAW_BSD,
+                Link.RAW_OPENBSD,
+                Link.RAW_IP,
+                Link.IPV4,
+                Link.IPV6,
+            ),
+            export=Link.ETHERNET,
+            interface="wlan0",
+        ),
+    )
+
+
+CARRIERS = tuple(carrier.value for carrier in Carrier)
+"""The names of all carriers."""
+
+DEFAULT_CARRIER = Carrier.WIFI
+"""The carrier that is written where nobody names one."""
 
 USB_VENDOR = 0x0694
 """LEGO's number among the makers of USB devices."""
@@ -11,6 +116,9 @@ USB_PRODUCT = 0x0005
 
 USB_BOOTLOADER = 0x0006
 """The brick while its firmware is updated."""
+
+USB_PRODUCTS = frozenset(((USB_VENDOR, USB_PRODUCT), (USB_VENDOR, USB_BOOTLOADER)))
+"""Vendor and product of devices that are bricks."""
 
 USB_ENDPOINT_OUT = 0x01
 """Interrupt endpoint of the reports to the brick."""

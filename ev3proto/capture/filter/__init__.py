@@ -21,6 +21,6 @@ enumeration's member, a status, ... (SOUND.TONE, LED_RED, END_OF_FILE), addresse
 from __future__ import annotations
 
 from ev3proto.capture.filter.compiling import Filter, compile_filter
-from ev3proto.capture.filter.errors import FilterError
+from ev3proto.capture.filter.grammar import FilterError
 
 __all__ = ["Filter", "FilterError", "compile_filter"]

@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Protocol
 
-from ev3proto.capture.filter.errors import FilterError
-from ev3proto.capture.filter.grammar import Relation, Word
+from ev3proto.capture.filter.grammar import FilterError, Relation, Word
 from ev3proto.errors import near_misses
 from ev3proto.tables.declaration import Enumeration
 from ev3proto.tables.encoding import STRING_CODING
@@ -33,7 +32,7 @@ _ORDER: dict[Relation, Callable[[Any, Any], bool]] = {
 _SINGLE = struct.Struct("<f")
 
 
-class Kind(Protocol):
+class ValueType(Protocol):
     """What kind of values a name has."""
 
     def test(self, name: str, relation: Relation, value: Word) -> Test:

@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from ev3proto.capture.filter.comparisons import Test
-from ev3proto.capture.filter.errors import FilterError
 from ev3proto.capture.filter.grammar import (
     Comparison,
     Condition,
     Every,
+    FilterError,
     Membership,
     Negation,
     Presence,

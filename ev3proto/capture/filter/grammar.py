@@ -9,8 +9,6 @@ from enum import Enum
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from ev3proto.capture.filter.errors import FilterError
-
 if TYPE_CHECKING:
     from lark import Lark, Token
     from lark.exceptions import UnexpectedInput
@@ -51,6 +49,22 @@ RAW.2: /r"[^"]*"/ | /r'[^']*'/
 
 %ignore /\s+/
 """
+
+
+class FilterError(ValueError):
+    """A text that is no filter.
+
+    column  of the character where the trouble starts; the first one is 1
+    reason  one sentence: what stands there, what was expected
+    """
+
+    def __init__(self, column: int, reason: str) -> None:
+        self.column = column
+        self.reason = reason
+        super().__init__(f"column {column}: {reason}")
+
+    def __reduce__(self) -> tuple[type[FilterError], tuple[int, str]]:
+        return (type(self), (self.column, self.reason))
 
 
 class Relation(Enum):

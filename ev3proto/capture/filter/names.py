@@ -14,8 +14,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ev3proto.capture.filter.comparisons import Choice, Flags, Held, Kind, Numbers, Texts
-from ev3proto.capture.filter.errors import FilterError
+from ev3proto.capture.dialogues import is_error
+from ev3proto.capture.filter.comparisons import Choice, Flags, Held, Numbers, Texts, ValueType
 from ev3proto.capture.filter.fields import (
     PATH,
     command_names,
@@ -25,10 +25,10 @@ from ev3proto.capture.filter.fields import (
     operations_of_opcode,
     parameter_names,
 )
-from ev3proto.capture.filter.grammar import Word
-from ev3proto.capture.record import NANOSECONDS, Carrier, Direction, Record
-from ev3proto.capture.replies import is_error
+from ev3proto.capture.filter.grammar import FilterError, Word
+from ev3proto.capture.record import NANOSECONDS, Direction, Record
 from ev3proto.messages import DaisyCommand, Message, Operation, SystemCommand, SystemReply
+from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SystemStatus
 
@@ -50,7 +50,7 @@ class Name:
     """
 
     text: str
-    kind: Kind
+    kind: ValueType
     read: Read
     there: Callable[[Record], bool]
 
@@ -171,7 +171,7 @@ _KINDS = dict.fromkeys([*(member.kind for member in MessageType), Message().kind
 
 _FLAG = Flags()
 
-NAMES: Mapping[str, tuple[Kind, Read]] = {
+NAMES: Mapping[str, tuple[ValueType, Read]] = {
     "op": (Choice("an operation", operation_names(), operations_of_opcode, _is_a_command), _operation_names),
     "command": (Choice("a command", command_names(), None, _is_an_operation), _command_names),
     "type": (

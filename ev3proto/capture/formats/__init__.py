@@ -13,8 +13,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO, Self
 
-from ev3proto.capture.errors import CaptureError
 from ev3proto.capture.packets import Packet
+from ev3proto.capture.record import CaptureError
 
 GZIP = b"\x1f\x8b"
 

@@ -7,9 +7,10 @@ from typing import BinaryIO
 
 from construct import Bytes, Int32ub, Int64ub, Struct
 
-from ev3proto.capture.errors import CaptureError
-from ev3proto.capture.packets import MOST_PACKET, Interface, Link, Packet
+from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
+from ev3proto.capture.record import CaptureError
 from ev3proto.schema.packed import packed
+from ev3proto.tables.carriers import Link
 
 HEADER = Struct("magic" / Bytes(8), "version" / Int32ub, "link" / Int32ub)
 RECORD = Struct("size" / Int32ub, "length" / Int32ub, "flags" / Int32ub, "drops" / Int32ub, "microseconds" / Int64ub)

@@ -8,8 +8,8 @@ from typing import BinaryIO
 
 from dpkt import pcap
 
-from ev3proto.capture.errors import CaptureError
 from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
+from ev3proto.capture.record import CaptureError
 
 _NANO = (pcap.TCPDUMP_MAGIC_NANO, pcap.PMUDPCT_MAGIC_NANO)
 _SWAPPED = (pcap.PMUDPCT_MAGIC, pcap.PMUDPCT_MAGIC_NANO, pcap.PACPDOM_MAGIC)

@@ -10,14 +10,14 @@ library that draws is imported when something is drawn.
 """
 
 from ev3proto.capture.timeline.collecting import Window, collect
-from ev3proto.capture.timeline.marks import Cell, Kind, Lane, Mark, Outcome, Tally, Timeline
+from ev3proto.capture.timeline.marks import Cell, Lane, LaneKind, Mark, Outcome, Tally, Timeline
 from ev3proto.capture.timeline.writing import Form, MissingLibraryError, render, require_library, write
 
 __all__ = [
     "Cell",
     "Form",
-    "Kind",
     "Lane",
+    "LaneKind",
     "Mark",
     "MissingLibraryError",
     "Outcome",

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ev3proto.capture.conversation import MOST_PENDING
+from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.moving import begins
-from ev3proto.capture.record import NANOSECONDS, Announcement, Carrier, Event, Record, Route, Skipped
-from ev3proto.capture.replies import is_error
+from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Route, Skipped
 from ev3proto.capture.timeline.bins import Bins
-from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Kind, Lane, Mark, Outcome, Tally, Timeline
+from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Lane, LaneKind, Mark, Outcome, Tally, Timeline
 from ev3proto.capture.timeline.wording import (
     announcement_text,
     clean,
@@ -48,10 +48,7 @@ MOST_WAITING = MOST_PENDING * MOST_BRICKS
 MOST_LANES = 300
 """Lanes of all bricks together; what comes beyond that goes into the lane OTHERS of its kind."""
 
-CARRIERS = {Carrier.USB: "USB", Carrier.BLUETOOTH: "Bluetooth", Carrier.WIFI: "WiFi"}
-"""How carriers are written."""
-
-_KINDS = {"direct": Kind.DIRECT, "system": Kind.SYSTEM, "daisy": Kind.DAISY}
+_KINDS = {"direct": LaneKind.DIRECT, "system": LaneKind.SYSTEM, "daisy": LaneKind.DAISY}
 
 
 def collect(
@@ -212,7 +209,7 @@ class Collector:
     def _faulty(self, record: Record, brick: str) -> None:
         fault = record.message.fault
         mark = Mark(
-            self._lane(brick, Kind.TROUBLE, "faulty frames"),
+            self._lane(brick, LaneKind.TROUBLE, "faulty frames"),
             Outcome.FAULTY,
             record.time_ns,
             None,
@@ -236,12 +233,12 @@ class Collector:
             "packet": packets(announcement.numbers),
         }
         said = announcement.said.value
-        lane = self._lane(brick, Kind.ANNOUNCEMENTS, said)
+        lane = self._lane(brick, LaneKind.ANNOUNCEMENTS, said)
         number = max(announcement.numbers)
         self._keep(Mark(lane, Outcome.ANNOUNCED, announcement.time_ns, None, said, "", details, number))
 
     def _skipped(self, skipped: Skipped) -> None:
-        lane = self._lane(self._brick(skipped.route), Kind.TROUBLE, "skipped bytes")
+        lane = self._lane(self._brick(skipped.route), LaneKind.TROUBLE, "skipped bytes")
         details = {
             "reason": clean(skipped.reason),
             "from": clean(skipped.route.source),
@@ -281,19 +278,19 @@ class Collector:
             details["error"] = move.failure
         else:
             self._bricks[move.brick].outcomes[outcome] += 1
-        lane = Lane(move.brick, Kind.FILES, "")
+        lane = Lane(move.brick, LaneKind.FILES, "")
         heading = f"{transfer.command} {clean_path(transfer.path)}"
         return Mark(lane, outcome, move.begin_ns, move.end_ns, heading, clean_path(transfer.path), details, move.first)
 
     def _brick(self, route: Route) -> str:
-        name = clean(f"{CARRIERS[route.carrier]} {route.peer}", 60)
+        name = clean(f"{route.carrier.facts.label} {route.peer}", 60)
         if name not in self._bricks:
             if len(self._bricks) >= MOST_BRICKS:
                 name = OTHERS
             self._bricks.setdefault(name, Tally())
         return name
 
-    def _lane(self, brick: str, kind: Kind, about: str) -> Lane:
+    def _lane(self, brick: str, kind: LaneKind, about: str) -> Lane:
         lane = Lane(brick, kind, about)
         if lane in self._lanes or len(self._lanes) < MOST_LANES:
             self._lanes.add(lane)

@@ -7,7 +7,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
-from ev3proto.capture.timeline.marks import EXCHANGES, OTHERS, TROUBLES, Cell, Kind, Lane, Mark, Outcome, Timeline
+from ev3proto.capture.timeline.marks import EXCHANGES, OTHERS, TROUBLES, Cell, Lane, LaneKind, Mark, Outcome, Timeline
 from ev3proto.capture.timeline.phrases import brick_summary, clock, count, duration, exact, summary
 
 WIDTH = 960
@@ -183,9 +183,9 @@ class _Rows:
     def fill(self) -> None:
         """All rows, kind by kind."""
         lanes = Counter({lane: n for lane, n in self._timeline.lanes().items() if lane.brick in self._bricks})
-        for kind in Kind:
+        for kind in LaneKind:
             first = len(self._panel.rows)
-            if kind is Kind.FILES:
+            if kind is LaneKind.FILES:
                 self._files()
             else:
                 self._subjects(Counter({lane: n for lane, n in lanes.items() if lane.kind is kind}))
@@ -385,7 +385,7 @@ def _tip(timeline: Timeline, mark: Mark) -> dict[str, str]:
     tip["at"] = f"{timeline.seconds(mark.begin_ns):.6f} s"
     tip["clock"] = clock(mark.begin_ns)
     if mark.end_ns is not None:
-        name = "took" if mark.lane.kind is Kind.FILES else "answer after"
+        name = "took" if mark.lane.kind is LaneKind.FILES else "answer after"
         tip[name] = exact(mark.end_ns - mark.begin_ns)
     return tip | {"brick": mark.lane.brick} | mark.details
 

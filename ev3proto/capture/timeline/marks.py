@@ -11,7 +11,7 @@ from ev3proto.capture.latencies import Latencies
 from ev3proto.capture.record import NANOSECONDS
 
 
-class Kind(StrEnum):
+class LaneKind(StrEnum):
     """What lanes are about, in the order in which they are drawn."""
 
     ANNOUNCEMENTS = "announcements"
@@ -40,7 +40,7 @@ class Outcome(StrEnum):
 TROUBLES = frozenset({Outcome.ERROR, Outcome.UNANSWERED, Outcome.CUT_SHORT, Outcome.FAULTY, Outcome.SKIPPED})
 """What people look for: it is kept one by one where the rest is only counted."""
 
-EXCHANGES = frozenset({Kind.DIRECT, Kind.SYSTEM, Kind.DAISY})
+EXCHANGES = frozenset({LaneKind.DIRECT, LaneKind.SYSTEM, LaneKind.DAISY})
 """The kinds in which a brick answers, so that there is a latency."""
 
 OTHERS = "others"
@@ -51,7 +51,7 @@ class Lane(NamedTuple):
     """Where a mark stands: `USB 1.7`, direct commands, `SOUND.TONE`."""
 
     brick: str
-    kind: Kind
+    kind: LaneKind
     subject: str
 
 

@@ -6,9 +6,9 @@ have or that turn the text around them.
 
 from __future__ import annotations
 
+from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.moving import printable
 from ev3proto.capture.record import Announcement, Record
-from ev3proto.capture.replies import is_error
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
 from ev3proto.text.dialogues import command_spans, reply_spans

@@ -15,10 +15,9 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
-from ev3proto.capture.errors import CaptureError
-from ev3proto.capture.wireshark.errors import EngineError
-from ev3proto.capture.wireshark.events import Teller
-from ev3proto.capture.wireshark.program import Program
+from ev3proto.capture.record import CaptureError
+from ev3proto.capture.wireshark.events import Events
+from ev3proto.capture.wireshark.program import EngineError, Program
 
 if TYPE_CHECKING:
     from ev3proto.capture.byte_account import Account
@@ -52,18 +51,18 @@ def wireshark_events(
         path = _file(source, stack)
         program = Program(tshark)
         words = stack.enter_context(program.words(dialect, ports))
-        return _events(path, program, words, Teller(account, dialect, ports), stack.pop_all())
+        return _events(path, program, words, Events(account, dialect, ports), stack.pop_all())
 
 
-def _events(path: Path, program: Program, words: list[str], teller: Teller, stack: ExitStack) -> Iterator[Event]:
+def _events(path: Path, program: Program, words: list[str], making: Events, stack: ExitStack) -> Iterator[Event]:
     from ev3proto.capture.wireshark.process import FileRun
 
     with stack:
         run = FileRun(program, words, path)
         for rows in run.batches():
             for row in rows:
-                yield from teller.events(row)
-        yield from teller.end()
+                yield from making.events(row)
+        yield from making.end()
         trouble = run.trouble()
         if trouble is not None:
             raise CaptureError(trouble)

@@ -8,14 +8,15 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from ev3proto.capture.byte_account import Account
+from ev3proto.capture.carriers.usb.reports import HOST, OVERWRITTEN
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.engine.reports import HOST, OVERWRITTEN
-from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Route, Said, Skipped
+from ev3proto.capture.record import Announcement, Direction, Event, Route, Said, Skipped
 from ev3proto.capture.wireshark.row import Row
-from ev3proto.capture.wireshark.segments import MOST_WAITING, Ledger, Place
+from ev3proto.capture.wireshark.segments import MOST_WAITING, Origin, Segments
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.schema.frame import HEADER_SIZE, frame_schema
+from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import ACCEPT, BEACON_LINES, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH
 
@@ -35,11 +36,11 @@ V = TypeVar("V")
 
 
 @dataclass(slots=True)
-class _Segments:
+class _Half:
     """One direction of a TCP connection."""
 
     route: Route
-    ledger: Ledger = field(default_factory=Ledger)
+    segments: Segments = field(default_factory=Segments)
 
 
 @dataclass(slots=True)
@@ -52,7 +53,7 @@ class _Parts:
     route: Route
 
 
-class Teller:
+class Events:
     """Makes events of rows, in their order."""
 
     def __init__(self, account: Account, dialect: str, ports: Collection[int]) -> None:
@@ -60,7 +61,7 @@ class Teller:
         self._ports = frozenset(ports)
         self._schema = frame_schema(dialect)
         self._conversations: OrderedDict[Hashable, Conversation] = OrderedDict()
-        self._segments: OrderedDict[Hashable, _Segments] = OrderedDict()
+        self._halves: OrderedDict[Hashable, _Half] = OrderedDict()
         self._parts: OrderedDict[Route, _Parts] = OrderedDict()
         self._routes: OrderedDict[tuple[object, ...], Route] = OrderedDict()
 
@@ -82,13 +83,13 @@ class Teller:
 
     def end(self) -> Iterator[Event]:
         """What was waiting for more."""
-        for segments in self._segments.values():
-            yield from self._lost(segments)
+        for half in self._halves.values():
+            yield from self._lost(half)
         for parts in self._parts.values():
             self._move("skipped", len(parts.data))
             reason = f"the stream ends inside a frame, of which {counted(len(parts.data), 'byte')} came"
             yield Skipped(parts.data, 0, reason, parts.number, parts.time_ns, parts.route)
-        self._segments.clear()
+        self._halves.clear()
         self._parts.clear()
 
     def _count(self, row: Row) -> None:
@@ -110,22 +111,22 @@ class Teller:
             return
         is_from_host = target_port in self._ports
         key = row.number("tcp.stream"), source_port, row.text("ip.src") or row.text("ipv6.src")
-        segments, oldest = _kept(self._segments, key, lambda: _Segments(self._wifi_route(row, "tcp", is_from_host)))
+        half, oldest = _kept(self._halves, key, lambda: _Half(self._wifi_route(row, "tcp", is_from_host)))
         if oldest is not None:
             yield from self._lost(oldest)
-        if segments.route.interface != row.interface:
-            segments.route = self._wifi_route(row, "tcp", is_from_host)
-        route = segments.route
+        if half.route.interface != row.interface:
+            half.route = self._wifi_route(row, "tcp", is_from_host)
+        route = half.route
         talk = self._conversation(frozenset((route.source, route.target)))
-        places = segments.ledger.places(row, [len(data) for data in found])
-        for data, place in zip(found, places, strict=True):
-            yield from self._piece(row, data, place, route, talk)
-        if len(segments.ledger.waiting) > MOST_WAITING:
-            yield from self._lost(segments)
+        origins = half.segments.origins(row, [len(data) for data in found])
+        for data, origin in zip(found, origins, strict=True):
+            yield from self._piece(row, data, origin, route, talk)
+        if len(half.segments.waiting) > MOST_WAITING:
+            yield from self._lost(half)
 
-    def _lost(self, segments: _Segments) -> Iterator[Event]:
-        size, numbers, time_ns = segments.ledger.lost()
-        segments.ledger.waiting.clear()
+    def _lost(self, half: _Half) -> Iterator[Event]:
+        size, numbers, time_ns = half.segments.lost()
+        half.segments.waiting.clear()
         if not size:
             return
         self._move("skipped", size)
@@ -134,7 +135,7 @@ class Teller:
             f"{counted(size, 'byte')} in packet{'s' * (len(numbers) != 1)} {named} are in no frame: the rest of a"
             " frame is missing, or what came before them"
         )
-        yield Skipped(b"", 0, reason, numbers[0], time_ns, segments.route)
+        yield Skipped(b"", 0, reason, numbers[0], time_ns, half.route)
 
     def _udp(self, row: Row) -> Iterator[Event]:
         for data in row.bytes("ev3.bytes"):
@@ -180,7 +181,7 @@ class Teller:
         talk = self._conversation((frozenset((route.source, route.target)), (row.number("btrfcomm.dlci") or 0) >> 1))
         found = row.bytes("ev3.bytes")
         for data in found:
-            yield from self._piece(row, data, Place((*earlier, row.packet), row.time_ns), route, talk)
+            yield from self._piece(row, data, Origin((*earlier, row.packet), row.time_ns), route, talk)
             earlier = ()
         waiting = self._parts.pop(route, None)
         part = b"".join(row.bytes("ev3.fragment"))
@@ -200,17 +201,17 @@ class Teller:
 
     # All carriers
 
-    def _piece(self, row: Row, data: bytes, place: Place, route: Route, talk: Conversation) -> Iterator[Event]:
+    def _piece(self, row: Row, data: bytes, origin: Origin, route: Route, talk: Conversation) -> Iterator[Event]:
         """What the dissector has taken from a stream in one piece: a text, a frame, or what is neither."""
         if data.startswith((ACCEPT, _REQUEST)) or not data.strip(_TEXT_ENDS):
             self._move("texts", len(data))
             if data.startswith(ACCEPT):
-                yield Announcement(Said.ACCEPT, data, None, *place, route)
+                yield Announcement(Said.ACCEPT, data, None, *origin, route)
             elif data.startswith(_REQUEST):
-                yield Announcement(Said.UNLOCK, data, _parsed(Unlock.parse, data), *place, route)
+                yield Announcement(Said.UNLOCK, data, _parsed(Unlock.parse, data), *origin, route)
         elif _has_length(data) and len(data) == _size(data):
             self._move("frames", len(data))
-            yield talk.record(data, *place, route)
+            yield talk.record(data, *origin, route)
         else:
             yield self._unread(row, data, route)
 

@@ -7,9 +7,8 @@ from functools import partial
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Event
-from ev3proto.capture.wireshark.errors import EngineError
-from ev3proto.capture.wireshark.events import Teller
-from ev3proto.capture.wireshark.program import Program
+from ev3proto.capture.wireshark.events import Events
+from ev3proto.capture.wireshark.program import EngineError, Program
 from ev3proto.tables.discovery import BEACON_PORT
 
 
@@ -54,15 +53,15 @@ class Live:
 
         Raises EngineError where tshark ends by itself.
         """
-        teller = Teller(Account(), self._dialect, self._ports)
+        making = Events(Account(), self._dialect, self._ports)
         with self._program.words(self._dialect, self._ports) as words:
             if self._is_stopped:
                 return
             self._run = run = self._make(words)
             for rows in run.batches():
                 for row in rows:
-                    yield from teller.events(row)
-            yield from teller.end()
+                    yield from making.events(row)
+            yield from making.end()
             trouble = run.trouble()
             if trouble is not None:
                 raise EngineError(trouble)

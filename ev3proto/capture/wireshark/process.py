@@ -13,8 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-from ev3proto.capture.wireshark.errors import EngineError
-from ev3proto.capture.wireshark.program import Program
+from ev3proto.capture.wireshark.program import EngineError, Program
 from ev3proto.capture.wireshark.row import FIELDS, Row
 
 try:

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from ev3proto.capture.wireshark.errors import EngineError
+from ev3proto.capture.record import CaptureError
 from ev3proto.generate.dissector.build import FILE_NAME, build
 from ev3proto.generate.dissector.install import USUAL_PLACES
 
@@ -45,6 +45,10 @@ RIGHTS = (
     " sudo usermod -aG wireshark $USER, and log in again; elsewhere run this as somebody who may"
 )
 """What gives somebody the right to capture."""
+
+
+class EngineError(CaptureError):
+    """Why tshark cannot be used, and what to do, in a sentence."""
 
 
 class Program:

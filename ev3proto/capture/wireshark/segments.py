@@ -50,7 +50,7 @@ class _Buffer:
     at: int = 0
 
 
-class Place(NamedTuple):
+class Origin(NamedTuple):
     """Where a frame or text comes from.
 
     numbers  the packets that carried it, in the order of its bytes
@@ -61,7 +61,7 @@ class Place(NamedTuple):
     time_ns: int
 
 
-class Ledger:
+class Segments:
     """One direction of a connection: the packets whose bytes wait for the frame to be whole that they belong to."""
 
     __slots__ = ("_done", "waiting")
@@ -70,18 +70,18 @@ class Ledger:
         self._done = 0  # sequence number behind the last byte of a frame
         self.waiting: OrderedDict[int, Waiting] = OrderedDict()
 
-    def places(self, row: Row, sizes: list[int]) -> list[Place]:
+    def origins(self, row: Row, sizes: list[int]) -> list[Origin]:
         """Where frames and texts of those sizes, in their order, come from."""
         self._remember(row)
         buffers = self._buffers(row)
-        found: list[Place] = []
+        found: list[Origin] = []
         for size in sizes:
             while buffers and buffers[0].at + size > buffers[0].size:
                 buffers.pop(0)
             if buffers:
                 found.append(self._take(buffers[0], size, row.time_ns))
             else:
-                found.append(Place((row.packet,), row.time_ns))
+                found.append(Origin((row.packet,), row.time_ns))
                 entry = self.waiting.get(row.packet)
                 if entry is not None:
                     self._done = max(entry.start, self._done) + size
@@ -126,11 +126,11 @@ class Ledger:
             found.append(_Buffer(numbers, None if first is None else max(first.start, self._done), length))
         return found
 
-    def _take(self, buffer: _Buffer, size: int, now_ns: int) -> Place:
+    def _take(self, buffer: _Buffer, size: int, now_ns: int) -> Origin:
         """Where the next bytes of a buffer come from, which is read now."""
         if buffer.start is None:
             buffer.at += size
-            return Place(tuple(buffer.numbers), now_ns)
+            return Origin(tuple(buffer.numbers), now_ns)
         at, stop = buffer.start + buffer.at, buffer.start + buffer.at + size
         buffer.at += size
         used = []
@@ -143,8 +143,8 @@ class Ledger:
         for number in buffer.numbers:
             self._forget(number)
         if not used:
-            return Place(tuple(buffer.numbers), now_ns)
-        return Place(tuple(entry.number for entry in used), max(entry.time_ns for entry in used))
+            return Origin(tuple(buffer.numbers), now_ns)
+        return Origin(tuple(entry.number for entry in used), max(entry.time_ns for entry in used))
 
     def _forget(self, number: int) -> None:
         """Forgets what stands in frames now."""

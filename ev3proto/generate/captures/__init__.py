@@ -3,11 +3,11 @@
     with open("tones.pcapng", "wb") as stream:
         write_pcapng(messages, stream, carrier="bluetooth")
 
-`conversation` says which frames can be carried and which way they go; `wifi`, `usb` and `bluetooth` put around them
+`carrier_writer` says which frames can be carried and which way they go; `wifi`, `usb` and `bluetooth` put around them
 what stands around frames on the carrier; `writing` gives each packet its time and writes the file.
 """
 
-from ev3proto.generate.captures.conversation import TimedFrame
+from ev3proto.generate.captures.carrier_writer import TimedFrame
 from ev3proto.generate.captures.writing import CaptureWriter, write_pcapng
 
 __all__ = ["CaptureWriter", "TimedFrame", "write_pcapng"]

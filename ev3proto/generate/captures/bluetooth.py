@@ -6,7 +6,7 @@ import struct
 
 from construct import Int8ul, Int16ul, Struct
 
-from ev3proto.capture.carriers.bluetooth import (
+from ev3proto.capture.carriers.bluetooth.adapters import (
     ACL,
     ACL_PACKET,
     ANSWER,
@@ -30,7 +30,6 @@ from ev3proto.capture.carriers.bluetooth import (
     UIH,
     frame_check,
 )
-from ev3proto.capture.packets import Link
 from ev3proto.tables.carriers import RFCOMM_CHANNEL
 
 ADDRESS = bytes.fromhex("06165300000a")
@@ -76,11 +75,8 @@ NEGOTIATED = Struct(
 """What a port is to be like."""
 
 
-class Bluetooth:
+class Writer:
     """A computer and a brick, seen between the computer and its adapter."""
-
-    link = int(Link.HCI_WITH_DIRECTION)
-    interface = "bluetooth0"
 
     def __init__(self) -> None:
         self._credits = {True: CREDITS, False: CREDITS}

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from construct import Bytes, Const, Construct, Int8ul, Int16ul, Struct
 
-from ev3proto.capture.carriers.usb import CONTROL, IN, INTERRUPT, USBMON, USBMON_MORE
-from ev3proto.capture.packets import Link
+from ev3proto.capture.carriers.usb.requests import CONTROL, IN, INTERRUPT, USBMON, USBMON_MORE
 from ev3proto.capture.record import NANOSECONDS
 from ev3proto.schema.packed import packed
 from ev3proto.tables.carriers import USB_ENDPOINT_IN, USB_ENDPOINT_OUT, USB_PRODUCT, USB_VENDOR
@@ -91,11 +90,8 @@ REPORT = (
 """What the brick says of its reports."""
 
 
-class Usb:
+class Writer:
     """A computer that runs Linux, and a brick at its port."""
-
-    link = int(Link.USBMON_PADDED)
-    interface = f"usbmon{BUS}"
 
     def __init__(self) -> None:
         self._last_from_host: bool | None = None

@@ -10,7 +10,6 @@ from dpkt.ip import IP, IP_PROTO_TCP, IP_PROTO_UDP
 from dpkt.tcp import TCP, TH_ACK, TH_FIN, TH_PUSH, TH_SYN
 from dpkt.udp import UDP
 
-from ev3proto.capture.packets import Link
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, TCP_PORT
 
@@ -43,11 +42,8 @@ class _End:
     packets: int
 
 
-class Wifi:
+class Writer:
     """A computer and a brick in a network."""
-
-    link = int(Link.ETHERNET)
-    interface = "wlan0"
 
     def __init__(self) -> None:
         host, brick = bytes((192, 0, 2, 1)), bytes((192, 0, 2, 10))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from importlib import import_module
 from typing import BinaryIO
 
 from dpkt.pcapng import (
@@ -16,25 +17,17 @@ from dpkt.pcapng import (
     SectionHeaderBlockLE,
 )
 
-from ev3proto.capture.record import NANOSECONDS, Carrier
+from ev3proto.capture.record import NANOSECONDS
 from ev3proto.errors import BuildError
-from ev3proto.generate.captures.bluetooth import Bluetooth
-from ev3proto.generate.captures.conversation import Conversation, TimedFrame, check_frame, goes_to_brick
-from ev3proto.generate.captures.usb import Usb
-from ev3proto.generate.captures.wifi import Wifi
+from ev3proto.generate.captures.carrier_writer import CarrierWriter, TimedFrame, check_frame, goes_to_brick
 from ev3proto.messages import Message
+from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER, Carrier
 from ev3proto.version import VERSION
 
 MILLISECOND = NANOSECONDS // 1000
 
 BEGIN_NS = 1_767_261_600 * NANOSECONDS
 """When a conversation begins of which nobody says it: 2026-01-01 10:00 UTC. The same frames make the same file."""
-
-CARRIERS: dict[Carrier, type[Conversation]] = {
-    Carrier.WIFI: Wifi,
-    Carrier.USB: Usb,
-    Carrier.BLUETOOTH: Bluetooth,
-}
 
 _NANOSECONDS_DIGITS = 9
 _MOST_CAPTURED = 1 << 18
@@ -49,11 +42,12 @@ class CaptureWriter:
     """
 
     def __init__(
-        self, stream: BinaryIO, *, carrier: str = "wifi", begin_ns: int = BEGIN_NS, step_ns: int = MILLISECOND
+        self, stream: BinaryIO, *, carrier: str = DEFAULT_CARRIER, begin_ns: int = BEGIN_NS, step_ns: int = MILLISECOND
     ) -> None:
         self.count = 0
         self._stream = stream
-        self._carrier = _conversation(carrier)
+        self._carrier = _known(carrier)
+        self._writer = _writer(self._carrier)
         self._begin_ns = begin_ns
         self._step_ns = step_ns
         self._last_ns: int | None = None
@@ -71,8 +65,8 @@ class CaptureWriter:
         if last_ns is None:
             self._open(time_ns)
         else:
-            self._spread(self._carrier.between(is_from_host), last_ns, time_ns - last_ns)
-        for packet in self._carrier.frame(frame, is_from_host):
+            self._spread(self._writer.between(is_from_host), last_ns, time_ns - last_ns)
+        for packet in self._writer.frame(frame, is_from_host):
             self._write(packet, time_ns)
         self._last_ns = time_ns
         self.count += 1
@@ -82,12 +76,12 @@ class CaptureWriter:
         if self._last_ns is None:
             self._last_ns = self._begin_ns
             self._open(self._begin_ns)
-        closing = self._carrier.closing()
+        closing = self._writer.closing()
         self._spread(closing, self._last_ns, MILLISECOND * (len(closing) + 1))
 
     def _open(self, time_ns: int) -> None:
         self._stream.write(bytes(_section()) + bytes(_interface(self._carrier)))
-        opening = self._carrier.opening()
+        opening = self._writer.opening()
         span_ns = MILLISECOND * (len(opening) + 1)
         self._spread(opening, max(time_ns - span_ns, 0), min(span_ns, time_ns))
 
@@ -98,7 +92,7 @@ class CaptureWriter:
 
     def _write(self, packet: bytes, time_ns: int) -> None:
         high, low = divmod(time_ns, 1 << 32)
-        data = self._carrier.stamped(packet, time_ns)
+        data = self._writer.stamped(packet, time_ns)
         self._stream.write(bytes(EnhancedPacketBlockLE(ts_high=high, ts_low=low, pkt_data=data)))
 
 
@@ -106,7 +100,7 @@ def write_pcapng(
     frames: Iterable[Message | bytes | TimedFrame],
     stream: BinaryIO,
     *,
-    carrier: str = "wifi",
+    carrier: str = DEFAULT_CARRIER,
     begin_ns: int = BEGIN_NS,
     step_ns: int = MILLISECOND,
 ) -> int:
@@ -135,23 +129,29 @@ def _bytes(given: Message | bytes) -> bytes:
     return given.build() if isinstance(given, Message) else given
 
 
-def _conversation(carrier: str) -> Conversation:
+def _known(carrier: str) -> Carrier:
     try:
-        return CARRIERS[Carrier(carrier)]()
+        return Carrier(carrier)
     except ValueError:
-        raise ValueError(f"carrier {carrier!r} is not known: it is one of {', '.join(CARRIERS)}") from None
+        raise ValueError(f"carrier {carrier!r} is not known: it must be one of {', '.join(CARRIERS)}") from None
+
+
+def _writer(carrier: Carrier) -> CarrierWriter:
+    """A new writer of a carrier, from the module with its name."""
+    made: CarrierWriter = import_module(f"{__package__}.{carrier}").Writer()
+    return made
 
 
 def _section() -> SectionHeaderBlockLE:
     return SectionHeaderBlockLE(opts=_options((PCAPNG_OPT_SHB_USERAPPL, f"ev3proto {VERSION}".encode())))
 
 
-def _interface(conversation: Conversation) -> InterfaceDescriptionBlockLE:
+def _interface(carrier: Carrier) -> InterfaceDescriptionBlockLE:
     options = _options(
-        (PCAPNG_OPT_IF_NAME, conversation.interface.encode()),
+        (PCAPNG_OPT_IF_NAME, carrier.facts.interface.encode()),
         (PCAPNG_OPT_IF_TSRESOL, bytes((_NANOSECONDS_DIGITS,))),
     )
-    return InterfaceDescriptionBlockLE(linktype=conversation.link, snaplen=_MOST_CAPTURED, opts=options)
+    return InterfaceDescriptionBlockLE(linktype=int(carrier.facts.export), snaplen=_MOST_CAPTURED, opts=options)
 
 
 def _options(*values: tuple[int, bytes]) -> list[PcapngOptionLE]:

@@ -11,7 +11,7 @@ MAX_NAME = 200
 """Characters of a name."""
 
 
-class Kind(StrEnum):
+class TokenKind(StrEnum):
     """What a token is. A word starts like a number and is none: hex, where bytes are written."""
 
     NAME = "name"
@@ -34,7 +34,7 @@ class Token:
     is_first  it is the first of its line
     """
 
-    kind: Kind
+    kind: TokenKind
     text: str
     line: int
     column: int
@@ -42,7 +42,7 @@ class Token:
 
     def is_mark(self, *marks: str) -> bool:
         """Whether it is one of these marks."""
-        return self.kind is Kind.MARK and self.text in marks
+        return self.kind is TokenKind.MARK and self.text in marks
 
 
 _TOKEN = re.compile(
@@ -76,7 +76,9 @@ def tokens(text: str) -> Iterator[Token]:
         if found and kind == "comment":
             end = text.find("*/", found.end())
             if end < 0:
-                yield Token(Kind.BAD, "the comment that starts here has no */", line, at - line_start + 1, is_first)
+                yield Token(
+                    TokenKind.BAD, "the comment that starts here has no */", line, at - line_start + 1, is_first
+                )
                 break
             line += text.count("\n", at, end)
             line_start = max(line_start, text.rfind("\n", at, end) + 1)
@@ -84,16 +86,16 @@ def tokens(text: str) -> Iterator[Token]:
             continue
         column = at - line_start + 1
         if found and kind == "name" and found.end() - at > MAX_NAME:
-            yield Token(Kind.BAD, f"a name has at most {MAX_NAME} characters", line, column, is_first)
+            yield Token(TokenKind.BAD, f"a name has at most {MAX_NAME} characters", line, column, is_first)
             at = found.end()
         elif found:
-            yield Token(Kind(kind or ""), found[0], line, column, is_first)
+            yield Token(TokenKind(kind or ""), found[0], line, column, is_first)
             at = found.end()
         else:
             reason, at = _bad(text, at)
-            yield Token(Kind.BAD, reason, line, column, is_first)
+            yield Token(TokenKind.BAD, reason, line, column, is_first)
         is_first = False
-    yield Token(Kind.END, "", line, len(text) - line_start + 1, True)
+    yield Token(TokenKind.END, "", line, len(text) - line_start + 1, True)
 
 
 def _bad(text: str, at: int) -> tuple[str, int]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from ev3proto.tables.declaration import Type
 from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.assembly.lexing import ESCAPES, Kind, Token, tokens, unescaped
+from ev3proto.text.assembly.lexing import ESCAPES, Token, TokenKind, tokens, unescaped
 from ev3proto.text.assembly.words import BYTES, CUT, FRAME, MESSAGE
 
 MAX_DEPTH = 50
@@ -263,12 +263,12 @@ class _Parser:
         """Whether there is no further statement. Marks that people put between statements are passed over."""
         while self._peek().is_mark(",", ";"):
             self._next()
-        return self._peek().kind is Kind.END
+        return self._peek().kind is TokenKind.END
 
     def skip_line(self) -> None:
         """Goes on to the first token of another line; at least one token is passed over."""
         self._depth = 0
-        if self._peek().kind is Kind.END:
+        if self._peek().kind is TokenKind.END:
             return
         self._next()
         while not self._peek().is_first:
@@ -284,7 +284,7 @@ class _Parser:
             if self._peek().text == "define":
                 return self._define()
             raise error_at(token, "of the lines that start with # there is only #define")
-        if token.kind is not Kind.NAME:
+        if token.kind is not TokenKind.NAME:
             raise self._unexpected("an operation such as SOUND(TONE, 1, 440, 1000)")
         if self._peek(1).is_mark(":"):
             self._next()
@@ -319,9 +319,9 @@ class _Parser:
         while not self._peek().is_first:
             name = self._expect_name("counter, globals, locals or length")
             value = self._peek()
-            if value.is_first or value.kind not in (Kind.NUMBER, Kind.NAME):
+            if value.is_first or value.kind not in (TokenKind.NUMBER, TokenKind.NAME):
                 raise self._line_end(f"the value of {name.text}")
-            facts.append((name, Literal(self._number()) if value.kind is Kind.NUMBER else Named(self._next())))
+            facts.append((name, Literal(self._number()) if value.kind is TokenKind.NUMBER else Named(self._next())))
         return Header(token, kind, tuple(facts))
 
     def _define(self) -> Define:
@@ -340,7 +340,7 @@ class _Parser:
     def _declaration(self) -> Declaration:
         scope = self._next().text if self._peek().text in (GLOBAL_WORD, LOCAL_WORD) else None
         kind = self._peek()
-        if kind.kind is not Kind.NAME or kind.text not in TYPES:
+        if kind.kind is not TokenKind.NAME or kind.text not in TYPES:
             raise self._line_end(f"a type ({', '.join(TYPES)})")
         self._next()
         token = self._expect_name("the name of the variable")
@@ -401,9 +401,9 @@ class _Parser:
     def _starts_statement(self) -> bool:
         """Whether a statement starts here, after the comma of an operation in the macro notation."""
         token, following = self._peek(), self._peek(1)
-        if token.kind is Kind.END or token.is_mark("}", "#"):
+        if token.kind is TokenKind.END or token.is_mark("}", "#"):
             return True
-        if token.kind is not Kind.NAME:
+        if token.kind is not TokenKind.NAME:
             return False
         if is_operation_word(token.text) or following.is_mark(":"):
             return True
@@ -431,7 +431,7 @@ class _Parser:
             self._next()
             name = self._expect_name("the name of a variable", is_same_line=False)
             return Marked(token, self._element(name) if self._peek().is_mark("[") else Named(name))
-        if token.kind is Kind.NAME:
+        if token.kind is TokenKind.NAME:
             following = self._peek(1)
             if following.is_mark("["):
                 return self._element(self._next())
@@ -470,16 +470,16 @@ class _Parser:
         while len(letters) <= MAX_BYTES:
             self._expect(",")
             letter = self._peek()
-            if letter.kind is Kind.NUMBER and letter.text in ("0", "0x00"):
+            if letter.kind is TokenKind.NUMBER and letter.text in ("0", "0x00"):
                 self._next()
                 break
-            body, unknown = unescaped(letter) if letter.kind is Kind.TEXT else ("", None)
+            body, unknown = unescaped(letter) if letter.kind is TokenKind.TEXT else ("", None)
             if len(body) != 1 or unknown is not None:
                 raise self._unexpected("a letter such as 'L', or the 0 that ends the text,")
             letters.append(body)
             self._next()
         text = "".join(f"\\u{ord(letter):04x}" for letter in letters)
-        return Macro(token, Literal(Token(Kind.TEXT, f'"{text}"', token.line, token.column, False)))
+        return Macro(token, Literal(Token(TokenKind.TEXT, f'"{text}"', token.line, token.column, False)))
 
     def _expression(self) -> Expression:
         with self._deeper(self._peek()):
@@ -508,15 +508,15 @@ class _Parser:
             part = self._expression()
             self._expect(")")
             return part
-        if token.kind is Kind.TEXT:
+        if token.kind is TokenKind.TEXT:
             _, unknown = unescaped(token)
             if unknown is not None:
                 escape = token.text[unknown : unknown + 2]
                 raise AssemblyError(token.line, token.column + unknown, f"{escape} is no escape: there are {ESCAPES}")
             return Literal(self._next())
-        if token.kind is Kind.NUMBER:
+        if token.kind is TokenKind.NUMBER:
             return Literal(self._number())
-        if token.kind is Kind.NAME:
+        if token.kind is TokenKind.NAME:
             return Named(self._next())
         raise self._unexpected("a value")
 
@@ -549,21 +549,21 @@ class _Parser:
 
     def _peek(self, count: int = 0) -> Token:
         while len(self._ahead) <= count:
-            if self._ahead and self._ahead[-1].kind is Kind.END:
+            if self._ahead and self._ahead[-1].kind is TokenKind.END:
                 return self._ahead[-1]
             self._ahead.append(next(self._tokens))
         return self._ahead[count]
 
     def _next(self) -> Token:
         token = self._peek()
-        if token.kind is not Kind.END:
+        if token.kind is not TokenKind.END:
             self._ahead.popleft()
         self._last = token
         return token
 
     def _is_name_here(self, *, is_same_line: bool = True) -> bool:
         token = self._peek()
-        return token.kind is Kind.NAME and not (is_same_line and token.is_first)
+        return token.kind is TokenKind.NAME and not (is_same_line and token.is_first)
 
     def _expect_name(self, what: str, *, is_same_line: bool = True) -> Token:
         if not self._is_name_here(is_same_line=is_same_line):
@@ -597,9 +597,9 @@ class _Parser:
 
     def _unexpected(self, expected: str) -> AssemblyError:
         token = self._peek()
-        if token.kind is Kind.BAD:
+        if token.kind is TokenKind.BAD:
             return error_at(token, token.text)
-        if token.kind is Kind.END:
+        if token.kind is TokenKind.END:
             return error_at(token, f"the text ends where {expected} should stand")
         return error_at(token, f"{_shown(token)} stands where {expected} should")
 

@@ -21,7 +21,7 @@ from ev3proto.tables.branch import OFFSET
 from ev3proto.tables.declaration import DATA8, Direction, Enumeration, Parameter, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
 from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.assembly.lexing import Kind, Token, unescaped
+from ev3proto.text.assembly.lexing import Token, TokenKind, unescaped
 from ev3proto.text.assembly.parser import (
     TYPES,
     Chain,
@@ -304,7 +304,7 @@ class Encoder:
 
 
 def _literal(token: Token) -> Constant:
-    if token.kind is Kind.TEXT:
+    if token.kind is TokenKind.TEXT:
         return unescaped(token)[0]
     text = token.text.lower()
     if text.startswith("0x"):

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 
 from dpkt.tcp import TH_ACK, TH_RST, TH_SYN
 
-from ev3proto.capture.carriers.internet import Transport, place, transport
-from ev3proto.capture.carriers.tcp import Hole, Late, Reassembly, Segment
+from ev3proto.capture.carriers.streams import Context, Stream
+from ev3proto.capture.carriers.wifi.internet import Transport, place, transport
+from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.engine.context import Context, Stream
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
-from ev3proto.capture.record import Announcement, Carrier, Direction, Event, Route, Said
+from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon
+from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_LINES, BEACON_PORT
 
 MOST_CONNECTIONS = 1024
@@ -44,13 +45,13 @@ class _Half:
         self.start = start
 
 
-class WiFi:
+class Connections:
     """Follows the connections to the ports on which bricks listen."""
 
-    def __init__(self, context: Context, ports: Collection[int]) -> None:
+    def __init__(self, context: Context) -> None:
         self._context = context
         self._account = context.account
-        self._ports = frozenset(ports)
+        self._ports = context.ports
         self._halves: OrderedDict[Key, _Half] = OrderedDict()
         self._conversations: OrderedDict[frozenset[tuple[bytes, int]], Conversation] = OrderedDict()
         self._bricks: OrderedDict[tuple[bytes, int], None] = OrderedDict()

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ev3proto.capture.carriers.bluetooth import Bluetooth, Gone, Told
+from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Gone, Told
+from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.engine.context import Context, Stream
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Packet
-from ev3proto.capture.record import Carrier, Direction, Event, Route
-from ev3proto.tables.carriers import RFCOMM_CHANNEL
+from ev3proto.capture.record import Direction, Event, Route
+from ev3proto.tables.carriers import RFCOMM_CHANNEL, Carrier
 
 
 class SerialPorts:

@@ -1,4 +1,4 @@
-"""What all parts of the built-in engine share, and the streams that two of the carriers have."""
+"""What all readers of carriers share, and the byte streams that two of the carriers have."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.framing import Cutter, Kind, Piece
+from ev3proto.capture.framing import Cutter, PartKind, StreamPart
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
 from ev3proto.errors import counted
@@ -17,10 +17,16 @@ from ev3proto.schema.frame import FrameSchema
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """The schema that reads frames, and the account of all bytes."""
+    """What the readers of one capture share.
+
+    schema   reads frames
+    account  counts all bytes
+    ports    TCP ports on which bricks listen
+    """
 
     schema: FrameSchema
     account: Account
+    ports: frozenset[int]
 
 
 class Stream:
@@ -81,24 +87,24 @@ class Stream:
         self._times.clear()
         return events
 
-    def _events(self, pieces: Iterable[Piece]) -> list[Event]:
+    def _events(self, pieces: Iterable[StreamPart]) -> list[Event]:
         events: list[Event] = []
         account, route, times = self._account, self.route, self._times
         for kind, data, numbers, reason in pieces:
             size = len(data)
             time_ns = times[numbers[0] if len(numbers) == 1 else max(numbers)]
-            if kind is Kind.FRAME:
+            if kind is PartKind.FRAME:
                 account.frames += size
                 events.append(self._conversation.record(data, numbers, time_ns, route))
-            elif kind is Kind.OTHER:
+            elif kind is PartKind.OTHER:
                 account.other += size
-            elif kind is Kind.LOST:
+            elif kind is PartKind.LOST:
                 account.skipped += size
                 events.append(Skipped(data, 0, reason, self.number, self.time_ns, route))
             else:
                 account.texts += size
-                if kind is Kind.UNLOCK:
+                if kind is PartKind.UNLOCK:
                     events.append(Announcement(Said.UNLOCK, data, Unlock.parse(data), numbers, time_ns, route))
-                elif kind is Kind.ACCEPT:
+                elif kind is PartKind.ACCEPT:
                     events.append(Announcement(Said.ACCEPT, data, None, numbers, time_ns, route))
         return events

@@ -10,7 +10,7 @@ from dpkt import UnpackError, ip, ip6, loopback, sll, sll2, tcp, udp
 from dpkt.ethernet import ETH_TYPE_8021AD, ETH_TYPE_8021Q, ETH_TYPE_IP, ETH_TYPE_IP6, ETH_TYPE_QINQ1, Ethernet
 from dpkt.utils import inet_to_str
 
-from ev3proto.capture.packets import Link
+from ev3proto.tables.carriers import Link
 
 _CARRIED: dict[int, type] = {ip.IP_PROTO_TCP: tcp.TCP, ip.IP_PROTO_UDP: udp.UDP}
 

@@ -6,20 +6,17 @@ from collections import OrderedDict
 from collections.abc import Iterable
 from typing import TypeVar
 
-from ev3proto.capture.carriers.usb import IN, INTERRUPT, Urb, urb
+from ev3proto.capture.carriers.streams import Context
+from ev3proto.capture.carriers.usb.requests import IN, INTERRUPT, Urb, urb
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.engine.context import Context
 from ev3proto.capture.packets import Packet
-from ev3proto.capture.record import Carrier, Direction, Event, Route, Skipped
+from ev3proto.capture.record import Direction, Event, Route, Skipped
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
 from ev3proto.schema.frame import HEADER_SIZE
 from ev3proto.tables import operations, system
-from ev3proto.tables.carriers import USB_BOOTLOADER, USB_PRODUCT, USB_VENDOR
+from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
 from ev3proto.tables.daisy import MOST_LAYERS
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES, MessageType
-
-PRODUCTS = {(USB_VENDOR, USB_PRODUCT), (USB_VENDOR, USB_BOOTLOADER)}
-"""Devices that are bricks."""
 
 HOST = "host"
 
@@ -56,7 +53,7 @@ class Reports:
             return ()
         if found.transfer != INTERRUPT:
             if found.product is not None:
-                _put(self._products, found.device, found.product in PRODUCTS)
+                _put(self._products, found.device, found.product in USB_PRODUCTS)
             self._account.other += len(packet.data)
             return ()
         if len(found.data) < HEADER_SIZE:

@@ -18,14 +18,8 @@ class TimedFrame(NamedTuple):
     time_ns: int
 
 
-class Conversation(Protocol):
-    """What one carrier puts around frames. The packets of each call go by one after the other."""
-
-    link: int
-    """What its packets start with, by the numbers of capture files."""
-
-    interface: str
-    """Name of an interface on which such packets are captured."""
+class CarrierWriter(Protocol):
+    """What one carrier puts around the frames of a conversation. The packets of each call follow one another."""
 
     def opening(self) -> list[bytes]:
         """Everything in front of the first frame."""

@@ -12,8 +12,9 @@ from typing import NamedTuple
 
 from construct import Int8ul, Int16ub, Int16ul, Int32ub, Struct
 
-from ev3proto.capture.packets import Link, Packet
+from ev3proto.capture.packets import Packet
 from ev3proto.schema.packed import packed
+from ev3proto.tables.carriers import Link
 
 ACL = Struct("handle" / Int16ul, "length" / Int16ul)
 """Head of a packet of data; the upper bits of the handle say whether it starts or goes on."""

@@ -1,1 +1,0 @@
-"""The built-in engine: packets into records, without any other program."""

@@ -14,14 +14,14 @@ import struct
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from support.packets import ACK, RAW_IP, SYN, Capture, Connection, SerialPort, cut, datagram, segment
 from support.wireshark import Tshark
 
-from ev3proto.capture import Account, Announcement, CaptureError, Event, Record, Skipped, read
+from ev3proto.capture import Account, Announcement, CaptureError, Event, Record, Skipped, from_pyshark, read
 from ev3proto.capture import Capture as Captured
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.generate.dissector.build import build
@@ -456,19 +456,13 @@ def test_what_came_before_tshark_died_is_given(imitation: Callable[..., str]) ->
     )
 
 
-@pytest.fixture
-def without_pyshark(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    for name in [name for name in sys.modules if name.startswith(("pyshark", "ev3proto.capture.wireshark"))]:
-        monkeypatch.delitem(sys.modules, name)
-    monkeypatch.setitem(sys.modules, "pyshark", None)
-    yield
-    for name in [name for name in sys.modules if name.startswith("ev3proto.capture.wireshark")]:
-        del sys.modules[name]
-
-
-@pytest.mark.usefixtures("without_pyshark")
-def test_no_pyshark(imitation: Callable[..., str]) -> None:
-    assert "pip install 'ev3proto[wireshark]'" in complaint(imitation(""))
+@pytest.mark.parametrize("name", ["wifi.pcapng", "usb-bootloader.pcapng", "bluetooth.log"])
+def test_packets_of_pyshark(tshark: Tshark, opened: Open, name: str) -> None:
+    """Whoever has pyshark read gives its packets, and gets what the engine wireshark gives."""
+    packets = tshark.packets(tshark.place(CAPTURES / name), "-o", "ev3.bytes:TRUE")
+    found, expected = from_pyshark(packets), opened(CAPTURES / name)
+    assert list(map(told, found.events())) == list(map(told, expected.events()))
+    assert found.account == expected.account
 
 
 def test_the_builtin_engine_needs_none_of_it() -> None:

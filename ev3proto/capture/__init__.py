@@ -1,7 +1,7 @@
 """Captured traffic: files of packets read into frames with time, carrier and direction. `read` is where to start."""
 
 from ev3proto.capture.byte_account import Account
-from ev3proto.capture.reading import Capture, read
+from ev3proto.capture.reading import Capture, from_pyshark, read
 from ev3proto.capture.record import Announcement, CaptureError, Direction, Event, Record, Route, Said, Skipped
 from ev3proto.tables.carriers import Carrier
 
@@ -17,5 +17,6 @@ __all__ = [
     "Route",
     "Said",
     "Skipped",
+    "from_pyshark",
     "read",
 ]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Generator, Iterator
+from collections.abc import Collection, Generator, Iterable, Iterator
 from types import TracebackType
-from typing import BinaryIO, Literal, Self
+from typing import Any, BinaryIO, Literal, Self
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.formats import CaptureFile
@@ -76,16 +76,23 @@ def read(
     engine: Engine = "builtin",
     tshark: str | None = None,
 ) -> Capture:
-    """A capture file's records: pcap, pcapng or btsnoop, packed with gzip or not, told by its first bytes.
+    """A capture file's records: pcap, pcapng or btsnoop, packed with gzip or not, recognised by its first bytes.
 
-    source   a path, a binary stream at its start (which stays open), or a CaptureFile that was looked at before
-    dialect  the firmware whose instruction set to read by
-    ports    TCP ports on which bricks listen
-    engine   "builtin", or "wireshark": tshark takes the packets apart, for every link type that Wireshark knows
-    tshark   path of the tshark for that engine, where it is not on the path
+    Args:
+        source: A path, a binary stream at its start (which stays open), or a CaptureFile that was looked at before.
+        dialect: The firmware whose instruction set to read by.
+        ports: TCP ports on which bricks listen.
+        engine: "builtin", or "wireshark": tshark takes the packets apart, for every link type that Wireshark knows.
+        tshark: Path of the tshark for that engine, where it is not on the path.
 
-    Raises OSError for a file that cannot be opened, CaptureError for one that is no capture, ValueError for an unknown
-    dialect or engine; while it is read CaptureError for a damaged file, after everything readable was given.
+    Returns:
+        The capture. While it is read it raises CaptureError for a damaged file, after everything readable.
+
+    Raises:
+        OSError: The file cannot be opened.
+        CaptureError: The file is no capture, or tshark cannot be used.
+        ValueError: The dialect or the engine is not known.
+
     """
     check_dialect(dialect)
     account = Account()
@@ -94,7 +101,7 @@ def read(
 
         return Capture(wireshark_events(source, account, dialect=dialect, ports=ports, tshark=tshark), account)
     if engine != "builtin":
-        raise ValueError(f"there is no engine {engine!r}: it is builtin or wireshark")
+        raise ValueError(f"there is no engine {engine!r}: it must be builtin or wireshark")
     from ev3proto.capture.builtin import events
 
     file = source if isinstance(source, CaptureFile) else _opened(source)
@@ -104,6 +111,35 @@ def read(
         file.close()
         raise
     return Capture(events(packets, account, dialect=dialect, ports=ports), account, file)
+
+
+def from_pyshark(packets: Iterable[Any], *, dialect: str = "official", ports: Collection[int] = (TCP_PORT,)) -> Capture:
+    """The records in a capture of pyshark, whatever it reads or wherever it captures.
+
+        packets = pyshark.FileCapture("robot.pcapng", override_prefs={"ev3.bytes": "TRUE"})
+        for record in ev3proto.capture.from_pyshark(packets):
+            print(record.message)
+
+    It takes ten times as long as the engine "wireshark", because pyshark gives all that tshark knows of a packet.
+
+    Args:
+        packets: A capture of pyshark, or its packets. pyshark's mode must be XML, which is its default. Its tshark must
+            have the dissector (`ev3proto dissector install`) and the preference `ev3.bytes` TRUE.
+        dialect: The firmware whose instruction set to read by.
+        ports: TCP ports on which bricks listen.
+
+    Returns:
+        The capture. It raises whatever pyshark does.
+
+    Raises:
+        ValueError: The dialect is not known.
+
+    """
+    from ev3proto.capture.wireshark.pyshark_packets import pyshark_events
+
+    check_dialect(dialect)
+    account = Account()
+    return Capture(pyshark_events(packets, account, dialect=dialect, ports=ports), account)
 
 
 def _opened(source: str | os.PathLike[str] | BinaryIO) -> CaptureFile:

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, BinaryIO
 
 from ev3proto.capture.record import CaptureError
 from ev3proto.capture.wireshark.events import Events
+from ev3proto.capture.wireshark.process import Process
 from ev3proto.capture.wireshark.program import EngineError, Program
 
 if TYPE_CHECKING:
@@ -37,15 +38,20 @@ def wireshark_events(
 ) -> Iterator[Event]:
     """Everything in a capture, in the order of its packets. A stream is copied into a temporary file for tshark.
 
-    source   a path, a stream at its start, or a CaptureFile
-    account  is kept while the capture is read. Wireshark does not say which bytes are whose headers: those, and bytes
-             that came twice, stand under `other`
-    dialect  the firmware whose instruction set to read by
-    ports    TCP ports on which bricks listen
-    tshark   path of the tshark, where it is not on the path
+    Args:
+        source: A path, a stream at its start, or a CaptureFile.
+        account: Counts the bytes while the capture is read. Wireshark does not say which bytes are whose headers: those,
+            and bytes that came twice, are counted as `other`.
+        dialect: The firmware whose instruction set to read by.
+        ports: TCP ports on which bricks listen.
+        tshark: Path of the tshark, where it is not on the path.
 
-    Raises OSError for a file that cannot be opened and EngineError where tshark or pyshark is missing; while it is read
-    CaptureError, after everything readable, with what tshark says of the file.
+    Returns:
+        The events. While they are read they raise CaptureError, after everything readable, with what tshark says.
+
+    Raises:
+        OSError: The file cannot be opened.
+        EngineError: There is no tshark that can be used.
     """
     with ExitStack() as stack:
         path = _file(source, stack)
@@ -55,10 +61,8 @@ def wireshark_events(
 
 
 def _events(path: Path, program: Program, words: list[str], making: Events, stack: ExitStack) -> Iterator[Event]:
-    from ev3proto.capture.wireshark.process import FileRun
-
     with stack:
-        run = FileRun(program, words, path)
+        run = Process(program, [*words, "-r", str(path)])
         for rows in run.batches():
             for row in rows:
                 yield from making.events(row)

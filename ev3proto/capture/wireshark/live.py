@@ -3,26 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
-from functools import partial
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Event
 from ev3proto.capture.wireshark.events import Events
+from ev3proto.capture.wireshark.process import Process
 from ev3proto.capture.wireshark.program import EngineError, Program
 from ev3proto.tables.discovery import BEACON_PORT
 
+_STARTED = b"Capture started"
+
 
 class Live:
-    """A capture that goes on.
-
-    interfaces  names of interfaces, or their numbers as tshark counts them
-    dialect     the firmware whose instruction set to read by
-    ports       TCP ports on which bricks listen
-    tshark      path of the tshark, where it is not on the path
-    on_start    is called once packets are captured
-
-    Raises EngineError where tshark or pyshark is missing, an interface, or the right to capture there.
-    """
+    """A capture that goes on until it is stopped."""
 
     def __init__(
         self,
@@ -33,41 +26,66 @@ class Live:
         tshark: str | None = None,
         on_start: Callable[[], None] = lambda: None,
     ) -> None:
-        from ev3proto.capture.wireshark.process import LiveRun
+        """Nothing is captured before the first of `events`.
 
+        Args:
+            interfaces: Names of interfaces, or their numbers as tshark counts them.
+            dialect: The firmware whose instruction set to read by.
+            ports: TCP ports on which bricks listen.
+            tshark: Path of the tshark, where it is not on the path.
+            on_start: Is called once packets are captured, from another thread.
+
+        Raises:
+            EngineError: There is no tshark, no such interface, or no right to capture there.
+
+        """
         self._program = Program(tshark)
-        # Packets of others need not even be captured, where the operating system can tell them.
-        internet = " or ".join([*(f"tcp port {port}" for port in sorted(ports)), f"udp port {BEACON_PORT}"])
-        filters = {name: internet if self._program.check_interface(name) else None for name in interfaces}
-        chosen = f"ev3 || tcp.len > 0 && tcp.port in {{{', '.join(map(str, sorted(ports)))}}}"
         self._dialect = dialect
         self._ports = ports
-        self._make: Callable[[list[str]], LiveRun] = partial(
-            LiveRun, self._program, interfaces=filters, chosen=chosen, on_start=on_start
-        )
-        self._run: LiveRun | None = None
+        self._on_start = on_start
+        self._process: Process | None = None
+        self._is_started = False
         self._is_stopped = False
+        listed = ", ".join(map(str, sorted(ports)))
+        self._words = ["-l", "-Y", f"ev3 || tcp.len > 0 && tcp.port in {{{listed}}}"]
+        # Packets of others need not even be captured, where the operating system can tell them.
+        internet = " or ".join([*(f"tcp port {port}" for port in sorted(ports)), f"udp port {BEACON_PORT}"])
+        for name in interfaces:
+            self._words += ["-i", name, *(("-f", internet) if self._program.check_interface(name) else ())]
 
     def events(self) -> Iterator[Event]:
-        """What happens, as it happens; packets are numbered from 1. Ends after `stop`.
+        """What happens, as it happens.
 
-        Raises EngineError where tshark ends by itself.
+        Yields:
+            Events, whose packets are numbered from 1. They end after `stop`.
+
+        Raises:
+            EngineError: tshark ended by itself.
+
         """
         making = Events(Account(), self._dialect, self._ports)
         with self._program.words(self._dialect, self._ports) as words:
             if self._is_stopped:
                 return
-            self._run = run = self._make(words)
-            for rows in run.batches():
+            self._process = process = Process(self._program, [*words, *self._words], self._heard)
+            for rows in process.batches():
                 for row in rows:
                     yield from making.events(row)
             yield from making.end()
-            trouble = run.trouble()
+            trouble = process.trouble()
             if trouble is not None:
                 raise EngineError(trouble)
 
     def stop(self) -> None:
         """Ends the events, after those that happened before. Signal handlers may call it."""
         self._is_stopped = True
-        if self._run is not None:
-            self._run.stop()
+        if self._process is not None:
+            self._process.stop()
+
+    def _heard(self, said: bytes) -> None:
+        if self._is_stopped:
+            # tshark may have started to listen to signals only now.
+            self.stop()
+        elif not self._is_started and _STARTED in said:
+            self._is_started = True
+            self._on_start()

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
+from ev3proto.bounded import Bounded
 from ev3proto.capture.conversation import MOST_PENDING
 from ev3proto.capture.record import Event, Record
 from ev3proto.messages import Message, SystemReply
@@ -44,13 +44,13 @@ def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterat
 
     At most MOST_PENDING commands wait at the same time; the oldest is then given without a reply.
     """
-    waiting: OrderedDict[int, Record] = OrderedDict()
+    waiting: Bounded[int, Record] = Bounded(MOST_PENDING)
     for event in events:
         while patience_ns is not None and waiting:
             oldest = next(iter(waiting.values()))
             if event.time_ns - oldest.time_ns < patience_ns:
                 break
-            yield RequestReply(waiting.popitem(last=False)[1], None)
+            yield RequestReply(waiting.pop_oldest(), None)
         if not isinstance(event, Record):
             continue
         if event.request is not None:
@@ -61,8 +61,8 @@ def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterat
         elif not event.message.wants_reply:
             yield RequestReply(event, None)
         else:
-            waiting[id(event)] = event
-            if len(waiting) > MOST_PENDING:
-                yield RequestReply(waiting.popitem(last=False)[1], None)
+            dropped = waiting.add(id(event), event)
+            if dropped is not None:
+                yield RequestReply(dropped, None)
     for command in waiting.values():
         yield RequestReply(command, None)

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -20,6 +19,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import BinaryIO, Self
 
+from ev3proto.bounded import Bounded
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.moving import LISTINGS, UPLOADS, entry_of, piece_of
 from ev3proto.capture.record import CaptureError, Event, Record
@@ -340,7 +340,7 @@ class _Pieces:
 
     def __init__(self, folder: Path) -> None:
         self._folder = Path(tempfile.mkdtemp(prefix=".ev3proto-", dir=folder))
-        self._open: OrderedDict[int, BinaryIO] = OrderedDict()
+        self._open: Bounded[int, BinaryIO] = Bounded(MOST_OPEN)
 
     def path(self, number: int) -> Path:
         """Where a file is; an empty one is made where nothing was written."""
@@ -350,19 +350,15 @@ class _Pieces:
 
     def append(self, number: int, piece: bytes) -> None:
         """Writes a piece behind those that were written."""
-        file = self._open.get(number)
-        if file is None:
-            if len(self._open) >= MOST_OPEN:
-                self._open.popitem(last=False)[1].close()
-            file = self._open[number] = (self._folder / str(number)).open("ab")
-        else:
-            self._open.move_to_end(number)
+        file, oldest = self._open.use(number, lambda: (self._folder / str(number)).open("ab"))
+        if oldest is not None:
+            oldest.close()
         file.write(piece)
 
     def close(self) -> None:
         """Closes all; nothing is written any more."""
         while self._open:
-            self._open.popitem()[1].close()
+            self._open.pop_oldest().close()
 
     def __enter__(self) -> Self:
         return self

@@ -11,11 +11,11 @@ one by one is listed up to a limit, with the number of all beside it.
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from typing import Any, NamedTuple
 
+from ev3proto.bounded import Bounded
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.latencies import Latencies, Percentiles
@@ -373,7 +373,7 @@ class Statistics:
         self._peers: dict[str, _Tally] = {}
         self._further = _Tally("further ones")
         self._texts: dict[str, Amount] = {}
-        self._waiting: OrderedDict[int, _Waiting] = OrderedDict()
+        self._waiting: Bounded[int, _Waiting] = Bounded(MOST_PENDING)
         self._unanswered: list[Noted] = []
         self._faults: list[Noted] = []
         self._skipped: list[Noted] = []
@@ -398,7 +398,7 @@ class Statistics:
         account  the capture's, once it was read
         """
         while self._waiting:
-            self._give_up(self._waiting.popitem(last=False)[1])
+            self._give_up(self._waiting.pop_oldest())
         self._unanswered.sort(key=lambda noted: noted.packet)
         whole = _Tally("all")
         for tally in (*self._peers.values(), self._further):
@@ -450,12 +450,11 @@ class Statistics:
     # its id: whoever waits under that id waits in vain.
 
     def _wait(self, record: Record, carried: dict[Carried, int]) -> None:
-        forgotten = self._waiting.pop(id(record), None)
-        if forgotten is None and len(self._waiting) >= MOST_PENDING:
-            _, forgotten = self._waiting.popitem(last=False)
-        if forgotten is not None:
-            self._give_up(forgotten)
-        self._waiting[id(record)] = _Waiting(record.number, record.peer, carried)
+        same = self._waiting.pop(id(record), None)
+        oldest = self._waiting.add(id(record), _Waiting(record.number, record.peer, carried))
+        for forgotten in (same, oldest):
+            if forgotten is not None:
+                self._give_up(forgotten)
 
     def _answered(self, reply: Record) -> None:
         request = reply.request

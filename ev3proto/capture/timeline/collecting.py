@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from ev3proto.bounded import Bounded
 from ev3proto.capture.conversation import MOST_PENDING
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.moving import begins
@@ -106,8 +107,8 @@ class Collector:
         self._most_marks = most_marks
         self._marks: list[Mark] = []
         self._bins: Bins | None = None
-        # The commands that wait, and whether they are chosen.
-        self._waiting: dict[Record, bool] = {}
+        # The commands that wait, each with whether it is chosen.
+        self._waiting: Bounded[Record, tuple[Record, bool]] = Bounded(MOST_WAITING)
         self._moves: dict[int, _Move] = {}
         self._lanes: set[Lane] = set()
         self._bricks: dict[str, Tally] = {}
@@ -136,7 +137,7 @@ class Collector:
     def finish(self) -> Timeline | None:
         """All that was collected; commands that still wait were never answered. None where nothing was."""
         while self._waiting:
-            self._give_up()
+            self._give_up(*self._waiting.pop_oldest())
         files = [
             self._file(move)
             for move in self._moves.values()
@@ -165,13 +166,14 @@ class Collector:
         if message.type is None:
             return
         if not message.type.is_command:
-            was_chosen = record.request is not None and self._waiting.pop(record.request, False)
+            waited = None if record.request is None else self._waiting.pop(record.request, None)
+            was_chosen = waited is not None and waited[1]
             if is_chosen or was_chosen:
                 self._exchange(record.request, record)
         elif message.wants_reply:
-            self._waiting[record] = is_chosen
-            if len(self._waiting) > MOST_WAITING:
-                self._give_up()
+            oldest = self._waiting.add(record, (record, is_chosen))
+            if oldest is not None:
+                self._give_up(*oldest)
         elif is_chosen:
             self._exchange(record, None)
 
@@ -184,10 +186,8 @@ class Collector:
         if record.transfer is not None:
             self._move(record, record.transfer, brick)
 
-    def _give_up(self) -> None:
-        """The command that waits longest was never answered."""
-        command, is_chosen = next(iter(self._waiting.items()))
-        del self._waiting[command]
+    def _give_up(self, command: Record, is_chosen: bool) -> None:
+        """A command was never answered."""
         if is_chosen:
             self._exchange(command, None)
 

@@ -40,8 +40,8 @@ def wireshark_events(
 
     Args:
         source: A path, a stream at its start, or a CaptureFile.
-        account: Counts the bytes while the capture is read. Wireshark does not say which bytes are whose headers: those,
-            and bytes that came twice, are counted as `other`.
+        account: Counts the bytes while the capture is read. Wireshark does not say which bytes are whose headers:
+            those, and bytes that came twice, are counted as `other`.
         dialect: The firmware whose instruction set to read by.
         ports: TCP ports on which bricks listen.
         tshark: Path of the tshark, where it is not on the path.
@@ -52,6 +52,7 @@ def wireshark_events(
     Raises:
         OSError: The file cannot be opened.
         EngineError: There is no tshark that can be used.
+
     """
     with ExitStack() as stack:
         path = _file(source, stack)

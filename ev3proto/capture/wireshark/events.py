@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Collection, Hashable, Iterator
 from dataclasses import dataclass, field
 from typing import TypeVar
 
+from ev3proto.bounded import Bounded
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.carriers.usb.reports import HOST, OVERWRITTEN
 from ev3proto.capture.conversation import Conversation
@@ -31,7 +31,6 @@ _QUOTING = {"icmp", "icmpv6"}
 _NO_ADDRESS = "00:00:00:00:00:00"
 _MONITOR_DIRECTIONS = {4: True, 5: False}
 
-K = TypeVar("K", bound=Hashable)
 V = TypeVar("V")
 
 
@@ -60,10 +59,10 @@ class Events:
         self._account = account
         self._ports = frozenset(ports)
         self._schema = frame_schema(dialect)
-        self._conversations: OrderedDict[Hashable, Conversation] = OrderedDict()
-        self._halves: OrderedDict[Hashable, _Half] = OrderedDict()
-        self._parts: OrderedDict[Route, _Parts] = OrderedDict()
-        self._routes: OrderedDict[tuple[object, ...], Route] = OrderedDict()
+        self._conversations: Bounded[Hashable, Conversation] = Bounded(MOST_CONNECTIONS)
+        self._halves: Bounded[Hashable, _Half] = Bounded(MOST_CONNECTIONS)
+        self._parts: Bounded[Route, _Parts] = Bounded(MOST_CONNECTIONS)
+        self._routes: Bounded[tuple[object, ...], Route] = Bounded(MOST_CONNECTIONS)
 
     def events(self, row: Row) -> Iterator[Event]:
         """The events that are complete with a packet."""
@@ -86,11 +85,15 @@ class Events:
         for half in self._halves.values():
             yield from self._lost(half)
         for parts in self._parts.values():
-            self._move("skipped", len(parts.data))
-            reason = f"the stream ends inside a frame, of which {counted(len(parts.data), 'byte')} came"
-            yield Skipped(parts.data, 0, reason, parts.number, parts.time_ns, parts.route)
+            yield self._unfinished(parts)
         self._halves.clear()
         self._parts.clear()
+
+    def _unfinished(self, parts: _Parts) -> Skipped:
+        """The start of a frame whose rest will not come any more."""
+        self._move("skipped", len(parts.data))
+        reason = f"the stream ends inside a frame, of which {counted(len(parts.data), 'byte')} came"
+        return Skipped(parts.data, 0, reason, parts.number, parts.time_ns, parts.route)
 
     def _count(self, row: Row) -> None:
         account, captured = self._account, row.captured
@@ -111,7 +114,7 @@ class Events:
             return
         is_from_host = target_port in self._ports
         key = row.number("tcp.stream"), source_port, row.text("ip.src") or row.text("ipv6.src")
-        half, oldest = _kept(self._halves, key, lambda: _Half(self._wifi_route(row, "tcp", is_from_host)))
+        half, oldest = self._halves.use(key, lambda: _Half(self._wifi_route(row, "tcp", is_from_host)))
         if oldest is not None:
             yield from self._lost(oldest)
         if half.route.interface != row.interface:
@@ -187,7 +190,9 @@ class Events:
         part = b"".join(row.bytes("ev3.fragment"))
         if part:
             before = b"" if found or waiting is None else waiting.data
-            _kept(self._parts, route, lambda: _Parts(before + part, row.packet, row.time_ns, route))
+            oldest = self._parts.add(route, _Parts(before + part, row.packet, row.time_ns, route))
+            if oldest is not None:
+                yield self._unfinished(oldest)
 
     def _bluetooth_route(self, row: Row) -> Route:
         is_from_host = _is_from_host(row)
@@ -234,24 +239,15 @@ class Events:
         peer = source if is_from_host is False else target
         direction = None if is_from_host is None else Direction.SENT if is_from_host else Direction.RECEIVED
         key = carrier, source, target, direction, interface
-        return _kept(self._routes, key, lambda: Route(carrier, source, target, direction, interface, peer))[0]
+        return self._routes.use(key, lambda: Route(carrier, source, target, direction, interface, peer))[0]
 
     def _conversation(self, key: Hashable) -> Conversation:
-        return _kept(self._conversations, key, lambda: Conversation(self._schema))[0]
+        return self._conversations.use(key, lambda: Conversation(self._schema))[0]
 
     def _move(self, part: str, size: int) -> None:
         """Says what some of the bytes are that counted as others."""
         setattr(self._account, part, getattr(self._account, part) + size)
         self._account.other -= size
-
-
-def _kept(entries: OrderedDict[K, V], key: K, make: Callable[[], V]) -> tuple[V, V | None]:
-    """An entry, made where there is none; and the one that had to go for it."""
-    if key in entries:
-        entries.move_to_end(key)
-        return entries[key], None
-    entries[key] = made = make()
-    return made, entries.popitem(last=False)[1] if len(entries) > MOST_CONNECTIONS else None
 
 
 def _size(data: bytes) -> int:

@@ -6,7 +6,6 @@ texts stand in these one behind the other, then in what is left of the packet it
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -68,7 +67,7 @@ class Segments:
 
     def __init__(self) -> None:
         self._done = 0  # sequence number behind the last byte of a frame
-        self.waiting: OrderedDict[int, Waiting] = OrderedDict()
+        self.waiting: dict[int, Waiting] = {}
 
     def origins(self, row: Row, sizes: list[int]) -> list[Origin]:
         """Where frames and texts of those sizes, in their order, come from."""

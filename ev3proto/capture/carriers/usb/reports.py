@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Iterable
-from typing import TypeVar
 
+from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.carriers.usb.requests import IN, INTERRUPT, Urb, urb
 from ev3proto.capture.conversation import Conversation
@@ -31,19 +30,15 @@ _BOOTLOADER = frozenset(command.number for command in system.SYSTEM if command.b
 OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply with the request written over its start"
 
 
-K = TypeVar("K")
-V = TypeVar("V")
-
-
 class Reports:
     """Follows the interrupt transfers of all devices."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
         self._account = context.account
-        self._products: OrderedDict[str, bool] = OrderedDict()
-        self._conversations: OrderedDict[str, Conversation] = OrderedDict()
-        self._routes: OrderedDict[tuple[str, bool, str | None], Route] = OrderedDict()
+        self._products: Bounded[str, bool] = Bounded(MOST_DEVICES)
+        self._conversations: Bounded[str, Conversation] = Bounded(MOST_DEVICES)
+        self._routes: Bounded[tuple[str, bool, str | None], Route] = Bounded(MOST_DEVICES)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events in a packet: at most one."""
@@ -53,7 +48,7 @@ class Reports:
             return ()
         if found.transfer != INTERRUPT:
             if found.product is not None:
-                _put(self._products, found.device, found.product in USB_PRODUCTS)
+                self._products.add(found.device, found.product in USB_PRODUCTS)
             self._account.other += len(packet.data)
             return ()
         if len(found.data) < HEADER_SIZE:
@@ -91,7 +86,7 @@ class Reports:
 
     def _conversation(self, device: str) -> Conversation:
         if device not in self._conversations:
-            _put(self._conversations, device, Conversation(self._context.schema))
+            self._conversations.add(device, Conversation(self._context.schema))
         return self._conversations[device]
 
     def _route(self, device: str, is_from_host: bool, packet: Packet) -> Route:
@@ -99,7 +94,7 @@ class Reports:
         if key not in self._routes:
             ends = (HOST, device) if is_from_host else (device, HOST)
             direction = Direction.SENT if is_from_host else Direction.RECEIVED
-            _put(self._routes, key, Route(Carrier.USB, *ends, direction, packet.interface.name, device))
+            self._routes.add(key, Route(Carrier.USB, *ends, direction, packet.interface.name, device))
         return self._routes[key]
 
     def _looks_right(self, found: Urb, frame: bytes, size: int, is_from_host: bool, packet: Packet) -> bool:
@@ -120,12 +115,6 @@ class Reports:
             return False
         message = self._context.schema.read_leniently(frame)
         return message.fault is None and _makes_sense(message)
-
-
-def _put(known: OrderedDict[K, V], key: K, value: V) -> None:
-    known[key] = value
-    if len(known) > MOST_DEVICES:
-        known.popitem(last=False)
 
 
 def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:

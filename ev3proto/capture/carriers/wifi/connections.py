@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Iterable
 
 from dpkt.tcp import TH_ACK, TH_RST, TH_SYN
 
+from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.carriers.wifi.internet import Transport, place, transport
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
@@ -52,9 +52,9 @@ class Connections:
         self._context = context
         self._account = context.account
         self._ports = context.ports
-        self._halves: OrderedDict[Key, _Half] = OrderedDict()
-        self._conversations: OrderedDict[frozenset[tuple[bytes, int]], Conversation] = OrderedDict()
-        self._bricks: OrderedDict[tuple[bytes, int], None] = OrderedDict()
+        self._halves: Bounded[Key, _Half] = Bounded(MOST_CONNECTIONS)
+        self._conversations: Bounded[frozenset[tuple[bytes, int]], Conversation] = Bounded(MOST_CONNECTIONS)
+        self._bricks: Bounded[tuple[bytes, int], None] = Bounded(MOST_BRICKS)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
@@ -138,18 +138,12 @@ class Connections:
         source, source_port, target, target_port = key
         back = self._halves.get((target, target_port, source, source_port))
         is_from_host = target_port in self._ports if back is None else not back.is_from_host
-        ends = _ends(key)
-        conversation = self._conversations.get(ends)
-        if conversation is None:
-            conversation = self._conversations[ends] = Conversation(self._context.schema)
-            if len(self._conversations) > MOST_CONNECTIONS:
-                self._conversations.popitem(last=False)
+        conversation, _ = self._conversations.use(_ends(key), lambda: Conversation(self._context.schema))
         cutter = Cutter(self._context.schema, in_step=start is not None)
         stream = Stream(self._context, conversation, cutter, self._route(packet, key, is_from_host))
-        half = self._halves[key] = _Half(stream, packet.interface, is_from_host, start)
-        self._halves.move_to_end(key)
-        if len(self._halves) > MOST_CONNECTIONS:
-            _, oldest = self._halves.popitem(last=False)
+        half = _Half(stream, packet.interface, is_from_host, start)
+        oldest = self._halves.add(key, half)
+        if oldest is not None:
             events += self._end_half(oldest)
         return half
 
@@ -176,9 +170,7 @@ class Connections:
         if not is_beacon:
             yield Announcement(Said.ANSWER, data, None, (packet.number,), packet.time_ns, route)
             return
-        self._bricks[source, source_port] = None
-        if len(self._bricks) > MOST_BRICKS:
-            self._bricks.popitem(last=False)
+        self._bricks.add((source, source_port), None)
         try:
             beacon = Beacon.parse(data)
         except DecodeError:

@@ -13,6 +13,7 @@ from ev3proto.tables.declaration import (
     Command,
     Count,
     Direction,
+    Effect,
     In,
     Opcode,
     Out,
@@ -93,7 +94,13 @@ COM = (
             ),
         ),
     ),
-    Opcode(0xD0, "COM_READY", "Waits until nothing is being sent to a device", (HARDWARE, NAME_TO_TEST)),
+    Opcode(
+        0xD0,
+        "COM_READY",
+        "Waits until nothing is being sent to a device",
+        (HARDWARE, NAME_TO_TEST),
+        effects=(Effect.WAITS,),
+    ),
     Opcode(0xD1, "COM_READDATA", "Does nothing in the firmware, meant to receive data", UNUSED),
     Opcode(0xD2, "COM_WRITEDATA", "Does nothing in the firmware, meant to send data", UNUSED),
     Opcode(
@@ -239,7 +246,13 @@ COM = (
         "COM_SET",
         "Changes the brick's name, its connections and its lists of devices",
         commands=(
-            Command(1, "SET_ON_OFF", "Switches Bluetooth or WiFi on or off", (HARDWARE, ACTIVE)),
+            Command(
+                1,
+                "SET_ON_OFF",
+                "Switches Bluetooth or WiFi on or off",
+                (HARDWARE, ACTIVE),
+                effects=(Effect.CHANGES_SETTINGS,),
+            ),
             Command(
                 2,
                 "SET_VISIBLE",
@@ -254,6 +267,7 @@ COM = (
                         special={0: "invisible", 1: "visible"},
                     ),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 3,
@@ -275,6 +289,7 @@ COM = (
                 "SET_PIN",
                 "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)",
                 (HARDWARE, NAME, In("PINCODE", STRING, "PIN or password")),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 6,
@@ -300,15 +315,32 @@ COM = (
                         special={0: "disconnect", 1: "connect"},
                     ),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 8,
                 "SET_BRICKNAME",
                 "Renames the brick",
                 (In("NAME", STRING, "new name, at most 118 characters, else refused", most=119),),
+                effects=(
+                    Effect.RENAMES,
+                    Effect.CHANGES_SETTINGS,
+                ),
             ),
-            Command(9, "SET_MOVEUP", "Moves a network up in the list, WiFi only", (HARDWARE, ITEM)),
-            Command(10, "SET_MOVEDOWN", "Moves a network down in the list, WiFi only", (HARDWARE, ITEM)),
+            Command(
+                9,
+                "SET_MOVEUP",
+                "Moves a network up in the list, WiFi only",
+                (HARDWARE, ITEM),
+                effects=(Effect.CHANGES_SETTINGS,),
+            ),
+            Command(
+                10,
+                "SET_MOVEDOWN",
+                "Moves a network down in the list, WiFi only",
+                (HARDWARE, ITEM),
+                effects=(Effect.CHANGES_SETTINGS,),
+            ),
             Command(
                 11,
                 "SET_ENCRYPT",
@@ -323,14 +355,22 @@ COM = (
                     ),
                     In("ENCRYPT", DATA8, "kind of encryption", enum=ENCRYPT),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 12,
                 "SET_SSID",
                 "Adds a network to the end of the list, WiFi only",
                 (HARDWARE, In("NAME", STRING, "name of the network")),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
-            Command(13, "SET_MODE2", "Switches the Bluetooth mode for Apple devices on or off", (HARDWARE, ACTIVE)),
+            Command(
+                13,
+                "SET_MODE2",
+                "Switches the Bluetooth mode for Apple devices on or off",
+                (HARDWARE, ACTIVE),
+                effects=(Effect.CHANGES_SETTINGS,),
+            ),
         ),
     ),
     Opcode(
@@ -343,7 +383,13 @@ COM = (
             Out("BUSY", DATA8, "whether to wait", range=(0, 1), special=READY_BUSY),
         ),
     ),
-    Opcode(0xD6, "COM_REMOVE", "Forgets a paired device or a known network", (HARDWARE, REMOTE_NAME)),
+    Opcode(
+        0xD6,
+        "COM_REMOVE",
+        "Forgets a paired device or a known network",
+        (HARDWARE, REMOTE_NAME),
+        effects=(Effect.CHANGES_SETTINGS,),
+    ),
     Opcode(
         0xD7,
         "COM_WRITEFILE",
@@ -354,6 +400,7 @@ COM = (
             In("FILE_NAME", STRING, "path of the file or folder on this brick"),
             In("FILE_TYPE", DATA8, "TYPE_FOLDER for a folder, else a file", enum=FILETYPE),
         ),
+        effects=(Effect.WRITES_FILES,),
     ),
     Opcode(
         0xD8,
@@ -404,7 +451,7 @@ COM = (
             ),
         ),
     ),
-    Opcode(0xDC, "MAILBOX_READY", "Waits for an unread message in a mailbox", (BOX_NO,)),
+    Opcode(0xDC, "MAILBOX_READY", "Waits for an unread message in a mailbox", (BOX_NO,), effects=(Effect.WAITS,)),
     Opcode(0xDD, "MAILBOX_CLOSE", "Closes a mailbox on this brick", (BOX_NO,)),
     Opcode(
         0xE5,

@@ -13,19 +13,23 @@ from ev3proto.tables.declaration import (
     Command,
     Count,
     Direction,
+    Effect,
     In,
     Opcode,
     Out,
+    Role,
 )
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT, TYPE
 
 PORTS = {0: "port 1", 1: "port 2", 2: "port 3", 3: "port 4"}
 MOTOR_PORTS = {16: "motor port A", 17: "motor port B", 18: "motor port C", 19: "motor port D"}
 
-LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3))
-LAYERS = In("LAYER", DATA8, "brick in the daisy chain", range=(0, 3), special={-1: "all layers"})
-NO = In("NO", DATA8, "port, counted from 0; 16 to 19 for motors", range=(0, 19), special=PORTS | MOTOR_PORTS)
-SENSOR_NO = In("NO", DATA8, "sensor port, counted from 0", range=(0, 3), special=PORTS)
+LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3), role=Role.LAYER)
+LAYERS = In("LAYER", DATA8, "brick in the daisy chain", range=(0, 3), special={-1: "all layers"}, role=Role.LAYER)
+NO = In(
+    "NO", DATA8, "port, counted from 0; 16 to 19 for motors", range=(0, 19), special=PORTS | MOTOR_PORTS, role=Role.PORT
+)
+SENSOR_NO = In("NO", DATA8, "sensor port, counted from 0", range=(0, 3), special=PORTS, role=Role.PORT)
 TYPE_TO_SET = In("TYPE", DATA8, "type the device shall have", enum=TYPE, special={0: "keep the type"})
 MODE_TO_SET = In("MODE", DATA8, "mode the device shall have", range=(0, 7), special={-1: "keep the mode"})
 CAL_TYPE = In("TYPE", DATA8, "type of device the calibration is for", enum=TYPE)
@@ -50,7 +54,13 @@ INPUT = (
             In("TIME", DATA32, "time between two samples", unit="ms"),
             In("SAMPLES", DATA16, "how many devices the arrays list"),
             In("INIT", DATA16, "place in the sample buffer of each device, -1 starts it anew", length="SAMPLES"),
-            In("DEVICES", DATA8, "ports, 0 to 3 for sensors, 4 to 7 for motors A to D", length="SAMPLES"),
+            In(
+                "DEVICES",
+                DATA8,
+                "ports, 0 to 3 for sensors, 4 to 7 for motors A to D",
+                length="SAMPLES",
+                role=Role.PORTS,
+            ),
             In("TYPES", DATA8, "type each device shall have", enum=TYPE, length="SAMPLES"),
             In("MODES", DATA8, "mode each device shall have", length="SAMPLES"),
             In("DATASETS", DATA8, "which of its values to read from each device, from 0", length="SAMPLES"),
@@ -87,6 +97,8 @@ INPUT = (
                     ),
                     Out("ERROR", DATA8, "whether it failed", range=(0, 1), special={0: "done", 1: "failed or known"}),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
+                newer=True,
             ),
             Command(
                 2,
@@ -111,12 +123,14 @@ INPUT = (
                     In("CAL_MIN", DATA32, "raw value at the lower end"),
                     In("CAL_MAX", DATA32, "raw value at full scale"),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 4,
                 "CAL_DEFAULT",
                 "Goes back to the built-in scaling of a type and mode",
                 (CAL_TYPE, CAL_MODE),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 5,
@@ -145,12 +159,14 @@ INPUT = (
                 "CAL_MIN",
                 "Sets the lower end of the scaling of a type and mode",
                 (CAL_TYPE, CAL_MODE, In("CAL_MIN", DATA32, "value at the lower end, in SI units once calibrated")),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 8,
                 "CAL_MAX",
                 "Sets the full scale of a type and mode",
                 (CAL_TYPE, CAL_MODE, In("CAL_MAX", DATA32, "value at full scale, in SI units once calibrated")),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 9,
@@ -204,6 +220,8 @@ INPUT = (
                         special={0: "done", 1: "failed or not found"},
                     ),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
+                newer=True,
             ),
             Command(
                 15,
@@ -218,6 +236,8 @@ INPUT = (
                     RDDATA,
                     Out("RESULT", DATA8, "how the transfer ended", enum=RESULT),
                 ),
+                effects=(Effect.WAITS,),
+                newer=True,
             ),
             Command(
                 21,
@@ -277,6 +297,7 @@ INPUT = (
                     MODE_TO_SET,
                     Count("VALUES", "how many values follow, each in percent", DATA8, Direction.OUT),
                 ),
+                effects=(Effect.WAITS,),
             ),
             Command(
                 28,
@@ -289,6 +310,7 @@ INPUT = (
                     MODE_TO_SET,
                     Count("VALUES", "how many raw values follow", DATA32, Direction.OUT),
                 ),
+                effects=(Effect.WAITS,),
             ),
             Command(
                 29,
@@ -301,6 +323,7 @@ INPUT = (
                     MODE_TO_SET,
                     Count("VALUES", "how many values follow, each in SI units", DATAF, Direction.OUT),
                 ),
+                effects=(Effect.WAITS,),
             ),
             Command(
                 30,
@@ -333,7 +356,7 @@ INPUT = (
         "Tells whether a device is still changing type or mode",
         (LAYER, NO, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
     ),
-    Opcode(0x9C, "INPUT_READY", "Waits until a device has valid values", (LAYER, NO)),
+    Opcode(0x9C, "INPUT_READY", "Waits until a device has valid values", (LAYER, NO), effects=(Effect.WAITS,)),
     Opcode(
         0x9D,
         "INPUT_READSI",

@@ -15,9 +15,11 @@ from ev3proto.tables.declaration import (
     HANDLE,
     STRING,
     Command,
+    Effect,
     In,
     Opcode,
     Out,
+    Role,
     Type,
     Values,
 )
@@ -45,7 +47,7 @@ IMAGE_ADDRESS = Out("IP", DATA32, "where it was loaded, to be handed to PROGRAM_
 OWNER = In("PRGID", DATA16, "slot of the program that owns the array", enum=SLOT)
 ARRAY_HANDLE = In("HANDLE", HANDLE, "the array")
 NEW_ARRAY = Out("HANDLE", HANDLE, "what names the array from now on")
-INDEX = In("INDEX", DATA32, "which element, the first is 0", range=NOT_NEGATIVE)
+INDEX = In("INDEX", DATA32, "which element, the first is 0", range=NOT_NEGATIVE, role=Role.INDEX)
 FIRST_BYTE = In("INDEX", DATA32, "first byte in the array's content, whatever its elements", range=NOT_NEGATIVE)
 BYTES_32 = In("BYTES", DATA32, "how many bytes", range=NOT_NEGATIVE, unit="bytes")
 BYTES_16 = In("BYTES", DATA16, "how many bytes", range=(0, 32767), unit="bytes")
@@ -92,6 +94,7 @@ MEMORY = (
             MEMORY_SIZE,
             In("ARRAY", DATA8, "the bytes; those beyond the end of the memory are dropped", length="SIZE"),
         ),
+        effects=(Effect.CONTROLS_PROGRAMS,),
     ),
     Opcode(
         0x7F,
@@ -118,6 +121,7 @@ MEMORY = (
                     FILE_NAME,
                     NEW_FILE,
                 ),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 1,
@@ -137,6 +141,7 @@ MEMORY = (
                     FILE_NAME,
                     NEW_FILE,
                 ),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 3,
@@ -159,6 +164,7 @@ MEMORY = (
                     In("FIGURES", DATA8, "least width in characters, the decimal point included"),
                     In("DECIMALS", DATA8, "digits after the decimal point"),
                 ),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 5,
@@ -190,6 +196,7 @@ MEMORY = (
                     DELIMITER,
                     In("TEXT", STRING, "the text"),
                 ),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(7, "CLOSE", "Closes a file and gives its handle back", (FILE_HANDLE,)),
             Command(
@@ -226,6 +233,7 @@ MEMORY = (
                     In("NAME", STRING, "path of the folder, relative to /home/root/lms2012/sys", most=paths.WHOLE),
                     Out("SUCCESS", DATA8, "whether the folder is there now", special=NO_YES),
                 ),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 11,
@@ -290,6 +298,7 @@ MEMORY = (
                     In("ITEMS", DATA8, "how many samples; with 0 nothing is written", range=(0, 127)),
                     In("VALUES", DATAF, "the samples, in one array", length="ITEMS"),
                 ),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 17,
@@ -299,6 +308,7 @@ MEMORY = (
                     LOG_HANDLE,
                     In("NAME", STRING, "path of the log as given to OPEN_LOG; .rdf may be left out"),
                 ),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 18,
@@ -332,6 +342,7 @@ MEMORY = (
                 "PUT_CACHE_FILE",
                 "Puts a file first in the list of recently run files",
                 (In("STRING", STRING, "path of the file"),),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 22,
@@ -355,6 +366,7 @@ MEMORY = (
                         note="elsewhere an output; the firmware reads the path from it and writes nothing",
                     ),
                 ),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 24,
@@ -364,6 +376,7 @@ MEMORY = (
                     FOLDER_NAME,
                     ENTRY,
                 ),
+                effects=(Effect.DELETES_FILES,),
             ),
             Command(
                 25,
@@ -399,6 +412,7 @@ MEMORY = (
                     In("SDATA", STRING, "text that describes the sensors, copied into the header"),
                     Out("HANDLE", HANDLE, "what names the log from now on"),
                 ),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 28,
@@ -419,8 +433,15 @@ MEMORY = (
                     BYTES_16,
                     In("SOURCE", DATA8, "the bytes", length="BYTES"),
                 ),
+                effects=(Effect.WRITES_FILES,),
             ),
-            Command(30, "REMOVE", "Deletes a file, or a folder with the files in it", (FILE_NAME,)),
+            Command(
+                30,
+                "REMOVE",
+                "Deletes a file, or a folder with the files in it",
+                (FILE_NAME,),
+                effects=(Effect.DELETES_FILES,),
+            ),
             Command(
                 31,
                 "MOVE",
@@ -428,6 +449,10 @@ MEMORY = (
                 (
                     In("SOURCE", STRING, "path to copy from"),
                     In("DEST", STRING, "path to copy to; what is there is deleted first"),
+                ),
+                effects=(
+                    Effect.WRITES_FILES,
+                    Effect.DELETES_FILES,
                 ),
             ),
         ),
@@ -641,12 +666,14 @@ MEMORY = (
                 "PACK",
                 "Packs a file or folder into a .raf archive beside it",
                 (In("FILENAME", STRING, "path of what to pack"),),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 22,
                 "UNPACK",
                 "Unpacks a .raf archive into the folder it is in",
                 (In("FILENAME", STRING, "path of the archive; whatever its extension, .raf is taken"),),
+                effects=(Effect.WRITES_FILES,),
             ),
             Command(
                 23,
@@ -658,6 +685,7 @@ MEMORY = (
                 ),
             ),
         ),
+        cmd_table="ARRAY",
     ),
     Opcode(
         0xE6,

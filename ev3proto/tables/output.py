@@ -8,10 +8,12 @@ from ev3proto.tables.declaration import (
     DATA16,
     DATA32,
     UNRELEASED,
+    Effect,
     In,
     Opcode,
     Out,
     Parameter,
+    Role,
 )
 from ev3proto.tables.enumerations import TYPE
 
@@ -21,9 +23,9 @@ PORT_SETS = {0: "none"} | {
     mask: "+".join(port for bit, port in PORTS.items() if mask & 1 << bit) for mask in range(1, 16)
 }
 
-LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3))
-NO = In("NO", DATA8, "port, counted from 0", range=(0, 3), special=PORTS)
-NOS = In("NOS", DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", range=(0, 15), special=PORT_SETS)
+LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3), role=Role.LAYER)
+NO = In("NO", DATA8, "port, counted from 0", range=(0, 3), special=PORTS, role=Role.MOTOR)
+NOS = In("NOS", DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", range=(0, 15), special=PORT_SETS, role=Role.MOTORS)
 BRAKE = In("BRAKE", DATA8, "what the motors do at the end", range=(0, 1), special={0: "coast", 1: "brake and hold"})
 POWER = In("POWER", DATA8, "unregulated power, negative: backward", unit="%", range=(-100, 100))
 SPEED = In("SPEED", DATA8, "regulated speed, negative: backward", unit="%", range=(-100, 100))
@@ -54,7 +56,13 @@ TIME_LIMITS = (
 
 def limited(number: int, name: str, text: str, drive: Parameter, limits: tuple[Parameter, ...]) -> Opcode:
     """A move of independent motors that ends by itself after ramp up, constant drive and ramp down."""
-    return Opcode(number, name, text, (LAYER, NOS, drive, *limits, BRAKE))
+    return Opcode(
+        number,
+        name,
+        text,
+        (LAYER, NOS, drive, *limits, BRAKE),
+        effects=(Effect.STARTS_MOVE, Effect.RUNS_MOTORS),
+    )
 
 
 OUTPUT = (
@@ -82,10 +90,16 @@ OUTPUT = (
         ),
     ),
     Opcode(0xA2, "OUTPUT_RESET", "Sets the tacho counts that moves and OUTPUT_READ use to zero", (LAYER, NOS)),
-    Opcode(0xA3, "OUTPUT_STOP", "Stops motors", (LAYER, NOS, BRAKE)),
+    Opcode(0xA3, "OUTPUT_STOP", "Stops motors", (LAYER, NOS, BRAKE), effects=(Effect.STOPS_MOTORS,)),
     Opcode(0xA4, "OUTPUT_POWER", "Sets the power of motors, OUTPUT_START makes them run", (LAYER, NOS, POWER)),
     Opcode(0xA5, "OUTPUT_SPEED", "Sets the speed of motors, OUTPUT_START makes them run", (LAYER, NOS, SPEED)),
-    Opcode(0xA6, "OUTPUT_START", "Starts motors with the power or speed set before", (LAYER, NOS)),
+    Opcode(
+        0xA6,
+        "OUTPUT_START",
+        "Starts motors with the power or speed set before",
+        (LAYER, NOS),
+        effects=(Effect.RUNS_MOTORS,),
+    ),
     Opcode(
         0xA7,
         "OUTPUT_POLARITY",
@@ -118,12 +132,17 @@ OUTPUT = (
         "OUTPUT_TEST",
         "Tells whether one of the motors is still in a move that ends by itself",
         (LAYER, NOS, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
+        effects=(Effect.WAITS,),
     ),
     Opcode(
         0xAA,
         "OUTPUT_READY",
         "Waits until the moves of the motors have ended, OUTPUT_START does not count",
         (LAYER, NOS),
+        effects=(
+            Effect.WAITS,
+            Effect.AWAITS_MOVE,
+        ),
     ),
     Opcode(
         0xAB,
@@ -148,6 +167,10 @@ OUTPUT = (
             In("STEP", DATA32, "angle of the faster motor", unit="degrees", range=(0, MOST), special={0: "no end"}),
             BRAKE,
         ),
+        effects=(
+            Effect.STARTS_MOVE,
+            Effect.RUNS_MOTORS,
+        ),
     ),
     Opcode(
         0xB1,
@@ -160,6 +183,10 @@ OUTPUT = (
             TURN,
             In("TIME", DATA32, "how long to run", unit="ms", range=(0, MOST), special={0: "no end"}),
             BRAKE,
+        ),
+        effects=(
+            Effect.STARTS_MOVE,
+            Effect.RUNS_MOTORS,
         ),
     ),
     Opcode(0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts that motors have as sensors to zero", (LAYER, NOS)),
@@ -175,6 +202,7 @@ OUTPUT = (
                 "port, counted from 0",
                 range=(0, 3),
                 special=PORTS,
+                role=Role.MOTOR,
                 note="named as a bit mask, used by the firmware as the number of one port",
             ),
             Out("TACHO", DATA32, "angle since OUTPUT_CLR_COUNT", unit="degrees"),

@@ -1,7 +1,7 @@
 """The speaker: tones, sound files and waiting for their end. One sound at a time: the next one cuts it off."""
 
 from ev3proto.tables import paths
-from ev3proto.tables.declaration import DATA8, DATA16, STRING, Command, In, Opcode, Out
+from ev3proto.tables.declaration import DATA8, DATA16, STRING, Command, Effect, In, Opcode, Out
 
 VOLUME = In("VOLUME", DATA8, "how loud", range=(0, 100), unit="%", special={0: "silent"})
 NAME = In(
@@ -17,7 +17,7 @@ SOUND = (
         "SOUND",
         "Plays or stops a sound",
         commands=(
-            Command(0, "BREAK", "Stops the tone or file that is playing"),
+            Command(0, "BREAK", "Stops the tone or file that is playing", effects=(Effect.ENDS_SOUND,)),
             Command(
                 1,
                 "TONE",
@@ -39,9 +39,18 @@ SOUND = (
                         special={0: "until BREAK or the next sound"},
                     ),
                 ),
+                effects=(Effect.STARTS_SOUND,),
             ),
-            Command(2, "PLAY", "Plays a sound file once and returns at once", (VOLUME, NAME)),
-            Command(3, "REPEAT", "Plays a sound file over and over until BREAK and returns at once", (VOLUME, NAME)),
+            Command(
+                2, "PLAY", "Plays a sound file once and returns at once", (VOLUME, NAME), effects=(Effect.STARTS_SOUND,)
+            ),
+            Command(
+                3,
+                "REPEAT",
+                "Plays a sound file over and over until BREAK and returns at once",
+                (VOLUME, NAME),
+                effects=(Effect.STARTS_SOUND,),
+            ),
             Command(4, "SERVICE", "Does nothing here: the firmware itself feeds its sound driver by this number"),
         ),
     ),
@@ -50,6 +59,15 @@ SOUND = (
         "SOUND_TEST",
         "Tells whether a sound is playing",
         (Out("BUSY", DATA8, "whether a sound is playing", range=(0, 1), special={0: "ready", 1: "busy"}),),
+        effects=(Effect.WAITS,),
     ),
-    Opcode(0x96, "SOUND_READY", "Waits until the sound has ended (for ever after REPEAT or a tone without end)"),
+    Opcode(
+        0x96,
+        "SOUND_READY",
+        "Waits until the sound has ended (for ever after REPEAT or a tone without end)",
+        effects=(
+            Effect.WAITS,
+            Effect.AWAITS_SOUND,
+        ),
+    ),
 )

@@ -1,6 +1,6 @@
 """The clocks: waiting for a while, and reading the time that has passed."""
 
-from ev3proto.tables.declaration import DATA32, In, Opcode, Out
+from ev3proto.tables.declaration import DATA32, Effect, In, Opcode, Out
 
 TIMER = (
     Opcode(
@@ -22,6 +22,7 @@ TIMER = (
         "TIMER_READY",
         "Waits until the time that TIMER_WAIT noted has come",
         (In("TIMER", DATA32, "variable that TIMER_WAIT has set"),),
+        effects=(Effect.WAITS,),
     ),
     Opcode(
         0x87,

@@ -13,6 +13,7 @@ from ev3proto.tables.declaration import (
     EXTENSIONS,
     STRING,
     Command,
+    Effect,
     In,
     InOut,
     Opcode,
@@ -158,6 +159,7 @@ UI = (
                     In("LENGTH", DATA8, "most bytes to return; the zero comes on top", range=(0, 127), unit="bytes"),
                     Out("DESTINATION", STRING, "the line", length="LENGTH"),
                 ),
+                effects=(Effect.WAITS,),
             ),
             Command(9, "GET_HW_VERS", "Reads the hardware version", _string("hardware version, such as V0.60")),
             Command(10, "GET_FW_VERS", "Reads the firmware version", _string("firmware version, such as V1.04H")),
@@ -173,6 +175,7 @@ UI = (
                 "GET_ADDRESS",
                 "Waits for a decimal number typed at the terminal and reads it (debugging)",
                 (Out("VALUE", DATA32, "the number, meant as an address"),),
+                effects=(Effect.WAITS,),
             ),
             Command(
                 14,
@@ -189,6 +192,7 @@ UI = (
                     Out("GLOBAL", DATA32, "address of the program's global variables"),
                     Out("FLAG", DATA8, "whether the program can be started; 1 or left as it was", special={1: "ready"}),
                 ),
+                effects=(Effect.WAITS,),
             ),
             Command(
                 15,
@@ -250,6 +254,7 @@ UI = (
                     Out("IINT", DATAF, "battery current smoothed over time", unit="A"),
                     Out("IMOTOR", DATAF, "current of all motors together", unit="A"),
                 ),
+                newer=True,
             ),
             Command(30, "GET_SDCARD", "Reads whether an SD card is in and its space", (STATE_PRESENT, TOTAL, FREE)),
             Command(31, "GET_USBSTICK", "Reads whether a USB stick is in and its space", (STATE_PRESENT, TOTAL, FREE)),
@@ -295,6 +300,7 @@ UI = (
                 "ADDRESS",
                 "Has a number but no code in the firmware: the program that runs it fails",
                 (Out("VALUE", DATA32, "address; never written"),),
+                newer=True,
             ),
             Command(
                 14,
@@ -331,12 +337,14 @@ UI = (
                 "ALLOW_PULSE",
                 "Selects the debug pulses that are shown (only in firmware built for it)",
                 (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
+                newer=True,
             ),
             Command(
                 18,
                 "SET_PULSE",
                 "Raises debug pulses (only in firmware built for it)",
                 (In("VALUE", DATA8, "sum of bits", special={1: "menu background", 2: "browser", 4: "key"}),),
+                newer=True,
             ),
             Command(
                 21,
@@ -407,7 +415,12 @@ UI = (
                 "Tells whether a button was held for 3 s since last asked, and forgets it",
                 (BUTTON, WAS_HELD),
             ),
-            Command(3, "WAIT_FOR_PRESS", "Waits until any button has been pressed, by hand or by PRESS"),
+            Command(
+                3,
+                "WAIT_FOR_PRESS",
+                "Waits until any button has been pressed, by hand or by PRESS",
+                effects=(Effect.WAITS,),
+            ),
             Command(4, "FLUSH", "Forgets all presses that nobody has asked for"),
             Command(5, "PRESS", "Presses a button as if by hand and holds it until RELEASE", (BUTTON,)),
             Command(6, "RELEASE", "Releases a button that PRESS holds", (BUTTON,)),
@@ -501,8 +514,21 @@ UI = (
         "UI_DRAW",
         "Draws on the canvas of the display, or runs a dialogue on it",
         commands=(
-            Command(0, "UPDATE", "Shows on the display what has been drawn, and returns to the normal font"),
-            Command(1, "CLEAN", "Wipes the canvas white, and returns to the normal font"),
+            Command(
+                0,
+                "UPDATE",
+                "Shows on the display what has been drawn, and returns to the normal font",
+                effects=(Effect.SHOWS,),
+            ),
+            Command(
+                1,
+                "CLEAN",
+                "Wipes the canvas white, and returns to the normal font",
+                effects=(
+                    Effect.DRAWS,
+                    Effect.WIPES,
+                ),
+            ),
             Command(
                 2,
                 "PIXEL",
@@ -512,14 +538,22 @@ UI = (
                     In("X0", DATA16, "column", range=(0, 177), unit="px"),
                     In("Y0", DATA16, "row", range=(0, 127), unit="px"),
                 ),
+                effects=(Effect.DRAWS,),
             ),
-            Command(3, "LINE", "Draws a line between two points", (COLOR, X_START, Y_START, X_END, Y_END)),
-            Command(4, "CIRCLE", "Draws a circle", (COLOR, X_CENTRE, Y_CENTRE, RADIUS)),
+            Command(
+                3,
+                "LINE",
+                "Draws a line between two points",
+                (COLOR, X_START, Y_START, X_END, Y_END),
+                effects=(Effect.DRAWS,),
+            ),
+            Command(4, "CIRCLE", "Draws a circle", (COLOR, X_CENTRE, Y_CENTRE, RADIUS), effects=(Effect.DRAWS,)),
             Command(
                 5,
                 "TEXT",
                 "Draws text in the font that SELECT_FONT has chosen",
                 (COLOR, X0, Y0, In("STRING", STRING, "text to draw")),
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 6,
@@ -532,20 +566,23 @@ UI = (
                     In("TYPE", DATA8, "set of icons", enum=ICONTYPE),
                     In("NO", DATA8, "number of the icon in its set"),
                 ),
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 7,
                 "PICTURE",
                 "Draws a picture that is in memory",
                 (COLOR, X0, Y0, In("IP", DATA32, "address of the picture", special={0: "draws nothing"})),
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 8,
                 "VALUE",
                 "Draws a number, or dashes where it is not a number",
                 (COLOR, X0, Y0, In("VALUE", DATAF, "number to draw"), FIGURES_SIGNED, DECIMALS),
+                effects=(Effect.DRAWS,),
             ),
-            Command(9, "FILLRECT", "Draws a filled rectangle", (COLOR, X0, Y0, WIDTH, HEIGHT)),
+            Command(9, "FILLRECT", "Draws a filled rectangle", (COLOR, X0, Y0, WIDTH, HEIGHT), effects=(Effect.DRAWS,)),
             Command(
                 10,
                 "RECT",
@@ -553,6 +590,7 @@ UI = (
                 (COLOR, X0, Y0, WIDTH, HEIGHT),
                 dialects=("official",),
                 note="the other firmwares name it RECTANGLE",
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 10,
@@ -561,6 +599,7 @@ UI = (
                 (COLOR, X0, Y0, WIDTH, HEIGHT),
                 dialects=EXTENSIONS,
                 note="RECT in LEGO's firmware",
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 11,
@@ -575,6 +614,10 @@ UI = (
                     ICON3,
                     In("STRING", STRING, "text beside the icons; may be empty"),
                     DIALOGUE_STATE,
+                ),
+                effects=(
+                    Effect.DIALOG,
+                    Effect.WAITS,
                 ),
             ),
             Command(
@@ -596,6 +639,10 @@ UI = (
                         range=(-1, 1),
                         special={0: "no", 1: "yes", -1: "left with the back button"},
                     ),
+                ),
+                effects=(
+                    Effect.DIALOG,
+                    Effect.WAITS,
                 ),
             ),
             Command(
@@ -630,6 +677,10 @@ UI = (
                         length="LENGTH",
                     ),
                 ),
+                effects=(
+                    Effect.DIALOG,
+                    Effect.WAITS,
+                ),
             ),
             Command(
                 14,
@@ -650,6 +701,10 @@ UI = (
                         length="LENGTH",
                     ),
                 ),
+                effects=(
+                    Effect.DIALOG,
+                    Effect.WAITS,
+                ),
             ),
             Command(
                 15,
@@ -665,8 +720,15 @@ UI = (
                     In("MAX", DATA16, "value at the other end of the bar"),
                     In("ACT", DATA16, "value that the knob shows"),
                 ),
+                effects=(Effect.DRAWS,),
             ),
-            Command(16, "INVERSERECT", "Swaps black and white in a rectangle", (X0, Y0, WIDTH, HEIGHT)),
+            Command(
+                16,
+                "INVERSERECT",
+                "Swaps black and white in a rectangle",
+                (X0, Y0, WIDTH, HEIGHT),
+                effects=(Effect.DRAWS,),
+            ),
             Command(
                 17,
                 "SELECT_FONT",
@@ -708,12 +770,17 @@ UI = (
                         special={0: "down to the bottom"},
                     ),
                 ),
+                effects=(
+                    Effect.DRAWS,
+                    Effect.WIPES,
+                ),
             ),
             Command(
                 20,
                 "SCROLL",
                 "Moves the canvas up",
                 (In("Y", DATA16, "how far", range=(1, 127), unit="px"),),
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 21,
@@ -728,12 +795,14 @@ UI = (
                     In("ON", DATA16, "length of a dash", unit="px"),
                     In("OFF", DATA16, "length of a gap", unit="px"),
                 ),
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 22,
                 "VIEW_VALUE",
                 "Draws a number centred in its place, with > instead of digits where it does not fit",
                 (COLOR, X0, Y0, In("VALUE", DATAF, "number to draw"), FIGURES, DECIMALS),
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 23,
@@ -749,10 +818,22 @@ UI = (
                     In("LENGTH", DATA8, "most bytes of the unit, the zero included", range=(0, 127), unit="bytes"),
                     In("STRING", STRING, "unit to draw behind the number"),
                 ),
+                effects=(Effect.DRAWS,),
             ),
-            Command(24, "FILLCIRCLE", "Draws a filled circle", (COLOR, X_CENTRE, Y_CENTRE, RADIUS)),
+            Command(
+                24, "FILLCIRCLE", "Draws a filled circle", (COLOR, X_CENTRE, Y_CENTRE, RADIUS), effects=(Effect.DRAWS,)
+            ),
             Command(25, "STORE", "Keeps a copy of the canvas", (STORED_SCREEN,)),
-            Command(26, "RESTORE", "Brings back a canvas kept by STORE", (STORED_SCREEN,)),
+            Command(
+                26,
+                "RESTORE",
+                "Brings back a canvas kept by STORE",
+                (STORED_SCREEN,),
+                effects=(
+                    Effect.DRAWS,
+                    Effect.WIPES,
+                ),
+            ),
             Command(
                 27,
                 "ICON_QUESTION",
@@ -769,6 +850,10 @@ UI = (
                         special={0: "none: left with the back button"},
                         note="the firmware writes the choice; its documentation lists it among the inputs",
                     ),
+                ),
+                effects=(
+                    Effect.DIALOG,
+                    Effect.WAITS,
                 ),
             ),
             Command(
@@ -792,12 +877,17 @@ UI = (
                         most=paths.WHOLE,
                     ),
                 ),
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 29,
                 "POPUP",
                 "Opens a window that only its opener draws on, or closes it and brings back the display",
                 (In("OPEN", DATA8, "what to do", range=(0, 1), special={0: "close", 1: "open"}),),
+                effects=(
+                    Effect.DIALOG,
+                    Effect.WAITS,
+                ),
             ),
             Command(
                 30,
@@ -845,6 +935,7 @@ UI = (
                     Out("HIGHEST", DATAF, "highest value in the graph"),
                     Out("AVERAGE", DATAF, "mean of the values in the graph"),
                 ),
+                effects=(Effect.DRAWS,),
             ),
             Command(
                 32,
@@ -865,6 +956,10 @@ UI = (
                         special={-1: "start, or left with the back button", 0: "being shown"},
                         validated=DATA8,
                     ),
+                ),
+                effects=(
+                    Effect.DIALOG,
+                    Effect.WAITS,
                 ),
             ),
         ),

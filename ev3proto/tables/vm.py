@@ -15,6 +15,7 @@ from ev3proto.tables.declaration import (
     Command,
     Count,
     Direction,
+    Effect,
     In,
     Opcode,
     Out,
@@ -26,7 +27,7 @@ PRGID = In("PRGID", DATA16, "program slot", enum=SLOT)
 OBJID = In("OBJID", DATA16, "object of the program, counted from 1", role=Role.OBJECT)
 SOURCE1 = In("SOURCE1", STRING, "text to work on")
 DESTINATION = Out("DESTINATION", STRING, "resulting text, ended by its zero")
-PORT = In("PORT", DATA8, "sensor port less one", range=(0, 3))
+PORT = In("PORT", DATA8, "sensor port less one", range=(0, 3), role=Role.PORT)
 PINS_PORT = In("PORT", DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D", range=(0, 19))
 LAYER_OUT = Out("Layer", DATA8, "position in the daisy chain", range=(0, 3), special={0: "this brick"})
 VM_NAMES = {0: "RobotC", 1: "LabVIEW"}
@@ -52,7 +53,7 @@ def _dynload_entries(numbers: tuple[int, ...]) -> tuple[Opcode, ...]:
 
 
 VM = (
-    Opcode(0x00, "ERROR", "Ends the program with a failure; never valid on the wire"),
+    Opcode(0x00, "ERROR", "Ends the program with a failure; never valid on the wire", effects=(Effect.NEVER_RUNS,)),
     Opcode(0x01, "NOP", "Does nothing; a harmless way to see whether the brick answers"),
     Opcode(
         0x02,
@@ -67,6 +68,10 @@ VM = (
                 special={0: "all programs", -1: "the program that says so"},
             ),
         ),
+        effects=(
+            Effect.MAY_END,
+            Effect.CONTROLS_PROGRAMS,
+        ),
     ),
     Opcode(
         0x03,
@@ -78,12 +83,45 @@ VM = (
             In("IP", DATA32, "address of the image, as FILE.LOAD_IMAGE returned it"),
             In("DEBUG", DATA8, "how to run it", range=(0, 2), special={0: "run", 1: "debug", 2: "load, do not run"}),
         ),
+        effects=(Effect.CONTROLS_PROGRAMS,),
     ),
-    Opcode(0x04, "OBJECT_STOP", "Stops an object of the own program", (OBJID,)),
-    Opcode(0x05, "OBJECT_START", "Starts an object of the own program", (OBJID,)),
-    Opcode(0x06, "OBJECT_TRIG", "Counts an object's trigger down; at zero the object starts", (OBJID,)),
-    Opcode(0x07, "OBJECT_WAIT", "Waits until an object has ended", (OBJID,)),
-    Opcode(0x08, "RETURN", "Returns from a subroutine to its caller"),
+    Opcode(
+        0x04,
+        "OBJECT_STOP",
+        "Stops an object of the own program",
+        (OBJID,),
+        effects=(
+            Effect.MAY_END,
+            Effect.OF_PROGRAMS,
+        ),
+    ),
+    Opcode(0x05, "OBJECT_START", "Starts an object of the own program", (OBJID,), effects=(Effect.OF_PROGRAMS,)),
+    Opcode(
+        0x06,
+        "OBJECT_TRIG",
+        "Counts an object's trigger down; at zero the object starts",
+        (OBJID,),
+        effects=(Effect.OF_PROGRAMS,),
+    ),
+    Opcode(
+        0x07,
+        "OBJECT_WAIT",
+        "Waits until an object has ended",
+        (OBJID,),
+        effects=(
+            Effect.WAITS,
+            Effect.OF_PROGRAMS,
+        ),
+    ),
+    Opcode(
+        0x08,
+        "RETURN",
+        "Returns from a subroutine to its caller",
+        effects=(
+            Effect.ENDS,
+            Effect.OF_PROGRAMS,
+        ),
+    ),
     Opcode(
         0x09,
         "CALL",
@@ -97,16 +135,40 @@ VM = (
                 elements=Direction.IN,
             ),
         ),
+        effects=(
+            Effect.WAITS,
+            Effect.OF_PROGRAMS,
+        ),
     ),
-    Opcode(0x0A, "OBJECT_END", "Ends the object; the firmware puts one behind every direct command"),
+    Opcode(
+        0x0A,
+        "OBJECT_END",
+        "Ends the object; the firmware puts one behind every direct command",
+        effects=(
+            Effect.ENDS,
+            Effect.ENDS_CODE,
+        ),
+    ),
     Opcode(0x0B, "SLEEP", "Gives up the rest of the thread's time slice"),
     Opcode(
         0x0C,
         "PROGRAM_INFO",
         "Asks about a program or controls its objects",
         commands=(
-            Command(0, "OBJ_STOP", "Stops an object of a running program", (PRGID, OBJID)),
-            Command(4, "OBJ_START", "Starts an object of a running program from its beginning", (PRGID, OBJID)),
+            Command(
+                0,
+                "OBJ_STOP",
+                "Stops an object of a running program",
+                (PRGID, OBJID),
+                effects=(Effect.CONTROLS_PROGRAMS,),
+            ),
+            Command(
+                4,
+                "OBJ_START",
+                "Starts an object of a running program from its beginning",
+                (PRGID, OBJID),
+                effects=(Effect.CONTROLS_PROGRAMS,),
+            ),
             Command(
                 22,
                 "GET_STATUS",
@@ -134,6 +196,7 @@ VM = (
                     "The 2013 virtual machine reads a second 16-bit value, the number of instructions, after PRGID; "
                     "its validator and the tables compared have PRGID only."
                 ),
+                effects=(Effect.CONTROLS_PROGRAMS,),
             ),
             Command(
                 26,
@@ -178,6 +241,7 @@ VM = (
             In("IMAGE", DATA32, "address of the byte code image"),
             In("GLOBAL", DATA32, "address of the global memory it uses"),
         ),
+        effects=(Effect.CONTROLS_PROGRAMS,),
     ),
     Opcode(
         0x60,
@@ -191,6 +255,10 @@ VM = (
                 "wait status as C's system() gives it: 256 times the exit code",
                 special={0: "success", -1: "could not run"},
             ),
+        ),
+        effects=(
+            Effect.WAITS,
+            Effect.RUNS_SHELL,
         ),
     ),
     Opcode(
@@ -267,6 +335,7 @@ VM = (
                 "SET_VOLUME",
                 "Changes the volume setting",
                 (In("VALUE", DATA8, "how loud", range=(0, 100), unit="%"),),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
             Command(
                 6,
@@ -279,6 +348,7 @@ VM = (
                 "SET_MINUTES",
                 "Changes after how long without use the brick powers off",
                 (In("VALUE", DATA8, "time without use", range=(0, 120), unit="min", special={0: "never"}),),
+                effects=(Effect.CHANGES_SETTINGS,),
             ),
         ),
     ),
@@ -388,6 +458,7 @@ VM = (
             In("NO", DATA8, "number of the breakpoint", range=(0, 2), special={3: "pulse on test pin TP4, no stop"}),
             In("ADDRESS", DATA32, "where in the image", unit="bytes", special={0: "remove the breakpoint"}),
         ),
+        effects=(Effect.CONTROLS_PROGRAMS,),
     ),
     Opcode(
         0xF0,
@@ -513,5 +584,6 @@ VM = (
                 (Out("STATUS", DATA8, "OK or FAIL", range=(0, 2), enum=RESULT),),
             ),
         ),
+        cmd_table="INFO",
     ),
 )

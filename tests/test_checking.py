@@ -71,11 +71,11 @@ def test_names_and_stories(name: str) -> None:
     assert len(name) == 4
     assert name[1:].isdigit()
     assert 5 < len(code.title) < 70
-    assert code.story.endswith(".")
-    assert len(code.story) > 80
+    assert code.explanation.endswith(".")
+    assert len(code.explanation) > 80
     for finding in check(code.example, carrier=CODES[name].carrier).findings:
         assert not finding.message.endswith(".")
-        assert not finding.mend.removesuffix("...").endswith(".")
+        assert not finding.help.removesuffix("...").endswith(".")
 
 
 # What a report says
@@ -114,7 +114,7 @@ def test_a_finding_for_other_tools() -> None:
             "offset": 9,
             "length": 1,
             "message": "PATTERN is 31, which LEDPATTERN has no name for",
-            "mend": report.findings[0].mend,
+            "mend": report.findings[0].help,
             "operation": "UI_WRITE.LED",
             "parameter": "PATTERN",
         }
@@ -206,7 +206,7 @@ def test_length_and_padding() -> None:
     assert codes(frame + bytes(1013)) == ["E103"]
     assert codes(frame + bytes(1013) + b"\1") == ["E103"]
     assert only(frame + b"\1").message == "the length field says that 8 bytes follow it, and there are 9"
-    assert only(frame + b"\1").mend == "give 9 as the length, or leave the last 1 byte away"
+    assert only(frame + b"\1").help == "give 9 as the length, or leave the last 1 byte away"
 
 
 def test_empty_commands() -> None:
@@ -247,7 +247,7 @@ def test_an_unknown_cmd_is_one_finding_whatever_the_brick_makes_of_it() -> None:
     assert finding.message == (
         "SOUND has no CMD 7; the brick takes what follows for operations, and refuses the command at offset 10"
     )
-    assert "1 TONE" in finding.mend
+    assert "1 TONE" in finding.help
     assert check(raw("94 07 01")).accepted
     assert only(raw("94 07 01")).message.endswith("; the brick does not notice, and runs what follows as operations")
     assert only(raw("94 820101 01")).message == "SOUND has no CMD 257"
@@ -284,14 +284,14 @@ def test_the_first_parameter_and_the_others() -> None:
     assert codes(raw("A3 00 82C801 00")) == ["E301"]
     assert codes(raw("A4 00 01 8180")) == ["W302"]
     assert codes(raw("A6 8180 01")) == ["E204"]
-    assert only(raw("30 82C801 40", memory=1 << 10)).mend == "give -127 to 127"
+    assert only(raw("30 82C801 40", memory=1 << 10)).help == "give -127 to 127"
     assert codes(raw("A6 8A0001 01")) == ["E204"]
-    assert only(raw("60 8AC801 40", memory=4 << 10)).mend == "give a text"
+    assert only(raw("60 8AC801 40", memory=4 << 10)).help == "give a text"
 
 
 def test_misaligned() -> None:
     frame = asking(operation("UI_READ.GET_VBATT", GV(2)), global_size=6)
-    assert (only(frame).code, only(frame).mend) == ("E205", "use GV(4), or another multiple of 4")
+    assert (only(frame).code, only(frame).help) == ("E205", "use GV(4), or another multiple of 4")
     frame = asking(operation("INPUT_DEVICE.READY_SI", 0, 0, 0, -1, [GV(1)]), global_size=5)
     assert (only(frame).code, check(frame).accepted) == ("W405", True)
     frame = command(operation("UI_DRAW.TEXTBOX", 0, 0, 9, 9, LV(0), 1, 0, LV(3)), local_size=8)
@@ -307,13 +307,13 @@ def test_what_the_brick_cuts_down() -> None:
         "W301",
         "POWER is 200, which the brick reads as -56: it is a DATA8, -127 to 127",
     )
-    assert only(frame).mend == "write -56 if these bits are meant, or else a number that fits"
+    assert only(frame).help == "write -56 if these bits are meant, or else a number that fits"
     frame = raw("A4 00 01 822C01")
     assert (only(frame).code, only(frame).message) == (
         "E301",
         "POWER is 300, of which the brick keeps 44: it is a DATA8, -127 to 127",
     )
-    assert only(frame).mend == "give -100 to 100 %"
+    assert only(frame).help == "give -100 to 100 %"
     frame = raw("94 01 82C800 82B801 82E803")
     assert (only(frame).code, only(frame).message) == (
         "W303",
@@ -361,9 +361,9 @@ def test_variables_beyond_their_memory() -> None:
         "E402",
         "VALUE takes bytes 0 to 3 of global memory, and the header asks for 3 bytes of global memory",
     )
-    assert only(frame).mend == "ask for 4 bytes of global memory, or use a lower index"
+    assert only(frame).help == "ask for 4 bytes of global memory, or use a lower index"
     frame = asking(operation("UI_READ.GET_VBATT", GV(1020)), global_size=1019)
-    assert only(frame).mend == "use a lower index; there are 1019 bytes of global memory at most"
+    assert only(frame).help == "use a lower index; there are 1019 bytes of global memory at most"
     assert only(asking(operation("UI_READ.GET_LBATT", GV(0)))).message == (
         "PCT takes byte 0 of global memory, and the header asks for no global memory"
     )
@@ -428,7 +428,7 @@ def test_results_that_nobody_gets() -> None:
 
 
 def test_memory_that_nothing_uses() -> None:
-    assert only(asking(operation("UI_READ.GET_LBATT", GV(0)), global_size=20)).mend == "ask for 1"
+    assert only(asking(operation("UI_READ.GET_LBATT", GV(0)), global_size=20)).help == "ask for 1"
     assert codes(asking(operation("UI_READ.GET_LBATT", GV(0)), global_size=4)) == []
     assert codes(command(operation("NOP"), local_size=1)) == ["H401"]
     unknown = operation("STRINGS.ADD", "a", "b", GV(0))
@@ -451,7 +451,7 @@ def test_arrays_in_the_command_itself() -> None:
 def test_names_that_are_too_long() -> None:
     assert codes(command(operation("COM_SET.SET_BRICKNAME", "x" * 118))) == []
     frame = command(operation("COM_SET.SET_BRICKNAME", "x" * 119))
-    assert (only(frame).code, only(frame).mend) == ("E502", "shorten it by 1")
+    assert (only(frame).code, only(frame).help) == ("E502", "shorten it by 1")
 
 
 # 6: the way through the code
@@ -462,8 +462,8 @@ def test_jumps() -> None:
     assert only(raw("41 40 04 82 1B 01", memory=1 << 10)).message == (
         "OFFSET is 4, which leads to offset 14, and the operations are at 7 to 12"
     )
-    assert only(raw("41 40 3C", memory=1 << 10)).mend == "give -3 to 0, counted from the end of the jump"
-    assert only(raw("41 40 02 82 1B 01", memory=1 << 10)).mend == ("give 0 to run UI_WRITE.LED, or 3 to leave it out")
+    assert only(raw("41 40 3C", memory=1 << 10)).help == "give -3 to 0, counted from the end of the jump"
+    assert only(raw("41 40 02 82 1B 01", memory=1 << 10)).help == ("give 0 to run UI_WRITE.LED, or 3 to skip it")
     assert codes(raw("41 40 A005 82 1B 01 0D 05", memory=1 << 10)) == []
     assert codes(raw("41 40 A006 82 1B 01 0D 05", memory=1 << 10)) == ["E603"]
     assert codes(raw("41 40 A000 82 1B 01", memory=1 << 10)) == []
@@ -574,8 +574,8 @@ def test_what_goes_by_usb_only() -> None:
 def test_longer_forms() -> None:
     frame = command(operation("SOUND.TONE", encode_as("LC4", 5), 440, encode_as("LC4", 1000)))
     assert codes(frame) == ["H901", "H901"]
-    assert check(frame).findings[0].mend == "write it as 05"
+    assert check(frame).findings[0].help == "write it as 05"
     frame = asking(operation("UI_READ.GET_VBATT", encode_as("GV2", 0)), global_size=4)
-    assert only(frame).mend == "write it as 60"
+    assert only(frame).help == "write it as 60"
     assert only(raw("82 811B 01")).parameter == "CMD"
     assert codes(command(operation("MOVEF_F", 0.5, LV(0)), local_size=4)) == []

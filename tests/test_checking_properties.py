@@ -16,11 +16,9 @@ from ev3proto.checking.codes import CODES
 from ev3proto.checking.verdict import verdict
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.tables import operations
-from ev3proto.tables.branch import OFFSET
 from ev3proto.tables.carriers import CARRIERS
-from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Role, Type
 from ev3proto.tables.encoding import RANGES
-from ev3proto.tables.validation import NEWER
 from ev3proto.testing import direct_commands, frames, mutated_frames, system_commands
 
 many = settings(max_examples=effort(80, 1000))
@@ -28,7 +26,7 @@ many = settings(max_examples=effort(80, 1000))
 ROOM = 60
 """Bytes of each memory in the commands of a careful sender."""
 
-NOT_FOR_COMMANDS = {"ERROR", "OBJECT_END", "RETURN"} | NEWER
+NOT_FOR_COMMANDS = {"ERROR", "OBJECT_END", "RETURN"} | {name for name, entry in operations().items() if entry.is_newer}
 
 ANYTHING = frames() | mutated_frames() | st.binary(max_size=40) | st.binary(max_size=1100)
 
@@ -45,7 +43,7 @@ def careful_value(parameter: Parameter, lengths: set[str]) -> st.SearchStrategy[
         return variables.map(GV) | variables.map(LV)
     if parameter.length is not None or parameter.type is Type.HANDLE:
         return variables.map(LV)
-    if parameter is OFFSET:
+    if parameter.role is Role.JUMP:
         return st.just(0)
     if parameter.name in lengths:
         return st.integers(1, 4)
@@ -103,7 +101,7 @@ def test_a_check_never_raises_and_points_into_the_frame(frame: bytes, dialect: s
         assert CODES[finding.code].severity is finding.severity
         assert 0 <= finding.offset <= finding.offset + finding.length <= len(frame)
         assert finding.message
-        assert finding.mend
+        assert finding.help
     assert [it.offset for it in report.findings] == sorted(it.offset for it in report.findings)
     assert len(set(report.findings)) == len(report.findings)
 

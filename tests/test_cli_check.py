@@ -148,20 +148,20 @@ def test_findings_that_are_not_shown() -> None:
 # Mending
 
 
-def test_a_mended_frame() -> None:
+def test_a_fixed_frame() -> None:
     done = run("--fix", WITHOUT_REPLY.replace("08:00", "09:00"))
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.splitlines() == [
-        "mended in 2 places",
+        "fixed in 2 places",
         "0x|08:00|2A:00|00|04:00|81|01|60|",
         "  length field: 9 -> 8 (the bytes that follow it, which read to their end)",
         "  type: DIRECT_COMMAND_NO_REPLY -> DIRECT_COMMAND_REPLY (UI_READ.GET_VBATT writes GV(0), which only a reply"
         " brings)",
-        "mended: accepted: no findings",
+        "fixed: accepted: no findings",
     ]
 
 
-def test_a_mended_frame_as_json() -> None:
+def test_a_fixed_frame_as_json() -> None:
     (entry,) = entries("--fix", MISALIGNED)
     assert (entry["hex"], entry["accepted"]) == ("08002a00000800810160", True)
     assert [found["severity"] for found in entry["findings"]] == ["hint"]  # four bytes of memory are left over
@@ -170,22 +170,22 @@ def test_a_mended_frame_as_json() -> None:
     assert entry["unmended"] == []
 
 
-def test_what_cannot_be_mended_is_said() -> None:
+def test_what_cannot_be_fixed_is_said() -> None:
     done = run("--fix", "0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8")
     assert done.returncode == 1
     lines = done.stdout.splitlines()
-    assert lines[:2] == ["nothing could be mended", "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8|"]
-    assert lines[2].startswith("  not mended: the length field says 14, and 13 bytes follow it")
+    assert lines[:2] == ["nothing could be fixed", "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8|"]
+    assert lines[2].startswith("  not fixed: the length field says 14, and 13 bytes follow it")
     assert any(line.startswith("error[") for line in lines)
 
 
-def test_mended_frames_can_be_given_on() -> None:
+def test_fixed_frames_can_be_given_on() -> None:
     first = run("--fix", stdin=f"{WITHOUT_REPLY}\n{MISALIGNED}\n{VOLTAGE}\n")
     assert first.returncode == 0
     assert first.stdout.splitlines()[-1].startswith("3 frames: 0 errors, ")
-    mended = [VOLTAGE_BYTES, "08002a00000800810160", VOLTAGE_BYTES]
+    fixed = [VOLTAGE_BYTES, "08002a00000800810160", VOLTAGE_BYTES]
     again = entries(stdin=first.stdout)
-    assert [entry["hex"] for entry in again] == mended
+    assert [entry["hex"] for entry in again] == fixed
     assert all(entry["accepted"] for entry in again)
 
 

@@ -181,26 +181,26 @@ def test_a_tally() -> None:
     assert tally([LONG]) == "1 hint"
 
 
-def test_a_mended_frame() -> None:
+def test_a_fixed_frame() -> None:
     change = Change("length field", "15", "14", "it was one too many")
-    mended = Fix(TONE, (change,), ("one thing is left",), report(TONE, LOW, rejected_at=10))
-    lines = texts(fixed(mended, place="frame 1"))
+    found = Fix(TONE, (change,), ("one thing is left",), report(TONE, LOW, rejected_at=10))
+    lines = texts(fixed(found, place="frame 1"))
     assert lines[:5] == [
-        "frame 1: mended in 1 place",
+        "frame 1: fixed in 1 place",
         "0x|0E:00|2A:00|80|00:00|94|01|01|82:C8:00|82:E8:03|",
         "  length field: 15 -> 14 (it was one too many)",
-        "  not mended: one thing is left",
-        "frame 1, mended: the brick refuses it at offset 10; 1 error",
+        "  not fixed: one thing is left",
+        "frame 1, fixed: the brick refuses it at offset 10; 1 error",
     ]
 
 
-def test_a_frame_in_which_nothing_was_mended() -> None:
+def test_a_frame_in_which_nothing_was_fixed() -> None:
     assert texts(fixed(Fix(TONE, (), (), report(TONE)))) == [
-        "nothing to mend",
+        "nothing to fix",
         "0x|0E:00|2A:00|80|00:00|94|01|01|82:C8:00|82:E8:03|",
         "accepted: no findings",
     ]
-    assert texts(fixed(Fix(TONE, (), (), report(TONE, LOW))))[0] == "nothing could be mended"
+    assert texts(fixed(Fix(TONE, (), (), report(TONE, LOW))))[0] == "nothing could be fixed"
 
 
 @pytest.mark.parametrize(
@@ -218,7 +218,7 @@ def test_frames_as_the_lesson_prints_them(frame: str, text: str) -> None:
     assert grouped_hex(bytes.fromhex(frame)) == text
 
 
-def test_only_mended_frames_are_read_again() -> None:
+def test_only_fixed_frames_are_read_again() -> None:
     """What --fix prints can be given to every command that reads frames: nothing else in it looks like one."""
 
     def lines() -> Iterator[str]:
@@ -226,7 +226,7 @@ def test_only_mended_frames_are_read_again() -> None:
             span = replace(LOW, offset=number, length=40)
             frame = TONE + TONE
             change = Change("FREQUENCY of SOUND.TONE", "83:C8:00:00:00", "82:C8:00", "2 bytes less")
-            mended = Fix(frame, (change,), (), report(frame, span, rejected_at=10))
-            yield from (f"{text}\n" for text in texts(fixed(mended)))
+            found = Fix(frame, (change,), (), report(frame, span, rejected_at=10))
+            yield from (f"{text}\n" for text in texts(fixed(found)))
 
     assert [pasted.data for pasted in read_text(lines())] == [TONE + TONE] * 16

@@ -1,4 +1,4 @@
-"""Mending: what is mended, what is left alone, and that no mend does any harm."""
+"""Mending: what is fixed, what is left alone, and that no mend does any harm."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ def asking(*operations: Operation, **header: int) -> bytes:
     return ev3proto.direct_command(*operations, reply=True, **header).build()
 
 
-def told(mended: Fix) -> list[str]:
-    return [f"{change.what}: {change.before} -> {change.after}" for change in mended.changes]
+def told(fixed: Fix) -> list[str]:
+    return [f"{change.what}: {change.before} -> {change.after}" for change in fixed.changes]
 
 
 def parsed(frame: bytes) -> DirectCommand:
@@ -59,24 +59,24 @@ def variables(frame: bytes) -> list[str]:
 
 @pytest.mark.parametrize("length", ["00:00", "07:00", "09:00", "FF:FF"])
 def test_a_wrong_length_field(length: str) -> None:
-    mended = fix(hexed(VOLTAGE.replace("08:00", length)))
-    assert mended.frame == hexed(VOLTAGE)
+    fixed = fix(hexed(VOLTAGE.replace("08:00", length)))
+    assert fixed.frame == hexed(VOLTAGE)
     stated = int.from_bytes(hexed(length), "little")
-    assert told(mended) == [f"length field: {stated} -> 8"]
-    assert mended.report.errors == ()
+    assert told(fixed) == [f"length field: {stated} -> 8"]
+    assert fixed.report.errors == ()
 
 
 def test_a_wrong_length_field_of_a_system_command() -> None:
     frame = ev3proto.system_command("DELETE_FILE", path="../prjs/x/x.rbf").build()
-    mended = fix(b"\x05" + frame[1:])
-    assert (mended.frame, told(mended)) == (frame, ["length field: 5 -> 20"])
+    fixed = fix(b"\x05" + frame[1:])
+    assert (fixed.frame, told(fixed)) == (frame, ["length field: 5 -> 20"])
 
 
 def test_a_frame_that_is_cut_off_stays() -> None:
     cut = hexed("0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8")
-    mended = fix(cut)
-    assert (mended.frame, mended.changes) == (cut, ())
-    assert mended.unmended == (
+    fixed = fix(cut)
+    assert (fixed.frame, fixed.changes) == (cut, ())
+    assert fixed.unfixed == (
         "the length field says 14, and 13 bytes follow it; they cannot be read to their end either, so either may be"
         " wrong",
     )
@@ -84,62 +84,60 @@ def test_a_frame_that_is_cut_off_stays() -> None:
 
 def test_padding_is_no_wrong_length() -> None:
     padded = hexed(VOLTAGE) + bytes(1014)
-    mended = fix(padded)
-    assert (mended.frame, mended.changes) == (padded, ())
-    assert "padding" in mended.unmended[0]
+    fixed = fix(padded)
+    assert (fixed.frame, fixed.changes) == (padded, ())
+    assert "padding" in fixed.unfixed[0]
 
 
 # Memory and type
 
 
 def test_memory_that_was_not_asked_for() -> None:
-    mended = fix(hexed("08:00|2A:00|00|00:00|81|01|60|"))
-    assert mended.frame == hexed(VOLTAGE)
-    assert told(mended) == ["global memory: 0 bytes -> 4 bytes"]
+    fixed = fix(hexed("08:00|2A:00|00|00:00|81|01|60|"))
+    assert fixed.frame == hexed(VOLTAGE)
+    assert told(fixed) == ["global memory: 0 bytes -> 4 bytes"]
 
 
 def test_memory_that_is_too_small_for_an_array() -> None:
-    mended = fix(asking(operation("INPUT_DEVICE_LIST", 32, GV(0), GV(32)), global_size=4))
-    assert parsed(mended.frame).global_size == 33
+    fixed = fix(asking(operation("INPUT_DEVICE_LIST", 32, GV(0), GV(32)), global_size=4))
+    assert parsed(fixed.frame).global_size == 33
 
 
 def test_local_memory() -> None:
-    mended = fix(command(operation("MOVE32_32", 7, LV(4))))
-    assert (parsed(mended.frame).local_size, parsed(mended.frame).global_size) == (8, 0)
-    assert told(mended) == ["local memory: 0 bytes -> 8 bytes"]
+    fixed = fix(command(operation("MOVE32_32", 7, LV(4))))
+    assert (parsed(fixed.frame).local_size, parsed(fixed.frame).global_size) == (8, 0)
+    assert told(fixed) == ["local memory: 0 bytes -> 8 bytes"]
 
 
 def test_more_memory_than_there_is() -> None:
     local = command(operation("MOVE32_32", 7, LV(60)), local_size=4)
-    mended = fix(local)
-    assert mended.frame == local
-    assert mended.unmended == (
-        "DESTINATION of MOVE32_32 would need 64 bytes of local memory, and there are 63 at most",
-    )
+    fixed = fix(local)
+    assert fixed.frame == local
+    assert fixed.unfixed == ("DESTINATION of MOVE32_32 would need 64 bytes of local memory, and there are 63 at most",)
     far = asking(operation("UI_READ.GET_VBATT", GV(0xFFFFFFF0)))
-    assert "would need 4294967284 bytes of global memory, and there are 1019 at most" in fix(far).unmended[0]
+    assert "would need 4294967284 bytes of global memory, and there are 1019 at most" in fix(far).unfixed[0]
 
 
 def test_more_memory_than_the_firmware_gives() -> None:
-    mended = fix(asking(operation("UI_READ.GET_VBATT", GV(0)), global_size=1023))
-    assert parsed(mended.frame).global_size == 1019
-    assert told(mended) == ["global memory: 1023 bytes -> 1019 bytes"]
+    fixed = fix(asking(operation("UI_READ.GET_VBATT", GV(0)), global_size=1023))
+    assert parsed(fixed.frame).global_size == 1019
+    assert told(fixed) == ["global memory: 1023 bytes -> 1019 bytes"]
 
 
 def test_a_text_of_unknown_length_gets_no_memory() -> None:
     frame = asking(operation("STRINGS.ADD", "a", "b", GV(0)))
-    mended = fix(frame)
-    assert mended.frame == frame
-    assert mended.unmended == (
+    fixed = fix(frame)
+    assert fixed.frame == frame
+    assert fixed.unfixed == (
         "nobody can tell how many bytes of global memory DESTINATION of STRINGS.ADD takes, so none were added for it",
     )
 
 
 def test_memory_grows_for_what_is_certain() -> None:
     frame = asking(operation("UI_READ.GET_VBATT", GV(4)), operation("STRINGS.ADD", "a", "b", GV(20)), global_size=4)
-    mended = fix(frame)
-    assert parsed(mended.frame).global_size == 8
-    assert len(mended.unmended) == 1
+    fixed = fix(frame)
+    assert parsed(fixed.frame).global_size == 8
+    assert len(fixed.unfixed) == 1
 
 
 def test_memory_that_nothing_uses_stays() -> None:
@@ -149,9 +147,9 @@ def test_memory_that_nothing_uses_stays() -> None:
 
 
 def test_outputs_without_a_reply() -> None:
-    mended = fix(hexed(VOLTAGE.replace("|00|", "|80|")))
-    assert mended.frame == hexed(VOLTAGE)
-    assert told(mended) == ["type: DIRECT_COMMAND_NO_REPLY -> DIRECT_COMMAND_REPLY"]
+    fixed = fix(hexed(VOLTAGE.replace("|00|", "|80|")))
+    assert fixed.frame == hexed(VOLTAGE)
+    assert told(fixed) == ["type: DIRECT_COMMAND_NO_REPLY -> DIRECT_COMMAND_REPLY"]
 
 
 def test_global_memory_that_the_command_itself_reads_needs_no_reply() -> None:
@@ -166,11 +164,11 @@ def test_a_misaligned_output_moves_behind_the_others() -> None:
     frame = asking(
         operation("INPUT_READ", 0, 0, 0, 0, GV(0)), operation("INPUT_READSI", 0, 0, 0, 0, GV(1)), global_size=5
     )
-    mended = fix(frame)
-    assert variables(mended.frame) == ["GV(0)", "GV(4)"]
-    assert told(mended) == ["variable: GV(1) -> GV(4)", "global memory: 5 bytes -> 8 bytes"]
-    assert mended.changes[0].why == ("SI of INPUT_READSI needs a multiple of 4; in the reply it is at offset 9 now")
-    assert (check(frame).accepted, mended.report.accepted) == (False, True)
+    fixed = fix(frame)
+    assert variables(fixed.frame) == ["GV(0)", "GV(4)"]
+    assert told(fixed) == ["variable: GV(1) -> GV(4)", "global memory: 5 bytes -> 8 bytes"]
+    assert fixed.changes[0].why == ("SI of INPUT_READSI needs a multiple of 4; in the reply it is at offset 9 now")
+    assert (check(frame).accepted, fixed.report.accepted) == (False, True)
 
 
 def test_the_same_variable_moves_everywhere() -> None:
@@ -180,9 +178,9 @@ def test_the_same_variable_moves_everywhere() -> None:
         operation("ADD32", LV(1), 1, LV(1)),
         local_size=8,
     )
-    mended = fix(frame)
-    assert variables(mended.frame) == ["LV(0)", "LV(4)", "LV(4)", "LV(4)"]
-    assert told(mended) == ["variable: LV(1) -> LV(4)"]
+    fixed = fix(frame)
+    assert variables(fixed.frame) == ["LV(0)", "LV(4)", "LV(4)", "LV(4)"]
+    assert told(fixed) == ["variable: LV(1) -> LV(4)"]
 
 
 def test_what_lies_within_a_variable_moves_with_it() -> None:
@@ -193,9 +191,9 @@ def test_what_lies_within_a_variable_moves_with_it() -> None:
         operation("MOVE16_16", LV(1), LV(4)),
         local_size=6,
     )
-    mended = fix(frame)
-    assert variables(mended.frame) == ["LV(2)", "LV(3)", "LV(2)", "LV(4)"]
-    assert parsed(mended.frame).local_size == 6
+    fixed = fix(frame)
+    assert variables(fixed.frame) == ["LV(2)", "LV(3)", "LV(2)", "LV(4)"]
+    assert parsed(fixed.frame).local_size == 6
 
 
 def test_variables_that_overlap_by_mistake_part() -> None:
@@ -216,9 +214,9 @@ def test_a_place_on_the_other_side_of_what_stays() -> None:
 def test_a_variable_that_fits_nowhere_stays() -> None:
     full = [operation("MOVE8_8", 0, LV(index)) for index in (0, 5, *range(8, 63, 4))]
     frame = command(*full, operation("MOVE32_32", 7, LV(1)), local_size=63)
-    mended = fix(frame)
-    assert "LV(1)" in variables(mended.frame)
-    assert mended.unmended == (
+    fixed = fix(frame)
+    assert "LV(1)" in variables(fixed.frame)
+    assert fixed.unfixed == (
         "LV(1) is no multiple of 4, as DESTINATION of MOVE32_32 needs it, but stays: there is no room elsewhere",
     )
 
@@ -230,17 +228,17 @@ def test_uses_that_contradict_each_other_stay() -> None:
         operation("MOVE32_32", 0, GV(5)),
         global_size=10,
     )
-    mended = fix(frame)
-    assert variables(mended.frame)[-2:] == ["GV(2)", "GV(5)"]
-    assert any("stays: what shares its bytes wants another place" in sentence for sentence in mended.unmended)
+    fixed = fix(frame)
+    assert variables(fixed.frame)[-2:] == ["GV(2)", "GV(5)"]
+    assert any("stays: what shares its bytes wants another place" in sentence for sentence in fixed.unfixed)
 
 
 def test_an_array_of_unknown_length_stays() -> None:
     """Which of its elements are read is in LV(0)."""
     frame = command(operation("READ32", LV(2), LV(0), LV(12)), local_size=16)
-    mended = fix(frame)
-    assert mended.frame == frame
-    assert mended.unmended == (
+    fixed = fix(frame)
+    assert fixed.frame == frame
+    assert fixed.unfixed == (
         "LV(2) is no multiple of 4, as SOURCE of READ32 needs it, but stays: nobody can tell how many bytes it takes",
     )
 
@@ -254,7 +252,7 @@ def test_what_only_the_processor_needs_moves_too() -> None:
 
 def test_what_cannot_be_read_on_is_said() -> None:
     frame = hexed("09:00|2A:00|00|04:00|81|81:01|FF|")
-    assert fix(frame).unmended == ("nobody can read on at offset 10, so nothing is certain of what follows",)
+    assert fix(frame).unfixed == ("nobody can read on at offset 10, so nothing is certain of what follows",)
 
 
 def test_handles_need_even_places() -> None:
@@ -274,9 +272,9 @@ def test_what_is_jumped_over_moves_only_where_it_keeps_its_length() -> None:
 def test_what_is_jumped_over_stays_where_it_would_need_a_longer_encoding() -> None:
     jumped = operation("MOVE32_32", 7, LV(31))
     others = [operation("MOVE32_32", 0, LV(index)) for index in range(0, 32, 4)]
-    mended = fix(command(operation("JR", jumped.length), jumped, *others, local_size=36))
-    assert variables(mended.frame)[0] == "LV(31)"
-    assert mended.unmended == (
+    fixed = fix(command(operation("JR", jumped.length), jumped, *others, local_size=36))
+    assert variables(fixed.frame)[0] == "LV(31)"
+    assert fixed.unfixed == (
         "LV(31) is no multiple of 4, as DESTINATION of MOVE32_32 needs it, but stays: elsewhere it would need a longer"
         " encoding, and a jump counts these bytes",
     )
@@ -287,10 +285,10 @@ def test_what_is_jumped_over_stays_where_it_would_need_a_longer_encoding() -> No
 
 def test_shorter_encodings() -> None:
     values = (encode_as("LC2", 5), encode_as("LC4", 440), encode_as("LC4", 100000))
-    mended = fix(hexed("14:00|00:00|80|00:00|94|81:01|") + b"".join(values))
+    fixed = fix(hexed("14:00|00:00|80|00:00|94|81:01|") + b"".join(values))
     # The length field was wrong as well.
-    assert mended.frame == hexed("10:00|00:00|80|00:00|94|01|05|82:B8:01|83:A0:86:01:00|")
-    assert told(mended)[1:] == [
+    assert fixed.frame == hexed("10:00|00:00|80|00:00|94|01|05|82:B8:01|83:A0:86:01:00|")
+    assert told(fixed)[1:] == [
         "CMD of SOUND.TONE at offset 8: 81:01 -> 01",
         "VOLUME of SOUND.TONE at offset 10: 82:05:00 -> 05",
         "FREQUENCY of SOUND.TONE at offset 13: 83:B8:01:00:00 -> 82:B8:01",
@@ -322,9 +320,9 @@ def test_what_is_jumped_over_keeps_its_length() -> None:
     forward = operation("JR", long.length)
     assert fix(command(forward, long, behind)).frame == command(forward, long, short)
     back = operation("JR", -long.length - 2)
-    mended = fix(command(long, back, behind))
-    assert mended.frame == command(long, back, short)
-    assert mended.unmended == ("1 longer encoding stays: a jump counts its bytes",)
+    fixed = fix(command(long, back, behind))
+    assert fixed.frame == command(long, back, short)
+    assert fixed.unfixed == ("1 longer encoding stays: a jump counts its bytes",)
     unknown = operation("JR", LV(0))
     frame = command(unknown, long, local_size=4)
     assert fix(frame).frame == frame
@@ -345,41 +343,41 @@ def meaning(frame: bytes) -> list[object]:
     ]
 
 
-def problems(mended: Fix) -> Counter[tuple[str, str | None, str | None]]:
-    return Counter((found.code, found.operation, found.parameter) for found in mended.report.errors)
+def problems(fixed: Fix) -> Counter[tuple[str, str | None, str | None]]:
+    return Counter((found.code, found.operation, found.parameter) for found in fixed.report.errors)
 
 
 @many
 @given(frames() | mutated_frames())
-def test_a_frame_is_mended_once_and_for_all(frame: bytes) -> None:
-    mended = fix(frame)
-    again = fix(mended.frame)
-    assert (again.frame, again.changes) == (mended.frame, ())
-    assert again.report == mended.report == check(mended.frame)
+def test_a_frame_is_fixed_once_and_for_all(frame: bytes) -> None:
+    fixed = fix(frame)
+    again = fix(fixed.frame)
+    assert (again.frame, again.changes) == (fixed.frame, ())
+    assert again.report == fixed.report == check(fixed.frame)
 
 
 @many
 @given(frames() | mutated_frames())
 def test_mending_changes_no_constant_and_no_order(frame: bytes) -> None:
-    mended = fix(frame)
-    assert (mended.frame == frame) == (not mended.changes)
-    if not any(change.what == "length field" for change in mended.changes):
-        assert meaning(mended.frame) == meaning(frame)
-    assert (mended.frame[2:4], len(mended.frame) <= max(len(frame), 1024)) == (frame[2:4], True)
+    fixed = fix(frame)
+    assert (fixed.frame == frame) == (not fixed.changes)
+    if not any(change.what == "length field" for change in fixed.changes):
+        assert meaning(fixed.frame) == meaning(frame)
+    assert (fixed.frame[2:4], len(fixed.frame) <= max(len(frame), 1024)) == (frame[2:4], True)
 
 
 @many
 @given(frames() | mutated_frames())
 def test_mending_makes_no_new_error(frame: bytes) -> None:
-    before, mended = check(frame), fix(frame)
+    before, fixed = check(frame), fix(frame)
     if not before.findings:
-        assert mended.frame == frame
-    if any(change.what == "length field" for change in mended.changes):
+        assert fixed.frame == frame
+    if any(change.what == "length field" for change in fixed.changes):
         return  # What stood behind the stated length was not looked at before.
-    new = problems(mended) - Counter((it.code, it.operation, it.parameter) for it in before.errors)
+    new = problems(fixed) - Counter((it.code, it.operation, it.parameter) for it in before.errors)
     # The brick stops at the first operation that it refuses: only what is wrong with that one was told before.
     assert {code for code, _, _ in new if before.accepted or not code.startswith("E2")} == set()
-    assert mended.report.accepted or not before.accepted
+    assert fixed.report.accepted or not before.accepted
 
 
 @st.composite
@@ -395,9 +393,9 @@ def readings(draw: st.DrawFn) -> bytes:
 @many
 @given(readings())
 def test_carelessly_placed_variables_are_accepted_in_the_end(frame: bytes) -> None:
-    mended = fix(frame)
-    assert mended.report.accepted
-    message = parsed(mended.frame)
+    fixed = fix(frame)
+    assert fixed.report.accepted
+    message = parsed(fixed.frame)
     for found in message.operations:
         (argument,) = found.arguments
         size = argument.parameter.type.size
@@ -409,5 +407,5 @@ def test_carelessly_placed_variables_are_accepted_in_the_end(frame: bytes) -> No
 
 def test_a_thousand_misaligned_variables_take_no_time() -> None:
     crowded = [operation("MOVE32_32", 0, GV(index)) for index in range(1, 1000, 5)]
-    mended = fix(asking(*crowded, global_size=1019))
-    assert mended.report.accepted
+    fixed = fix(asking(*crowded, global_size=1019))
+    assert fixed.report.accepted

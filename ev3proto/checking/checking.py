@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ev3proto.checking.context import CheckContext, checked_operations
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.checking.rules.effects import check_effects
 from ev3proto.checking.rules.encodings import check_encodings
@@ -14,7 +15,6 @@ from ev3proto.checking.rules.memory import check_memory
 from ev3proto.checking.rules.refusals import check_refusals
 from ev3proto.checking.rules.system import check_daisy, check_system
 from ev3proto.checking.rules.values import check_values
-from ev3proto.checking.subject import Subject, steps_of
 from ev3proto.checking.verdict import verdict
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
 from ev3proto.schema.frame import HEADER_SIZE, frame_schema
@@ -35,9 +35,9 @@ def check(frame: bytes | bytearray | memoryview, *, dialect: str = "official", c
         raise ValueError(f"carrier {carrier!r} is not known: it is one of {', '.join(CARRIERS)}")
     if type(frame) is not bytes:
         frame = bytes(memoryview(frame))
-    subject = _subject(frame, dialect, carrier)
-    findings = sorted(_without_echoes(list(_findings(subject))), key=_order)
-    accepted, rejected_at = _answer(subject, findings)
+    context = _subject(frame, dialect, carrier)
+    findings = sorted(_without_echoes(list(_findings(context))), key=_order)
+    accepted, rejected_at = _answer(context, findings)
     return Report(frame, accepted, rejected_at, tuple(findings))
 
 
@@ -56,7 +56,7 @@ def _order(finding: Finding) -> tuple[int, int]:
     return finding.offset, _RANKS[finding.severity]
 
 
-def _subject(frame: bytes, dialect: str, carrier: str | None) -> Subject:
+def _subject(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
     """The frame with its length field made right, so that the rules see what is wrong inside."""
     size = end = len(frame)
     content = frame
@@ -66,33 +66,33 @@ def _subject(frame: bytes, dialect: str, carrier: str | None) -> Subject:
             end = min(max(stated, HEADER_SIZE), size)
             content = (end - LENGTH_FIELD & 0xFFFF).to_bytes(LENGTH_FIELD, "little") + frame[LENGTH_FIELD:end]
     message = frame_schema(dialect).read_leniently(content)
-    steps = steps_of(message.operations) if isinstance(message, DirectCommand) else ()
-    return Subject(frame, end, message, verdict(frame, dialect), steps, dialect, carrier)
+    operations = checked_operations(message.operations) if isinstance(message, DirectCommand) else ()
+    return CheckContext(frame, end, message, verdict(frame, dialect), operations, dialect, carrier)
 
 
-def _findings(subject: Subject) -> Iterator[Finding]:
-    yield from check_envelope(subject)
-    message = subject.message
+def _findings(context: CheckContext) -> Iterator[Finding]:
+    yield from check_envelope(context)
+    message = context.message
     if isinstance(message, DirectCommand):
-        yield from check_command_header(subject, message)
-        yield from check_refusals(subject)
-        yield from check_values(subject.steps)
-        yield from check_encodings(subject.frame, subject.steps)
-        yield from check_lists(subject.steps)
-        yield from check_memory(subject, message)
-        yield from check_flow(subject)
-        yield from check_effects(subject)
+        yield from check_command_header(context, message)
+        yield from check_refusals(context)
+        yield from check_values(context.operations)
+        yield from check_encodings(context.frame, context.operations)
+        yield from check_lists(context.operations)
+        yield from check_memory(context, message)
+        yield from check_flow(context)
+        yield from check_effects(context)
     elif isinstance(message, SystemCommand):
-        yield from check_system(subject, message)
+        yield from check_system(context, message)
     elif isinstance(message, DaisyCommand):
-        yield from check_daisy(subject, message)
+        yield from check_daisy(context, message)
 
 
-def _answer(subject: Subject, findings: list[Finding]) -> tuple[bool, int | None]:
+def _answer(context: CheckContext, findings: list[Finding]) -> tuple[bool, int | None]:
     """Whether the brick takes it, and where it stops if not."""
-    message = subject.message
+    message = context.message
     if isinstance(message, DirectCommand):
-        return subject.verdict.accepted, subject.verdict.rejected_at
+        return context.verdict.accepted, context.verdict.rejected_at
     first = next((finding.offset for finding in findings if finding.severity is Severity.ERROR), None)
     if first is None and (message.type is None or not message.type.is_command):
         first = TYPE_OFFSET

@@ -1,4 +1,4 @@
-"""Every code that a check can give: its severity, its story, a frame that raises it and one that does not.
+"""Every code that a check can give: its severity, its explanation, a frame that raises it and one that does not.
 
 Codes are stable: a tool may rely on `E301`. The first digit tells what it is about: 1 the frame, 2 operations,
 3 values, 4 memory, 5 texts and arrays, 6 the way through the code, 7 sounds, drawings and moves, 8 system messages and
@@ -18,7 +18,7 @@ class Code(NamedTuple):
     code            `E301`: E for errors, W for warnings, H for hints
     severity        how bad it is
     title           what it is, in a few words
-    story           what happens on the brick, why, and what to do; paragraphs with an empty line between them
+    explanation     what happens on the brick, why, and what to do; paragraphs with an empty line between them
     example         a frame that raises it
     counterexample  nearly the same frame, which does not
     carrier         what has to carry them for that, None where it does not matter
@@ -27,7 +27,7 @@ class Code(NamedTuple):
     code: str
     severity: Severity
     title: str
-    story: str
+    explanation: str
     example: bytes
     counterexample: bytes
     carrier: str | None = None
@@ -37,12 +37,12 @@ class Code(NamedTuple):
         offset: int,
         length: int,
         message: str,
-        mend: str,
+        help_: str,
         operation: str | None = None,
         parameter: str | None = None,
     ) -> Finding:
         """One that was found; parameters as those of `Finding`."""
-        return Finding(self.severity, self.code, offset, length, message, mend, operation, parameter)
+        return Finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
 
 
 CODES: dict[str, Code] = {}
@@ -51,8 +51,10 @@ CODES: dict[str, Code] = {}
 _SEVERITIES = {severity.value[0].upper(): severity for severity in Severity}
 
 
-def _code(code: str, title: str, story: str, example: bytes, counterexample: bytes, carrier: str | None = None) -> Code:
-    entry = CODES[code] = Code(code, _SEVERITIES[code[0]], title, story.strip(), example, counterexample, carrier)
+def _code(
+    code: str, title: str, explanation: str, example: bytes, counterexample: bytes, carrier: str | None = None
+) -> Code:
+    entry = CODES[code] = Code(code, _SEVERITIES[code[0]], title, explanation.strip(), example, counterexample, carrier)
     return entry
 
 

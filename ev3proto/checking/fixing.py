@@ -1,7 +1,7 @@
-"""Frames mended where only one mend can be meant: the length field, memory sizes, the type, alignment, encodings.
+"""Frames fixed where only one fix is possible: the length field, memory sizes, the type, alignment, encodings.
 
 What a program computes is left alone: no constant gets another value, no operation another place. A variable may get
-another index, everywhere at once. Whatever cannot be mended with certainty is said, and stays.
+another index, everywhere at once. Whatever cannot be fixed with certainty is said, and stays.
 """
 
 from __future__ import annotations
@@ -12,15 +12,14 @@ from itertools import pairwise
 from typing import Any
 
 from ev3proto.checking.checking import check
-from ev3proto.checking.places import Place, places_of
 from ev3proto.checking.report import Report
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
-from ev3proto.checking.subject import step_of
 from ev3proto.errors import BuildError
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
 from ev3proto.schema.argument import encode_as, encode_integer, encode_variable
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, parse
-from ev3proto.tables.branch import OFFSET
+from ev3proto.semantics.footprint import Footprint, footprints
+from ev3proto.tables.declaration import Role
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
 from ev3proto.tables.frame import GLOBAL_BITS, GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
 
@@ -30,7 +29,7 @@ _WIDEST = 4
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """One thing that was mended.
+    """One thing that was fixed.
 
     what    `length field`, `global memory`, `FREQUENCY of SOUND.TONE at offset 10`
     before  what stood there
@@ -53,30 +52,35 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A frame and what was mended in it.
+    """A frame and what was fixed in it.
 
-    frame     the mended bytes; those that were given where nothing was mended
-    changes   what was mended, in the order in which it was done
-    unmended  sentences: what looked mendable and was left, and why
-    report    what a check says of the mended bytes
+    frame     the fixed bytes; those that were given where nothing was fixed
+    changes   what was fixed, in the order in which it was done
+    unfixed  sentences: what looked fixable and was left, and why
+    report    what a check says of the fixed bytes
     """
 
     frame: bytes
     changes: tuple[Change, ...]
-    unmended: tuple[str, ...]
+    unfixed: tuple[str, ...]
     report: Report
 
+    @property
+    def unmended(self) -> tuple[str, ...]:
+        """`unfixed` by its former name."""
+        return self.unfixed
+
     def as_dict(self) -> dict[str, Any]:
-        """The same for other tools; `hex` is the mended frame."""
+        """The same for other tools; `hex` is the fixed frame."""
         return {
             **self.report.as_dict(),
             "changes": [change.as_dict() for change in self.changes],
-            "unmended": list(self.unmended),
+            "unmended": list(self.unfixed),
         }
 
 
 def fix(frame: bytes | bytearray | memoryview, *, dialect: str = "official", carrier: str | None = None) -> Fix:
-    """The frame with everything mended that can be mended with certainty. Never raises for what is in a frame.
+    """The frame with everything fixed that can be fixed with certainty. Never raises for what is in a frame.
 
     dialect  the firmware whose instruction set to read by; ValueError for an unknown one
     carrier  what is to carry it, None where that does not matter
@@ -85,32 +89,32 @@ def fix(frame: bytes | bytearray | memoryview, *, dialect: str = "official", car
     report = check(given, dialect=dialect, carrier=carrier)
     if not report.findings:
         return Fix(given, (), (), report)
-    mending = _Mending(given, dialect)
-    mending.run()
-    if mending.frame != given:
-        report = check(mending.frame, dialect=dialect, carrier=carrier)
-    return Fix(mending.frame, tuple(mending.changes), tuple(mending.unmended), report)
+    fixing = _Fixing(given, dialect)
+    fixing.run()
+    if fixing.frame != given:
+        report = check(fixing.frame, dialect=dialect, carrier=carrier)
+    return Fix(fixing.frame, tuple(fixing.changes), tuple(fixing.unfixed), report)
 
 
-class _Mending:
+class _Fixing:
     """One frame on its way from what was given to what is meant."""
 
     def __init__(self, frame: bytes, dialect: str) -> None:
         self.frame = frame
         self.changes: list[Change] = []
-        self.unmended: list[str] = []
+        self.unfixed: list[str] = []
         self._dialect = dialect
 
     def run(self) -> None:
-        """Every mend in turn, each on what the one before made."""
+        """Every fix in turn, each on what the one before made."""
         self._length_field()
         message = self._parsed(self.frame)
         if not isinstance(message, DirectCommand):
             return
         if message.fault is not None:
-            if not self.unmended:
+            if not self.unfixed:
                 at = message.fault.offset
-                self.unmended.append(f"nobody can read on at offset {at}, so nothing is certain of what follows")
+                self.unfixed.append(f"nobody can read on at offset {at}, so nothing is certain of what follows")
             return
         self._move_variables()
         self._reply_type()
@@ -131,15 +135,15 @@ class _Mending:
         stated = int.from_bytes(self.frame[:LENGTH_FIELD], "little")
         if not HEADER_SIZE <= len(self.frame) <= MAX_FRAME or stated == size:
             return
-        mended = size.to_bytes(LENGTH_FIELD, "little") + self.frame[LENGTH_FIELD:]
-        whole = self._parsed(mended)
+        fixed = size.to_bytes(LENGTH_FIELD, "little") + self.frame[LENGTH_FIELD:]
+        whole = self._parsed(fixed)
         what = f"the length field says {stated}, and {size} bytes follow it"
         if whole.type is None or not whole.type.is_command or whole.fault is not None:
-            self.unmended.append(f"{what}; they cannot be read to their end either, so either may be wrong")
+            self.unfixed.append(f"{what}; they cannot be read to their end either, so either may be wrong")
         elif self._is_padded(stated):
-            self.unmended.append(f"{what}, zeros at the end: they look like padding of a USB report")
+            self.unfixed.append(f"{what}, zeros at the end: they look like padding of a USB report")
         else:
-            self.frame = mended
+            self.frame = fixed
             self._changed("length field", str(stated), str(size), "the bytes that follow it, which read to their end")
 
     def _is_padded(self, stated: int) -> bool:
@@ -154,7 +158,7 @@ class _Mending:
         command = self._command()
         keeps_size = _spanned(command)
         pieces: dict[int, tuple[Argument, bytes]] = {}
-        moved: list[tuple[Place, int]] = []
+        moved: list[tuple[Footprint, int]] = []
         for scope, size in ((GLOBAL, command.global_size), (LOCAL, command.local_size)):
             found = [place for place in _places(command) if place.argument.kind == scope]
             rigid = {place.argument.offset for place in found if keeps_size[place.argument.offset]}
@@ -163,24 +167,24 @@ class _Mending:
             for block, shift in layout.moves():
                 pieces |= {place.argument.offset: (place.argument, _moved(place, shift)) for place in block}
                 moved += [(place, shift) for place in block]
-            self.unmended += [_left(block, why) for block, why in layout.left]
+            self.unfixed += [_left(block, why) for block, why in layout.left]
         frame = _replaced(self.frame, pieces)
         if len(frame) > MAX_FRAME:
-            self.unmended.append("moving the misaligned variables would make the frame longer than any can be")
+            self.unfixed.append("moving the misaligned variables would make the frame longer than any can be")
             return
         self.frame = frame
         self._tell_moves(moved)
 
-    def _tell_moves(self, moved: list[tuple[Place, int]]) -> None:
+    def _tell_moves(self, moved: list[tuple[Footprint, int]]) -> None:
         """One line a variable, however often it is used."""
-        told: dict[tuple[str, int], tuple[Place, int]] = {}
+        told: dict[tuple[str, int], tuple[Footprint, int]] = {}
         for place, shift in moved:
             found = told.get((place.argument.kind, place.start))
             if found is None or _multiple(place) > _multiple(found[0]):
                 told[place.argument.kind, place.start] = place, shift
         for place, shift in told.values():
             why = (
-                f"{_name(place)} needs a multiple of {_multiple(place)}"
+                f"{place.full_name} needs a multiple of {_multiple(place)}"
                 if place.start % _multiple(place)
                 else "it lies within one that moves"
             )
@@ -200,7 +204,7 @@ class _Mending:
                 continue
             member = MessageType.DIRECT_COMMAND_REPLY
             self._set(TYPE_OFFSET, bytes((member,)))
-            why = f"{place.step.name} writes {_variable(place)}, which only a reply brings"
+            why = f"{place.operation.full_name} writes {_variable(place)}, which only a reply brings"
             self._changed("type", command.type.name, member.name, why)
             return
 
@@ -213,16 +217,17 @@ class _Mending:
             if not beyond:
                 self._cut_to_limit(command, scope, sizes)
                 continue
-            certain = [place for place in beyond if not place.is_open and place.end <= most]
-            if certain:
-                widest = max(certain, key=lambda place: place.end)
-                sizes[scope] = widest.end
-                why = f"{_name(widest)} takes them up to there"
-                self._changed(f"{scope} memory", f"{stated} bytes", f"{widest.end} bytes", why)
-            self.unmended += dict.fromkeys(
-                f"{_name(place)} would need {place.end} bytes of {scope} memory, and there are {most} at most"
+            certain = {place.start + place.most: place for place in reversed(beyond) if place.most is not None}
+            ends = [end for end in certain if end <= most]
+            if ends:
+                sizes[scope] = end = max(ends)
+                why = f"{certain[end].full_name} takes them up to there"
+                self._changed(f"{scope} memory", f"{stated} bytes", f"{end} bytes", why)
+            self.unfixed += dict.fromkeys(
+                f"{place.full_name} would need {place.end} bytes of {scope} memory, and there are {most} at most"
                 if place.end > most
-                else f"nobody can tell how many bytes of {scope} memory {_name(place)} takes, so none were added for it"
+                else f"nobody can tell how many bytes of {scope} memory {place.full_name} takes, so none were added"
+                " for it"
                 for place in beyond
                 if place.end > sizes[scope]
             )
@@ -255,7 +260,7 @@ class _Mending:
                     self._changed(what, before, after, f"the same in {saved} byte{'s' * (saved > 1)} less")
         if spanned:
             are = "longer encodings stay" if spanned > 1 else "longer encoding stays"
-            self.unmended.append(f"{spanned} {are}: a jump counts {'their' if spanned > 1 else 'its'} bytes")
+            self.unfixed.append(f"{spanned} {are}: a jump counts {'their' if spanned > 1 else 'its'} bytes")
         self.frame = _replaced(self.frame, pieces)
 
     def _set(self, offset: int, data: bytes) -> None:
@@ -269,23 +274,18 @@ def _most(command: DirectCommand, scope: str) -> int:
     return MOST_IN_REPLY if command.wants_reply else GRANTED_GLOBALS
 
 
-def _places(command: DirectCommand) -> list[Place]:
+def _places(command: DirectCommand) -> list[Footprint]:
     """The variables that a command's operations name, in their order."""
-    return places_of(tuple(step_of(operation) for operation in command.operations))
+    return [found for operation in command.operations for found in footprints(operation)]
 
 
-def _multiple(place: Place) -> int:
+def _multiple(place: Footprint) -> int:
     """What the index of a variable has to be a multiple of: 1, 2 or 4."""
-    return max(place.noticed, place.wanted)
+    return max(place.validator_alignment, place.cpu_alignment)
 
 
-def _variable(place: Place, shift: int = 0) -> Variable:
+def _variable(place: Footprint, shift: int = 0) -> Variable:
     return Variable(place.argument.kind, place.start + shift)
-
-
-def _name(place: Place) -> str:
-    """`VALUE of UI_READ.GET_VBATT`."""
-    return f"{place.argument.name} of {place.step.name}"
 
 
 class _Layout:
@@ -294,9 +294,9 @@ class _Layout:
     left  blocks that cannot be moved, and why not
     """
 
-    def __init__(self, found: list[Place], stated: int, most: int, rigid: set[int]) -> None:
+    def __init__(self, found: list[Footprint], stated: int, most: int, rigid: set[int]) -> None:
         """`stated` bytes were asked for, `most` can be used; `rigid` arguments (by offset) keep their length."""
-        self.left: list[tuple[tuple[Place, ...], str]] = []
+        self.left: list[tuple[tuple[Footprint, ...], str]] = []
         self._most = most
         self._rigid = rigid
         self._blocks = _blocks([place for place in found if place.end <= most], min(stated, most))
@@ -304,7 +304,7 @@ class _Layout:
             if place.end > most and place.start % _multiple(place):
                 self.left.append(((place,), f"it reaches beyond the {most} bytes that there are"))
 
-    def moves(self) -> Iterator[tuple[tuple[Place, ...], int]]:
+    def moves(self) -> Iterator[tuple[tuple[Footprint, ...], int]]:
         """Blocks of variables that have to move, and by how many bytes; all others stay where they are."""
         taken = [_mask(block.start, block.end) for block in self._blocks]
         waiting = [number for number, block in enumerate(self._blocks) if not _is_aligned(block.places, 0)]
@@ -360,12 +360,12 @@ class _Block:
 
     start: int
     end: int
-    places: tuple[Place, ...]
+    places: tuple[Footprint, ...]
 
     @property
     def is_open(self) -> bool:
         """Whether nobody can tell where it ends."""
-        return any(place.is_open for place in self.places)
+        return any(not place.is_exact for place in self.places)
 
     @property
     def is_shared(self) -> bool:
@@ -380,14 +380,14 @@ class _Block:
         return (is_within or is_around) and is_meant
 
 
-def _blocks(found: list[Place], stated: int) -> list[_Block]:
+def _blocks(found: list[Footprint], stated: int) -> list[_Block]:
     """What has to stay together, in the order of the first bytes."""
     starts = sorted({place.start for place in found})
     following = dict(pairwise([*starts, stated]))
-    together: dict[tuple[int, int], list[Place]] = {}
+    together: dict[tuple[int, int], list[Footprint]] = {}
     for place in found:
         # Of an array of unknown length it is assumed that the sender left room for it, up to the next variable.
-        end = max(place.end, following[place.start]) if place.is_open else place.end
+        end = max(place.end, following[place.start]) if not place.is_exact else place.end
         together.setdefault((place.start, end), []).append(place)
     blocks: list[_Block] = []
     for (start, end), block_uses in sorted(together.items()):
@@ -405,16 +405,16 @@ def _mask(start: int, end: int) -> int:
     return ((1 << end - start) - 1) << start
 
 
-def _is_aligned(block: Iterable[Place], shift: int) -> bool:
+def _is_aligned(block: Iterable[Footprint], shift: int) -> bool:
     return all((place.start + shift) % _multiple(place) == 0 for place in block)
 
 
-def _left(block: Iterable[Place], why: str) -> str:
+def _left(block: Iterable[Footprint], why: str) -> str:
     place = next(place for place in block if place.start % _multiple(place))
-    return f"{_variable(place)} is no multiple of {_multiple(place)}, as {_name(place)} needs it, but stays: {why}"
+    return f"{_variable(place)} is no multiple of {_multiple(place)}, as {place.full_name} needs it, but stays: {why}"
 
 
-def _moved(place: Place, shift: int) -> bytes:
+def _moved(place: Footprint, shift: int) -> bytes:
     """The argument with another index, in the encoding that it has where that can hold it."""
     argument, index = place.argument, place.start + shift
     form = argument.form
@@ -451,7 +451,7 @@ def _spanned(command: DirectCommand) -> bytearray:
     spanned = bytearray(size)
     for operation in command.operations:
         for argument in operation.arguments:
-            if argument.parameter is not OFFSET:
+            if argument.parameter.role is not Role.JUMP:
                 continue
             if argument.kind not in (CONSTANT, JUMP):
                 return bytearray(b"\1" * size)

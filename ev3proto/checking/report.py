@@ -15,16 +15,20 @@ class Severity(StrEnum):
     HINT = "hint"
 
 
+_KEYS = {"help": "mend"}
+"""Keys for other tools that are not named as the field is."""
+
+
 @dataclass(frozen=True, slots=True)
 class Finding:
     """One thing that is wrong, or could be better.
 
     severity   error, warning or hint
-    code       stable name of what it is: `E101`, `W203`, `H301`; `ev3proto check --explain` tells the story
+    code       stable name of what it is: `E101`, `W203`, `H301`; `ev3proto check --explain` explains it
     offset     of the first byte it is about, counted from the frame's first
     length     bytes it is about, 0 where something is missing
     message    one sentence: what is wrong
-    mend       one sentence: how to mend it
+    help       one sentence: how to fix it
     operation  name of the operation or system command, None for what is about the header
     parameter  name of the parameter or field, None where it is about none
     """
@@ -34,14 +38,19 @@ class Finding:
     offset: int
     length: int
     message: str
-    mend: str
+    help: str
     operation: str | None = None
     parameter: str | None = None
 
     def as_dict(self) -> dict[str, Any]:
         """The same for other tools; keys that do not apply are absent."""
-        entry = {name: getattr(self, name) for name in self.__slots__}
+        entry = {_KEYS.get(name, name): getattr(self, name) for name in self.__slots__}
         return {name: value for name, value in entry.items() if value is not None}
+
+    @property
+    def mend(self) -> str:
+        """`help` by its former name."""
+        return self.help
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,20 +23,18 @@ then, the last one where that ends too late. The rules, whose numbers stand in t
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from collections.abc import Set as AbstractSet
+from collections.abc import Sequence
 from enum import Enum
 from functools import cache
 from typing import NamedTuple
 
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
-from ev3proto.tables import operations
-from ev3proto.tables.branch import OFFSET
-from ev3proto.tables.declaration import Declaration, Parameter, Type
+from ev3proto.tables import operations, with_effect
+from ev3proto.tables.declaration import Declaration, Effect, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, HANDLE_BIT, JUMP, RANGES
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MessageType
-from ev3proto.tables.validation import COMMAND_TABLES, LABELS, NEWER, SPINNING, TABLE_SIZE
+from ev3proto.tables.validation import CMD_TABLES, LABELS, SPINNING, TABLE_SIZE
 
 
 class Reason(Enum):
@@ -117,7 +115,7 @@ def _sizes() -> tuple[int, ...]:
 
 
 _SIZES = _sizes()
-_OBJECT_END = operations()["OBJECT_END"].opcode.number
+_OBJECT_END = with_effect(Effect.ENDS_CODE).opcode.number
 
 # Rule 1. As many zeros as the longest operation reads whose last byte in the frame counts 127 parameters.
 _BEYOND = bytes((_OBJECT_END,)) + bytes(160)
@@ -133,13 +131,12 @@ class _Validator:
         self.families: list[Sequence[_Kinds] | None] = [None] * 256
         known = operations(dialect)
         for declaration in known.values():
-            if declaration.command is None and declaration.name != "ERROR":
+            if declaration.command is None and Effect.NEVER_RUNS not in declaration.effects:
                 self.opcodes[declaration.opcode.number] = _kinds(declaration.parameters)
-        newer: AbstractSet[str] = NEWER if dialect == "official" else frozenset()
-        for names, table in zip(COMMAND_TABLES, _command_tables(known, newer), strict=True):
-            for declaration in known.values():
-                if declaration.opcode.name in names:
-                    self.families[declaration.opcode.number] = table
+        tables = _cmd_tables([entry for entry in known.values() if dialect != "official" or not entry.is_newer])
+        for declaration in known.values():
+            if declaration.command is not None:
+                self.families[declaration.opcode.number] = tables[declaration.opcode.validator_table]
 
     def scan(self, frame: bytes, at: int, end: int, starts: list[int] | None = None) -> Verdict:
         """The verdict on the code in `frame[at:end]`.
@@ -296,31 +293,32 @@ def _kinds(parameters: Sequence[Parameter]) -> _Kinds:
 
 
 def _kind(parameter: Parameter) -> int:
-    if parameter is OFFSET:
-        # A jump's offset is a number; only LABEL has a label.
+    if parameter.role is Role.JUMP:
+        # How far to jump is a number; only LABEL has a label.
         return _DATA32
     return _CHECKED_AS[parameter.validated or parameter.type]
 
 
-def _command_tables(known: Mapping[str, Declaration], newer: AbstractSet[str]) -> list[Sequence[_Kinds]]:
-    """For each table of CMDs, what follows a CMD by the byte that is its number; nothing for one that it has not.
+def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Kinds]]:
+    """For each table of CMDs by its name, what follows a CMD by the byte that is its number; nothing for unknown ones.
 
-    newer  operations that the tables do not have yet
+    known  the operations that the validator knows
     """
+    commands = [(entry.opcode.validator_table, entry.command, entry.parameters) for entry in known]
+    names = dict.fromkeys((*CMD_TABLES, *(name for name, command, _ in commands if command is not None)))
     row: list[_Kinds] = []
-    for names in COMMAND_TABLES:
+    for name in names:
         found: list[_Kinds] = [()] * TABLE_SIZE
-        for declaration in known.values():
-            command = declaration.command
-            if command is not None and declaration.opcode.name in names and declaration.name not in newer:
-                found[command.number] = _kinds(declaration.parameters)
+        for table, command, parameters in commands:
+            if table == name and command is not None:
+                found[command.number] = _kinds(parameters)
         row += found
-    # Rule 8. The firmware does not expect a negative CMD: it looks in front of the table, which is in the one before.
-    tables: list[Sequence[_Kinds]] = []
-    for start in range(0, len(row), TABLE_SIZE):
-        behind = row[start : start + TABLE_SIZE]
+    # Rule 8. The firmware does not expect a negative CMD: it looks before its table, which is in the table before it.
+    tables: dict[str, Sequence[_Kinds]] = {}
+    for name, start in zip(names, range(0, len(row), TABLE_SIZE), strict=True):
+        own = row[start : start + TABLE_SIZE]
         negative = [row[start + number] if start + number >= 0 else () for number in range(-128, 0)]
-        tables.append((*behind, *[()] * (128 - TABLE_SIZE), *negative))
+        tables[name] = (*own, *[()] * (128 - TABLE_SIZE), *negative)
     return tables
 
 

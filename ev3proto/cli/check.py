@@ -36,14 +36,14 @@ class CheckOptions:
     """What is asked for.
 
     as_json  one object a line
-    mends    print the mended frame and what is left of the findings
+    fixes    print the fixed frame and what is left of the findings
     strict   warnings count as errors for the exit status
     carrier  what is to carry the frames, None for what the capture tells, or any
     hidden   severities that are not shown
     """
 
     as_json: bool = False
-    mends: bool = False
+    fixes: bool = False
     strict: bool = False
     carrier: str | None = None
     hidden: frozenset[str] = frozenset()
@@ -133,10 +133,10 @@ class Checking(SourceReader):
         from ev3proto.checking.fixing import fix
 
         self.frames += 1
-        if self._options.mends:
-            mended = fix(frame, dialect=self.reading.dialect, carrier=carrier)
-            report = mended.report
-            self._show_fix(mended, place)
+        if self._options.fixes:
+            found = fix(frame, dialect=self.reading.dialect, carrier=carrier)
+            report = found.report
+            self._show_fix(found, place)
         else:
             report = check(frame, dialect=self.reading.dialect, carrier=carrier)
             self._show(report, place)
@@ -152,14 +152,14 @@ class Checking(SourceReader):
         shown = self._options.shown(report)
         self._paragraph(diagnostics(report, shown, place=place.label, dialect=self.reading.dialect), len(shown) > 0)
 
-    def _show_fix(self, mended: Fix, place: Place) -> None:
+    def _show_fix(self, fix: Fix, place: Place) -> None:
         from ev3proto.text.diagnostics import fixed
 
         if self._options.as_json:
-            self._json(place, mended.as_dict(), mended.report)
+            self._json(place, fix.as_dict(), fix.report)
             return
-        shown = self._options.shown(mended.report)
-        self._paragraph(fixed(mended, shown, place=place.label, dialect=self.reading.dialect), True)
+        shown = self._options.shown(fix.report)
+        self._paragraph(fixed(fix, shown, place=place.label, dialect=self.reading.dialect), True)
 
     def _json(self, place: Place, entry: dict[str, Any], report: Report) -> None:
         entry["findings"] = [finding.as_dict() for finding in self._options.shown(report)]
@@ -188,9 +188,7 @@ def _frames(count: int) -> str:
 @click.argument("names", nargs=-1, metavar="[FRAME|FILE|-]...")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
 @click.option("--strict", is_flag=True, help="Warnings count as errors for the exit status.")
-@click.option(
-    "--fix", "mends", is_flag=True, help="Print each frame mended where the mend is certain, and what is left."
-)
+@click.option("--fix", "fixes", is_flag=True, help="Print each frame fixed where the fix is certain, and what is left.")
 @click.option("--no-hints", is_flag=True, help="Show errors and warnings only.")
 @click.option("--errors-only", is_flag=True, help="Show errors only.")
 @click.option("--carrier", type=click.Choice(CARRIERS), help="What is to carry the frames; a capture tells it itself.")
@@ -202,14 +200,14 @@ def check(
     names: tuple[str, ...],
     as_json: bool,
     strict: bool,
-    mends: bool,
+    fixes: bool,
     no_hints: bool,
     errors_only: bool,
     carrier: str | None,
     code: str | None,
     reading: CaptureOptions,
 ) -> None:
-    """Tells whether the brick will take a frame, which byte is wrong if not, and how to mend it.
+    """Tells whether the brick will take a frame, which byte is wrong if not, and how to fix it.
 
     The verdict is that of the firmware itself, quirks included. Beside it stands what a careful sender would change:
     errors will not do what was meant, warnings may not, hints only could be done better. Frames come in every form that
@@ -231,7 +229,7 @@ def check(
     if strict and errors_only:
         raise click.UsageError("--strict counts warnings and --errors-only hides them: give one or the other")
     hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
-    options = CheckOptions(as_json, mends, strict, carrier, frozenset(hidden))
+    options = CheckOptions(as_json, fixes, strict, carrier, frozenset(hidden))
     found = sources(names)
     checking = Checking(reading, options, is_single=len(found) == 1)
     for source in found:
@@ -279,7 +277,7 @@ def _code_entry(code: Code) -> dict[str, Any]:
         "code": code.code,
         "severity": code.severity,
         "title": code.title,
-        "story": code.story,
+        "story": code.explanation,
         "example": code.example.hex(),
         "counterexample": code.counterexample.hex(),
     }

@@ -11,7 +11,7 @@ from functools import cache
 from ev3proto.tables.branch import BRANCH
 from ev3proto.tables.com import COM
 from ev3proto.tables.compare import COMPARE
-from ev3proto.tables.declaration import DIALECTS, Declaration, Opcode, declarations
+from ev3proto.tables.declaration import DIALECTS, Declaration, Effect, Opcode, declarations
 from ev3proto.tables.input import INPUT
 from ev3proto.tables.math import MATH
 from ev3proto.tables.memory import MEMORY
@@ -54,6 +54,15 @@ def operations(dialect: str = "official") -> dict[str, Declaration]:
     """The operations of one dialect by name (`SOUND.TONE`, `UI_FLUSH`). ValueError for an unknown dialect."""
     check_dialect(dialect)
     return {entry.name: entry for entry in declarations(OPCODES) if dialect in entry.dialects}
+
+
+@cache
+def with_effect(effect: Effect) -> Declaration:
+    """The first operation of LEGO's own firmware that has an effect; KeyError where none has."""
+    for entry in operations().values():
+        if effect in entry.effects:
+            return entry
+    raise KeyError(effect)
 
 
 def area_of(opcode: Opcode) -> str:

@@ -281,6 +281,11 @@ class Opcode(NamedTuple):
         """True where CMD selects the parameters."""
         return bool(self.commands)
 
+    @property
+    def validator_table(self) -> str:
+        """Of a family: the validator's table that its CMDs are looked up in."""
+        return self.cmd_table or self.name
+
 
 @dataclass(frozen=True)
 class Declaration:

@@ -3,44 +3,18 @@
 The verdict of a check is that of the release of 2013, whose published source these facts come from.
 """
 
-COMMAND_TABLES = (
-    ("UI_READ",),
-    ("UI_WRITE",),
-    ("UI_DRAW",),
-    ("UI_BUTTON",),
-    ("FILE",),
-    ("PROGRAM_INFO",),
-    ("INFO", "TST"),
-    ("STRINGS",),
-    ("COM_READ",),
-    ("COM_WRITE",),
-    ("SOUND",),
-    ("INPUT_DEVICE",),
-    ("ARRAY", "FILENAME"),
-    ("MATH",),
-    ("COM_GET",),
-    ("COM_SET",),
+CMD_TABLES = (
+    *("UI_READ", "UI_WRITE", "UI_DRAW", "UI_BUTTON", "FILE", "PROGRAM_INFO", "INFO", "STRINGS"),
+    *("COM_READ", "COM_WRITE", "SOUND", "INPUT_DEVICE", "ARRAY", "MATH", "COM_GET", "COM_SET"),
 )
-"""The opcodes with CMDs in the order in which their tables stand in the firmware's memory; some share one.
+"""The tables of CMDs in the order in which they stand in the firmware's memory, named after their first family.
 
-A negative CMD reaches into the table in front of its own.
+A negative CMD reaches into the table before its own. Each family's entry says which table is its own; tables that are
+not named here come last.
 """
 
 TABLE_SIZE = 33
 """CMDs that each of these tables has room for: 0 to 32."""
-
-NEWER = frozenset(
-    (
-        "UI_READ.GET_POWER",
-        "UI_WRITE.ADDRESS",
-        "UI_WRITE.ALLOW_PULSE",
-        "UI_WRITE.SET_PULSE",
-        "INPUT_DEVICE.INSERT_TYPE",
-        "INPUT_DEVICE.SET_TYPEMODE",
-        "INPUT_DEVICE.READY_IIC",
-    )
-)
-"""Operations of LEGO's firmware that the validator of 2013 has no entry for."""
 
 LABELS = 32
 """Labels of a program: 0 to 31, of which jumps can name all but the first."""

@@ -1,4 +1,4 @@
-"""What a check found, shown as good compilers show it: the sentence, the bytes with a line under them, the mend.
+"""What a check found, shown as good compilers show it: the sentence, the bytes with a line under them, the help.
 
 warning[W303]: FREQUENCY is 200 Hz, outside of 250 to 10000 Hz
     --> offset 10, FREQUENCY of SOUND.TONE
@@ -96,41 +96,41 @@ def diagnostics(
 
 
 def fixed(
-    mended: Fix, findings: Sequence[Finding] | None = None, *, place: str = "", dialect: str = "official"
+    fix: Fix, findings: Sequence[Finding] | None = None, *, place: str = "", dialect: str = "official"
 ) -> Iterator[Line]:
-    """The mended frame, what was changed in it, what was left, and then what a check says of it.
+    """The fixed frame, what was changed in it, what was left, and then what a check says of it.
 
     findings, place  as `diagnostics` takes them
     """
     line: Line = [(f"{place}: ", Role.HEADING)] if place else []
-    count = len(mended.changes)
+    count = len(fix.changes)
     if count:
-        line.append((f"mended in {count} place{'s' * (count > 1)}", Role.NAME))
+        line.append((f"fixed in {count} place{'s' * (count > 1)}", Role.NAME))
     else:
-        line.append(("nothing could be mended" if mended.report.findings else "nothing to mend", Role.PLAIN))
+        line.append(("nothing could be fixed" if fix.report.findings else "nothing to fix", Role.PLAIN))
     yield line
-    yield [(grouped_hex(mended.frame, dialect), Role.HEADING)]
-    for change in mended.changes:
+    yield [(grouped_hex(fix.frame, dialect), Role.HEADING)]
+    for change in fix.changes:
         yield [
             (f"  {change.what}: ", Role.NAME),
             (f"{change.before} -> {change.after}", Role.VALUE),
             (f" ({change.why})", Role.ASIDE),
         ]
-    for reason in mended.unmended:
-        yield [("  not mended: ", Role.FAULT), (reason, Role.PLAIN)]
+    for reason in fix.unfixed:
+        yield [("  not fixed: ", Role.FAULT), (reason, Role.PLAIN)]
     if count:
-        place = f"{place}, mended" if place else "mended"
-    yield from diagnostics(mended.report, findings, place=place, dialect=dialect)
+        place = f"{place}, fixed" if place else "fixed"
+    yield from diagnostics(fix.report, findings, place=place, dialect=dialect)
 
 
 def explanation(code: Code, report: Report, dialect: str = "official") -> Iterator[Line]:
-    """The story of a code, and what a check says of its example: `report` is that of it."""
+    """What a code means, and what a check says of its example: `report` is that of it."""
     yield [
         (f"{code.severity}[{code.code}]", ROLES[code.severity]),
         (f": {code.title}", Role.HEADING),
     ]
     yield []
-    for paragraph in code.story.split("\n\n"):
+    for paragraph in code.explanation.split("\n\n"):
         for text in wrap(" ".join(paragraph.split()), _TEXT_WIDTH):
             yield [(text, Role.PLAIN)]
         yield []
@@ -200,12 +200,12 @@ def _together(findings: list[Finding], excerpt: _Excerpt, place: str) -> Iterato
     worst = min((finding.severity for finding in findings), key=list(Severity).index)
     yield from excerpt.rows(first, ROLES[worst])
     yield from excerpt.operation(first)
-    mends: dict[str, str] = {}
+    helps: dict[str, str] = {}
     for finding in findings:
-        mends.setdefault(finding.mend, finding.code)
-    for mend, code in mends.items():
-        word = f"help for {code}: " if len(mends) > 1 else "help: "
-        yield [(f"{margin} = ", Role.ASIDE), (word, Role.OPERATION), (mend, Role.PLAIN)]
+        helps.setdefault(finding.help, finding.code)
+    for help_, code in helps.items():
+        word = f"help for {code}: " if len(helps) > 1 else "help: "
+        yield [(f"{margin} = ", Role.ASIDE), (word, Role.OPERATION), (help_, Role.PLAIN)]
 
 
 def _where(finding: Finding) -> str:

@@ -5,111 +5,120 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
-from ev3proto.checking.places import number_of
+from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.subject import Step, Subject
-from ev3proto.tables import operations
-from ev3proto.tables.behaviour import DIALOGUES, DRAWS, MOVES, SHOWS, SOUND_ENDS, SOUNDS, STOPS, WAITS, WIPES
+from ev3proto.semantics.footprint import whole_number
+from ev3proto.tables import with_effect
+from ev3proto.tables.declaration import Effect, Role
 
-_SOUND_READY = operations()["SOUND_READY"].opcode.number
-_OF_INTEREST = SOUNDS | SOUND_ENDS | DRAWS | SHOWS | DIALOGUES | MOVES | STOPS
+_AWAITS_SOUND = with_effect(Effect.AWAITS_SOUND)
+_AWAITS_MOVE = with_effect(Effect.AWAITS_MOVE)
+_SHOWS = with_effect(Effect.SHOWS)
+
+_PORTS = 4
+"""Motor ports of a brick."""
 
 
-def check_effects(subject: Subject) -> Iterator[Finding]:
+def check_effects(context: CheckContext) -> Iterator[Finding]:
     """The operations of a command in their order."""
-    steps = subject.steps
-    if not any(step.name in _OF_INTEREST for step in steps):
+    operations = context.operations
+    if not any(operation.facts.effects for operation in operations):
         return
-    yield from _sounds(steps)
-    yield from _pictures(steps)
-    yield from _moves(steps)
-    if subject.is_whole:
-        yield from _not_shown(steps)
+    yield from _sounds(operations)
+    yield from _pictures(operations)
+    yield from _moves(operations)
+    if context.is_whole:
+        yield from _not_shown(operations)
 
 
-def _waits(step: Step) -> bool:
+def _waits(operation: CheckedOperation) -> bool:
     """Whether what was begun gets some time here. A loop may be one that waits."""
-    return step.name in WAITS or step.traits.is_jump
+    return operation.has(Effect.WAITS) or operation.facts.is_jump
 
 
-def _sounds(steps: tuple[Step, ...]) -> Iterator[Finding]:
-    playing: Step | None = None
-    for step in steps:
-        if playing is not None and step.name in SOUNDS | SOUND_ENDS:
+def _sounds(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    playing: CheckedOperation | None = None
+    for operation in operations:
+        starts, ends = operation.has(Effect.STARTS_SOUND), operation.has(Effect.ENDS_SOUND)
+        if playing is not None and (starts or ends):
             yield playing.finding(
                 codes.SOUND_INTERRUPTED,
-                f"{step.name} at offset {step.start} cuts this sound off as soon as it starts",
-                f"put SOUND_READY (0x{_SOUND_READY:02X}) behind it, which waits until the sound has ended",
+                f"{operation.name} at offset {operation.start} cuts this sound off as soon as it starts",
+                f"put {_AWAITS_SOUND.name} (0x{_AWAITS_SOUND.opcode.number:02X}) after it, which waits until the sound"
+                " has ended",
             )
-        if step.name in SOUNDS:
-            playing = step
-        elif step.name in SOUND_ENDS or _waits(step):
+        if starts:
+            playing = operation
+        elif ends or _waits(operation):
             playing = None
 
 
-def _pictures(steps: tuple[Step, ...]) -> Iterator[Finding]:
+def _pictures(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
     """Pictures that are shown, and at once replaced by another one."""
-    shown: Step | None = None
-    wiping: Step | None = None
+    shown: CheckedOperation | None = None
+    wiping: CheckedOperation | None = None
     is_drawn = False
-    for step in steps:
-        if step.name in SHOWS:
+    for operation in operations:
+        if operation.has(Effect.SHOWS):
             if shown is not None and wiping is not None:
                 yield shown.finding(
                     codes.PICTURE_REPLACED,
-                    f"{wiping.name} and {step.name} at offset {step.start} replace this picture at once",
+                    f"{wiping.name} and {operation.name} at offset {operation.start} replace this picture at once",
                     "wait in between, with TIMER_WAIT and TIMER_READY",
                 )
-            shown, wiping, is_drawn = (step if is_drawn else None), None, False
-        elif step.name in WIPES and shown is not None:
-            wiping = step
-        elif _waits(step):
+            shown, wiping, is_drawn = (operation if is_drawn else None), None, False
+        elif operation.has(Effect.WIPES) and shown is not None:
+            wiping = operation
+        elif _waits(operation):
             shown = None
-        is_drawn = is_drawn or step.name in DRAWS
+        is_drawn = is_drawn or operation.has(Effect.DRAWS)
 
 
-def _not_shown(steps: tuple[Step, ...]) -> Iterator[Finding]:
-    """What is drawn behind the last UPDATE; one finding for all of it."""
-    hidden: Step | None = None
-    for step in steps:
-        if step.name in SHOWS or step.name in DIALOGUES:
+def _not_shown(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    """What is drawn after the last UPDATE; one finding for all of it."""
+    hidden: CheckedOperation | None = None
+    for operation in operations:
+        if operation.has(Effect.SHOWS) or operation.has(Effect.DIALOG):
             hidden = None
-        elif step.name in DRAWS:
-            hidden = step
+        elif operation.has(Effect.DRAWS):
+            hidden = operation
     if hidden is not None:
+        assert _SHOWS.command is not None
+        code = f"{_SHOWS.opcode.number:02X}:{_SHOWS.command.number:02X}"
         yield hidden.finding(
             codes.NOT_SHOWN,
             f"{hidden.name} draws on the canvas, and nothing shows it",
-            "put UI_DRAW UPDATE (84:00) behind the last drawing, unless a later command does that",
+            f"put {_SHOWS.name} ({code}) after the last drawing, unless a later command does that",
         )
 
 
-def _moves(steps: tuple[Step, ...]) -> Iterator[Finding]:
-    moving: dict[tuple[int, int], Step] = {}
-    for step in steps:
-        if step.name not in MOVES and step.name not in STOPS:
-            if _waits(step):
+def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    moving: dict[tuple[int, int], CheckedOperation] = {}
+    for operation in operations:
+        starts = operation.has(Effect.STARTS_MOVE)
+        if not starts and not operation.has(Effect.STOPS_MOTORS):
+            if _waits(operation):
                 moving.clear()
             continue
-        ports = _ports(step)
+        ports = _ports(operation)
         interrupted = {moving[port].start: moving[port] for port in ports if port in moving}
         for before in interrupted.values():
             yield before.finding(
                 codes.MOVE_INTERRUPTED,
-                f"{step.name} at offset {step.start} ends this move as soon as it starts",
-                "put OUTPUT_READY (0xAA) behind it, which waits until the motors are done",
+                f"{operation.name} at offset {operation.start} ends this move as soon as it starts",
+                f"put {_AWAITS_MOVE.name} (0x{_AWAITS_MOVE.opcode.number:02X}) after it, which waits until the motors"
+                " are done",
             )
         for port in ports:
             moving.pop(port, None)
-        if step.name in MOVES:
-            moving.update(dict.fromkeys(ports, step))
+        if starts:
+            moving.update(dict.fromkeys(ports, operation))
 
 
-def _ports(step: Step) -> list[tuple[int, int]]:
+def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
     """Layer and bit of the motors that an operation is about; none where nobody can tell."""
-    if len(step.arguments) < 2:
-        return []
-    layer, mask = number_of(step.arguments[0]), number_of(step.arguments[1])
+    told = {argument.parameter.role: whole_number(argument) for argument in operation.arguments}
+    layer, mask = told.get(Role.LAYER), told.get(Role.MOTORS)
     if layer is None or mask is None:
         return []
-    return [(layer, 1 << bit) for bit in range(4) if mask & 1 << bit]
+    return [(layer, 1 << bit) for bit in range(_PORTS) if mask & 1 << bit]

@@ -5,25 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
+from ev3proto.checking.context import CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
-from ev3proto.checking.subject import Step
 from ev3proto.messages import Argument, Variable
 from ev3proto.schema.argument import SHORT, encode_integer, encode_variable
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 
 
-def check_encodings(frame: bytes, steps: tuple[Step, ...]) -> Iterator[Finding]:
+def check_encodings(frame: bytes, operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
     """The arguments of all operations, CMD included."""
-    for step in steps:
-        if step.traits.has_cmd and frame[step.start + 1] >= _SHORT_FORMS:
-            cmd = step.operation.cmd
+    for operation in operations:
+        if operation.facts.has_cmd and frame[operation.start + 1] >= _SHORT_FORMS:
+            cmd = operation.parsed.cmd
             assert cmd is not None
-            yield from _longer(step, cmd)
-        for argument in step.arguments:
+            yield from _longer(operation, cmd)
+        for argument in operation.arguments:
             form = argument.form
             if form.width and not form.handle and not form.address:
-                yield from _longer(step, argument)
+                yield from _longer(operation, argument)
 
 
 _SHORT_FORMS = len(SHORT)
@@ -35,7 +35,7 @@ _WIDTHS = (0, 1, 2)
 """What a form holds whose value takes no byte, one byte or two bytes behind the identification byte."""
 
 
-def _longer(step: Step, argument: Argument) -> Iterator[Finding]:
+def _longer(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
     _, form, value, *_ = argument
     if form.kind == CONSTANT:
         if not isinstance(value, int):
@@ -49,14 +49,14 @@ def _longer(step: Step, argument: Argument) -> Iterator[Finding]:
     for width, (low, high) in zip(_WIDTHS, spans, strict=True):
         if low <= value <= high:
             if width < form.width:  # type: ignore[operator]
-                yield _finding(step, argument, value)
+                yield _finding(operation, argument, value)
             return
 
 
-def _finding(step: Step, argument: Argument, value: int) -> Finding:
+def _finding(operation: CheckedOperation, argument: Argument, value: int) -> Finding:
     kind = argument.form.kind
     shortest = encode_integer(value) if kind == CONSTANT else encode_variable(Variable(kind, value))
-    return step.finding_at(
+    return operation.finding_at(
         codes.LONGER_FORM,
         argument,
         f"{argument.name} is {argument.encoding}, and its value fits {plural(len(shortest), 'byte')}",

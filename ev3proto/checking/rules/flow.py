@@ -5,145 +5,148 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ev3proto.checking import codes
-from ev3proto.checking.places import number_of
+from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
-from ev3proto.checking.subject import OBJECT_END, Step, Subject
 from ev3proto.messages import Argument
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE
-from ev3proto.tables.behaviour import ENDS, MAY_END, OF_PROGRAMS
-from ev3proto.tables.branch import OFFSET
+from ev3proto.semantics.footprint import whole_number
+from ev3proto.tables.declaration import Effect, Role
 from ev3proto.tables.encoding import JUMP
 from ev3proto.tables.validation import LABELS
 
-_LABEL = "LABEL"
-_ALWAYS = "JR"
 _OWN_OBJECT = 1
+"""The number of the only object that a direct command has."""
 
 
-def check_flow(subject: Subject) -> Iterator[Finding]:
+def check_flow(context: CheckContext) -> Iterator[Finding]:
     """The operations of a command as a way."""
-    steps = subject.steps
+    operations = context.operations
     has_jumps = False
-    for step in steps:
-        if step.name == OBJECT_END:
-            yield _object_end(step, subject.end)
-        elif step.name in OF_PROGRAMS:
-            yield from _of_programs(step)
-        has_jumps = has_jumps or step.traits.is_jump
-    if not has_jumps and not any(step.name in ENDS for step in steps):
+    for operation in operations:
+        if operation.has(Effect.ENDS_CODE):
+            yield _object_end(operation, context.end)
+        elif operation.has(Effect.OF_PROGRAMS):
+            yield from _of_programs(operation)
+        has_jumps = has_jumps or operation.facts.is_jump
+    if not has_jumps and not any(operation.has(Effect.ENDS) for operation in operations):
         return
-    way = _Way(subject)
+    way = _Way(context)
     yield from way.wrong_jumps()
-    if subject.is_whole:
+    if context.is_whole:
         yield from way.dead_ends()
 
 
-def _object_end(step: Step, end: int) -> Finding:
-    if step.end == end:
-        return step.finding(codes.NEEDLESS_END, "the firmware puts an OBJECT_END here by itself", "leave it away")
+def _object_end(operation: CheckedOperation, end: int) -> Finding:
+    if operation.end == end:
+        return operation.finding(codes.NEEDLESS_END, "the firmware puts an OBJECT_END here by itself", "omit it")
     return codes.AFTER_END.finding(
-        step.end,
-        end - step.end,
-        f"{plural(end - step.end, 'byte')} follow the OBJECT_END at offset {step.start}, so the firmware refuses the"
-        " command",
-        "leave the OBJECT_END away, or what stands behind it",
+        operation.end,
+        end - operation.end,
+        f"{plural(end - operation.end, 'byte')} follow the OBJECT_END at offset {operation.start}, so the firmware"
+        " refuses the command",
+        "omit the OBJECT_END, or what follows it",
     )
 
 
-def _of_programs(step: Step) -> Iterator[Finding]:
-    if step.arguments and step.name not in ENDS and number_of(step.arguments[0]) == _OWN_OBJECT:
+def _of_programs(operation: CheckedOperation) -> Iterator[Finding]:
+    objects = [argument for argument in operation.arguments if argument.parameter.role is Role.OBJECT]
+    if any(whole_number(argument) == _OWN_OBJECT for argument in objects):
         return
-    yield step.finding(
+    yield operation.finding(
         codes.FOREIGN_OBJECT,
-        f"{step.name} is about objects of a compiled program, and a direct command has only itself",
-        "leave it away",
+        f"{operation.name} is about objects of a compiled program, and a direct command has only itself",
+        "omit it",
     )
 
 
 class _Way:
     """Which operation leads to which."""
 
-    def __init__(self, subject: Subject) -> None:
-        self._subject = subject
-        self._steps = subject.steps
-        self._numbers = {step.start: number for number, step in enumerate(self._steps)}
+    def __init__(self, context: CheckContext) -> None:
+        self._subject = context
+        self._operations = context.operations
+        self._numbers = {operation.start: number for number, operation in enumerate(self._operations)}
         self._labels = {
-            number_of(step.arguments[0]): step.end for step in self._steps if step.name == _LABEL and step.arguments
+            whole_number(argument): operation.end
+            for operation in self._operations
+            for argument in operation.arguments
+            if argument.parameter.role is Role.LABEL
         }
 
     def wrong_jumps(self) -> Iterator[Finding]:
         """Jumps that do not lead to an operation, nor to the end."""
-        for step in self._steps:
-            jump = _jump(step)
+        for operation in self._operations:
+            jump = _jump(operation)
             if jump is not None:
-                yield from self._wrong_jump(step, jump)
+                yield from self._wrong_jump(operation, jump)
 
-    def _wrong_jump(self, step: Step, jump: Argument) -> Iterator[Finding]:
-        target = self._target(step, jump)
+    def _wrong_jump(self, operation: CheckedOperation, jump: Argument) -> Iterator[Finding]:
+        target = self._target(operation, jump)
         end = self._subject.end
         if target is None:
             if _is_label(jump) and not jump.form.handle:
-                yield step.finding_at(
+                yield operation.finding_at(
                     codes.NO_SUCH_LABEL,
                     jump,
                     f"{jump.name} names label {jump.value}, which no LABEL sets",
                     f"put LABEL {jump.value} where the jump is to lead",
                 )
         elif not COMMAND_HEADER_SIZE <= target <= end:
-            yield step.finding_at(
+            yield operation.finding_at(
                 codes.JUMP_OUT,
                 jump,
                 f"{jump.name} is {jump.value}, which leads to offset {target}, and the operations are at"
                 f" {COMMAND_HEADER_SIZE} to {end - 1}",
-                f"give {COMMAND_HEADER_SIZE - step.end} to {end - step.end}, counted from the end of the jump",
+                f"give {COMMAND_HEADER_SIZE - operation.end} to {end - operation.end}, counted from the end of the"
+                " jump",
             )
         elif target != end and target not in self._numbers and self._is_known(target):
-            inside = next(other for other in self._steps if other.start < target < other.end)
-            yield step.finding_at(
+            inside = next(other for other in self._operations if other.start < target < other.end)
+            yield operation.finding_at(
                 codes.JUMP_INTO,
                 jump,
                 f"{jump.name} is {jump.value}, which leads to offset {target}, into the middle of {inside.name}",
-                f"give {inside.start - step.end} to run {inside.name}, or {inside.end - step.end} to leave it out",
+                f"give {inside.start - operation.end} to run {inside.name}, or {inside.end - operation.end} to skip it",
             )
 
     def _is_known(self, target: int) -> bool:
         """Whether an operation could be read there."""
-        return bool(self._steps) and target < self._steps[-1].end
+        return bool(self._operations) and target < self._operations[-1].end
 
-    def _target(self, step: Step, jump: Argument) -> int | None:
+    def _target(self, operation: CheckedOperation, jump: Argument) -> int | None:
         """Where a jump leads, None where nobody can tell."""
         if jump.form.handle or jump.form.address or jump.is_variable or not isinstance(jump.value, int):
             return None
         if _is_label(jump):
             return self._labels.get(jump.value)
-        return step.end + jump.value
+        return operation.end + jump.value
 
     def _next(self, number: int) -> list[int] | None:
         """The numbers of the operations that may follow one; one more than there are is the end. None: anything."""
-        step = self._steps[number]
-        if step.name in ENDS:
-            return [len(self._steps)]
-        jump = _jump(step)
-        following = [] if step.name == _ALWAYS else [number + 1]
+        operation = self._operations[number]
+        if operation.has(Effect.ENDS):
+            return [len(self._operations)]
+        jump = _jump(operation)
+        following = [] if operation.has(Effect.JUMPS_ALWAYS) else [number + 1]
         if jump is not None:
-            target = self._target(step, jump)
+            target = self._target(operation, jump)
             if target is None:
                 return None
             if target == self._subject.end:
-                following.append(len(self._steps))
+                following.append(len(self._operations))
             elif target in self._numbers:
                 following.append(self._numbers[target])
             else:
                 return None
-        if step.name in MAY_END:
-            following.append(len(self._steps))
+        if operation.has(Effect.MAY_END):
+            following.append(len(self._operations))
         return following
 
     def dead_ends(self) -> Iterator[Finding]:
         """Operations that no way leads to, and those that no way leads out of. Nothing where a jump cannot be told."""
         ways: list[list[int]] = []
-        for number in range(len(self._steps)):
+        for number in range(len(self._operations)):
             following = self._next(number)
             if following is None:
                 return
@@ -160,10 +163,11 @@ class _Way:
         leaving = _reachable(back, end)
         for number in range(end):
             if number in reached and number not in leaving:
-                step = self._steps[number]
-                yield step.finding(
+                operation = self._operations[number]
+                yield operation.finding(
                     codes.ENDLESS,
-                    f"from {step.name} at offset {step.start} on, every way leads back: the command never ends",
+                    f"from {operation.name} at offset {operation.start} on, every way leads back: the command never"
+                    " ends",
                     "let the loop end by a condition, or repeat it from outside",
                 )
                 return
@@ -171,30 +175,30 @@ class _Way:
     def _unreached(self, reached: set[int]) -> Iterator[Finding]:
         """One finding for the operations in a row that no way leads to."""
         number = 0
-        while number < len(self._steps):
+        while number < len(self._operations):
             if number in reached:
                 number += 1
                 continue
-            first = last = self._steps[number]
-            while number < len(self._steps) and number not in reached:
-                last = self._steps[number]
+            first = last = self._operations[number]
+            while number < len(self._operations) and number not in reached:
+                last = self._operations[number]
                 number += 1
-            if first.name == OBJECT_END:
+            if first.has(Effect.ENDS_CODE):
                 # It is where the command ends in any case.
                 continue
             yield codes.UNREACHABLE.finding(
                 first.start,
                 last.end - first.start,
                 f"no way leads to {first.name}" + (f" and what follows up to {last.name}" if last is not first else ""),
-                "leave it away, or let a jump lead there",
+                "omit it, or let a jump lead there",
                 first.name,
             )
 
 
-def _jump(step: Step) -> Argument | None:
+def _jump(operation: CheckedOperation) -> Argument | None:
     """The argument of a jump that says where to, None for all other operations."""
-    if step.arguments and step.arguments[-1].parameter is OFFSET:
-        return step.arguments[-1]
+    if operation.arguments and operation.arguments[-1].parameter.role is Role.JUMP:
+        return operation.arguments[-1]
     return None
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
+from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
-from ev3proto.checking.subject import Subject
 from ev3proto.checking.verdict import Reason
 from ev3proto.messages import DirectCommand
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
@@ -24,9 +24,9 @@ def plural(count: int, what: str) -> str:
     return f"{count} {what}{'s' * (count != 1)}"
 
 
-def check_envelope(subject: Subject) -> Iterator[Finding]:
+def check_envelope(context: CheckContext) -> Iterator[Finding]:
     """Length and type."""
-    frame = subject.frame
+    frame = context.frame
     size = len(frame)
     if size < HEADER_SIZE:
         yield codes.TOO_SHORT.finding(
@@ -36,8 +36,8 @@ def check_envelope(subject: Subject) -> Iterator[Finding]:
             "give the whole frame, from its length field on",
         )
         return
-    yield from _length(frame, size, subject)
-    if subject.message.type is None:
+    yield from _length(frame, size, context)
+    if context.message.type is None:
         yield codes.UNKNOWN_TYPE.finding(
             TYPE_OFFSET,
             1,
@@ -47,16 +47,16 @@ def check_envelope(subject: Subject) -> Iterator[Finding]:
             f" 0x{MessageType.SYSTEM_COMMAND_REPLY:02X} or 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X} for a system"
             " command",
         )
-    elif not subject.message.type.is_command:
+    elif not context.message.type.is_command:
         yield codes.NO_COMMAND.finding(
             TYPE_OFFSET,
             1,
-            f"{subject.message.type.name} is what a brick sends, not what it is sent",
+            f"{context.message.type.name} is what a brick sends, not what it is sent",
             "check the command that it answers",
         )
 
 
-def _length(frame: bytes, size: int, subject: Subject) -> Iterator[Finding]:
+def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]:
     stated = frame[0] | frame[1] << 8
     follow = size - LENGTH_FIELD
     if size > MAX_FRAME and (stated == follow or stated > MAX_LENGTH):
@@ -74,12 +74,12 @@ def _length(frame: bytes, size: int, subject: Subject) -> Iterator[Finding]:
             f"give {follow} as the length, or the bytes that are missing: {stated - follow}",
         )
     elif stated < follow:
-        yield _left_over(frame, stated, follow, subject)
+        yield _left_over(frame, stated, follow, context)
 
 
-def _left_over(frame: bytes, stated: int, follow: int, subject: Subject) -> Finding:
-    end = subject.end
-    if subject.is_padded and subject.carrier in (None, "usb"):
+def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) -> Finding:
+    end = context.end
+    if context.is_padded and context.carrier in (None, "usb"):
         return codes.PADDING.finding(
             end,
             len(frame) - end,
@@ -94,16 +94,16 @@ def _left_over(frame: bytes, stated: int, follow: int, subject: Subject) -> Find
     )
 
 
-def check_command_header(subject: Subject, command: DirectCommand) -> Iterator[Finding]:
+def check_command_header(context: CheckContext, command: DirectCommand) -> Iterator[Finding]:
     """What the header of a direct command asks for."""
-    reason = subject.verdict.reason
-    if reason is Reason.EMPTY or subject.end < COMMAND_HEADER_SIZE:
-        if not subject.is_length_wrong:
+    reason = context.verdict.reason
+    if reason is Reason.EMPTY or context.end < COMMAND_HEADER_SIZE:
+        if not context.is_length_wrong:
             yield codes.EMPTY.finding(
-                subject.end,
+                context.end,
                 0,
                 "the command has no operation"
-                if subject.end == COMMAND_HEADER_SIZE
+                if context.end == COMMAND_HEADER_SIZE
                 else "the command ends in front of the two bytes that ask for memory",
                 "give at least one operation; NOP (0x01) does nothing",
             )

@@ -5,78 +5,60 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
-from ev3proto.checking.places import number_of
+from ev3proto.checking.context import CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
-from ev3proto.checking.subject import Step
-from ev3proto.messages import Argument
+from ev3proto.semantics.inline_arrays import InlineArray, inline_arrays
 from ev3proto.tables.declaration import Direction
 from ev3proto.tables.encoding import CONSTANT, TEXT
 
-_PLAIN_SIZE = 4
-"""Bytes that a constant has where the brick reads it as an array: those of the number that it was made into."""
 
-
-def check_lists(steps: tuple[Step, ...]) -> Iterator[Finding]:
+def check_lists(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
     """The texts and arrays that stand in the operations themselves."""
-    for step in steps:
-        for argument in step.arguments:
-            parameter, form, *_ = argument
-            if parameter.length is None and parameter.most is None:
-                continue
-            if form.kind not in (TEXT, CONSTANT) or form.handle or form.address:
-                continue
-            if parameter.direction is Direction.IN:
-                yield from _text_or_array(step, argument)
+    for operation in operations:
+        yield from _long_texts(operation)
+        for array in inline_arrays(operation.arguments):
+            yield from _array(operation, array)
 
 
-def _text_or_array(step: Step, argument: Argument) -> Iterator[Finding]:
-    parameter = argument.parameter
-    if argument.kind == TEXT and parameter.most is not None and argument.length - 1 > parameter.most:
-        yield _too_long(step, argument, parameter.most)
-    if isinstance(parameter.length, str):
-        yield from _array(step, argument, parameter.length)
+def _long_texts(operation: CheckedOperation) -> Iterator[Finding]:
+    for argument in operation.arguments:
+        parameter, form, *_ = argument
+        most = parameter.most
+        if most is None or form.kind != TEXT or parameter.direction is not Direction.IN:
+            continue
+        size = argument.length - 1
+        if size > most and not form.handle and not form.address:
+            yield operation.finding_at(
+                codes.NAME_TOO_LONG,
+                argument,
+                f"{argument.name} has {plural(size - 1, 'character')}, and the firmware takes {most - 1} at most",
+                f"shorten it by {size - most}",
+            )
 
 
-def _too_long(step: Step, argument: Argument, most: int) -> Finding:
-    size = argument.length - 1
-    return step.finding_at(
-        codes.NAME_TOO_LONG,
-        argument,
-        f"{argument.name} has {plural(size - 1, 'character')}, and the firmware takes {most - 1} at most",
-        f"shorten it by {size - most}",
-    )
-
-
-def _array(step: Step, argument: Argument, length: str) -> Iterator[Finding]:
-    teller = next((other for other in step.arguments if other.name == length), None)
-    count = number_of(teller)
-    if count is None or count == -1:
-        return
-    one = max(argument.parameter.type.size, 1)
-    wanted = one * abs(count)
+def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]:
+    argument, length, stated, present = array.argument, array.length, array.stated, array.present
+    says = f"{length} says that {argument.name} has {plural(stated, 'byte')}"
     if argument.form.kind == CONSTANT:
-        if wanted > _PLAIN_SIZE:
-            yield step.finding_at(
+        if stated > present:
+            yield operation.finding_at(
                 codes.ARRAY_TOO_SHORT,
                 argument,
-                f"{length} says that {argument.name} has {plural(wanted, 'byte')}, and it is a single number",
+                f"{says}, and it is a single number",
                 "give the bytes as a text, or a variable that holds them",
             )
-        return
-    # The zero at the end is a byte as any other.
-    present = argument.length - 1
-    if wanted > present:
-        yield step.finding_at(
+    elif stated > present:
+        yield operation.finding_at(
             codes.ARRAY_TOO_SHORT,
             argument,
-            f"{length} says that {argument.name} has {plural(wanted, 'byte')}, and it has {present} with its zero",
-            f"give {present // one} as {length}, or all {plural(wanted, 'byte')}",
+            f"{says}, and it has {present} with its zero",
+            f"give {present // array.one} as {length}, or all {plural(stated, 'byte')}",
         )
-    elif wanted < present - 1:
-        yield step.finding_at(
+    elif stated < present - 1:
+        yield operation.finding_at(
             codes.REST_UNUSED,
             argument,
-            f"{length} says that {argument.name} has {plural(wanted, 'byte')}, and it has {present - 1}",
-            f"give {(present - 1) // one} as {length}, or leave the rest away",
+            f"{says}, and it has {present - 1}",
+            f"give {(present - 1) // array.one} as {length}, or omit the rest",
         )

@@ -6,135 +6,133 @@ from collections.abc import Iterator
 from itertools import groupby
 
 from ev3proto.checking import codes
-from ev3proto.checking.places import Place, places_of
+from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
-from ev3proto.checking.subject import Subject
-from ev3proto.messages import DirectCommand
+from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.frame import HEADER_SIZE, MEMORY_SIZE
+from ev3proto.semantics.footprint import Footprint, footprints
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 
 _LARGEST = 4
 """Bytes of the largest value, to whose multiples people round sizes up."""
 
 
-def check_memory(subject: Subject, command: DirectCommand) -> Iterator[Finding]:
+def check_memory(context: CheckContext, command: DirectCommand) -> Iterator[Finding]:
     """All variables of a command."""
-    steps = subject.steps
-    places = places_of(steps)
+    operations = context.operations
+    used = [found for operation in operations for found in footprints(operation.parsed, operation.arguments)]
     sizes = (command.local_size, command.global_size)
-    for place in places:
-        if place.start % place.noticed or place.start % place.wanted:
-            yield _misaligned(place)
-        if place.end > sizes[place.is_global]:
-            yield _beyond(place, sizes[place.is_global])
-    if not subject.is_whole:
+    for found in used:
+        if found.start % found.validator_alignment or found.start % found.cpu_alignment:
+            yield _misaligned(found)
+        if found.end > sizes[found.is_global]:
+            yield _beyond(found, sizes[found.is_global])
+    if not context.is_whole:
         # Of what is not read nobody knows which memory it uses.
         return
-    if len(places) > 1 and not any(step.traits.is_jump for step in steps):
+    if len(used) > 1 and not any(operation.facts.is_jump for operation in operations):
         # With jumps nobody knows what comes first.
-        yield from _overlaps([place for place in places if not place.is_global], is_kept=False)
-        yield from _overlaps([place for place in places if place.is_global], is_kept=command.wants_reply)
-    yield from _asked_for(command, places)
+        yield from _overlaps([found for found in used if not found.is_global], is_kept=False)
+        yield from _overlaps([found for found in used if found.is_global], is_kept=command.wants_reply)
+    yield from _asked_for(command, used)
 
 
-def _name(place: Place) -> str:
-    return f"{'G' if place.is_global else 'L'}V({place.start})"
+def _about(found: Footprint, code: codes.Code, message: str, help_: str) -> Finding:
+    argument = found.argument
+    return code.finding(argument.offset, argument.length, message, help_, found.operation.full_name, argument.name)
 
 
-def _misaligned(place: Place) -> Finding:
-    argument = place.argument
-    noticed, wanted = place.noticed, place.wanted
-    code, multiple, aside = (
-        (codes.MISALIGNED, noticed, "")
-        if place.start % noticed
-        else (codes.UNALIGNED, wanted, ", though the firmware does not look at it here")
-    )
-    better = place.start + -place.start % multiple
-    return place.step.finding_at(
+def _misaligned(found: Footprint) -> Finding:
+    for_validator = found.start % found.validator_alignment != 0
+    code = codes.MISALIGNED if for_validator else codes.UNALIGNED
+    multiple = found.validator_alignment if for_validator else found.cpu_alignment
+    aside = "" if for_validator else ", though the firmware does not look at it here"
+    better = Variable(found.argument.kind, found.start + -found.start % multiple)
+    return _about(
+        found,
         code,
-        argument,
-        f"{argument.name} is {_name(place)}, and has to start at a multiple of {multiple}{aside}",
-        f"use {'G' if place.is_global else 'L'}V({better}), or another multiple of {multiple}",
+        f"{found.argument.name} is {found.variable}, and must start at a multiple of {multiple}{aside}",
+        f"use {better}, or another multiple of {multiple}",
     )
 
 
-def _beyond(place: Place, asked: int) -> Finding:
+def _beyond(found: Footprint, asked: int) -> Finding:
     """A variable that lies beyond its memory, in whole or in part."""
-    scope, most = ("global", MOST_IN_REPLY) if place.is_global else ("local", MAX_LOCALS)
-    last = place.end - 1
-    bytes_taken = f"byte {last}" if place.start == last else f"bytes {place.start} to {last}"
+    scope, most = ("global", MOST_IN_REPLY) if found.is_global else ("local", MAX_LOCALS)
+    last = found.end - 1
+    bytes_taken = f"byte {last}" if found.start == last else f"bytes {found.start} to {last}"
     has = f"{plural(asked, 'byte')} of" if asked else "no"
-    if place.end > most:
-        mend = f"use a lower index; there are {plural(most, 'byte')} of {scope} memory at most"
+    if found.end > most:
+        help_ = f"use a lower index; there are {plural(most, 'byte')} of {scope} memory at most"
     else:
-        mend = f"ask for {plural(place.end, 'byte')} of {scope} memory, or use a lower index"
-    return place.step.finding_at(
-        codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS,
-        place.argument,
-        f"{place.argument.name} takes {bytes_taken} of {scope} memory, and the header asks for {has} {scope} memory",
-        mend,
+        help_ = f"ask for {plural(found.end, 'byte')} of {scope} memory, or use a lower index"
+    return _about(
+        found,
+        codes.BEYOND_GLOBALS if found.is_global else codes.BEYOND_LOCALS,
+        f"{found.argument.name} takes {bytes_taken} of {scope} memory, and the header asks for {has} {scope} memory",
+        help_,
     )
 
 
-def _overlaps(places: list[Place], *, is_kept: bool) -> Iterator[Finding]:
+def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
     """Results that destroy one another, in one memory.
 
     is_kept  whether a reply brings what is in that memory in the end
     """
-    if sum(place.is_written for place in places) < 2:
+    if sum(found.is_written for found in used) < 2:
         return
-    results: dict[int, Place] = {}
-    for _, found in groupby(places, key=lambda place: place.step.start):
-        together = list(found)
-        for place in together:
-            if place.is_read:
-                end = MAX_FRAME if place.is_open else place.end
-                for byte in range(place.start, min(end, MAX_FRAME)):
+    results: dict[int, Footprint] = {}
+    for _, group in groupby(used, key=lambda found: found.operation.offset):
+        together = list(group)
+        for found in together:
+            if found.is_read:
+                end = MAX_FRAME if found.most is None else found.start + found.most
+                for byte in range(found.start, min(end, MAX_FRAME)):
                     results.pop(byte, None)
-        for place in together:
-            if not place.is_written:
+        for found in together:
+            if not found.is_written:
                 continue
-            taken = range(place.start, min(place.end, MAX_FRAME))
+            taken = range(found.start, min(found.end, MAX_FRAME))
             before = next((results[byte] for byte in taken if byte in results), None)
             if before is not None:
-                yield from _destroyed(before, place, is_kept)
-            results.update(dict.fromkeys(taken, place))
+                yield from _destroyed(before, found, is_kept)
+            results.update(dict.fromkeys(taken, found))
 
 
-def _destroyed(before: Place, place: Place, is_kept: bool) -> Iterator[Finding]:
+def _destroyed(before: Footprint, found: Footprint, is_kept: bool) -> Iterator[Finding]:
     """A result where another one was that nobody has read."""
-    other = f"{before.argument.name} of {before.step.name}"
-    is_same = before.start == place.start and (before.end == place.end or before.is_open or place.is_open)
-    if is_same:
+    is_vague = not before.is_exact or not found.is_exact
+    if before.start == found.start and (before.end == found.end or is_vague):
         if is_kept:
-            yield place.step.finding_at(
+            yield _about(
+                found,
                 codes.OVERWRITTEN,
-                place.argument,
-                f"{place.argument.name} is stored in {_name(place)}, where {other} was: the reply brings only the last",
+                f"{found.argument.name} is stored in {found.variable}, where {before.full_name} was: the reply brings"
+                " only the last",
                 "store them in different places",
             )
         return
-    if (before.is_array or place.is_array) and (_is_within(before, place) or _is_within(place, before)):
+    if (before.is_array or found.is_array) and (_is_within(before, found) or _is_within(found, before)):
         # An array is often filled element by element.
         return
-    yield place.step.finding_at(
+    yield _about(
+        found,
         codes.OVERLAP,
-        place.argument,
-        f"{place.argument.name} takes bytes {place.start} to {place.end - 1}, and {other} takes {before.start} to"
-        f" {before.end - 1}: the later one destroys the other",
+        f"{found.argument.name} takes bytes {found.start} to {found.end - 1}, and {before.full_name} takes"
+        f" {before.start} to {before.end - 1}: the later one destroys the other",
         "store them in places that have no byte in common",
     )
 
 
-def _is_within(inner: Place, outer: Place) -> bool:
-    return inner.start >= outer.start and (outer.is_open or inner.end <= outer.end)
+def _is_within(inner: Footprint, outer: Footprint) -> bool:
+    return inner.start >= outer.start and (outer.most is None or inner.end <= outer.start + outer.most)
 
 
-def _asked_for(command: DirectCommand, places: list[Place]) -> Iterator[Finding]:
+def _asked_for(command: DirectCommand, used: list[Footprint]) -> Iterator[Finding]:
     """Memory in the header that nobody uses, and results that nobody gets."""
-    local = [place for place in places if not place.is_global]
-    shared = [place for place in places if place.is_global]
+    local = [found for found in used if not found.is_global]
+    shared = [found for found in used if found.is_global]
     yield from _unused("local", command.local_size, local)
     if command.wants_reply:
         yield from _unused("global", command.global_size, shared)
@@ -144,8 +142,8 @@ def _asked_for(command: DirectCommand, places: list[Place]) -> Iterator[Finding]
         yield codes.NO_REPLY.finding(
             TYPE_OFFSET,
             1,
-            f"{lost.step.name} stores {lost.argument.name} in {_name(lost)}, which only a reply brings, and the type"
-            " says that none is wanted",
+            f"{lost.operation.full_name} stores {lost.argument.name} in {lost.variable}, which only a reply brings, and"
+            " the type says that none is wanted",
             f"give the type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}, or store it in local memory",
         )
     elif command.global_size and not shared:
@@ -158,30 +156,30 @@ def _asked_for(command: DirectCommand, places: list[Place]) -> Iterator[Finding]
         )
 
 
-def _unread(places: list[Place]) -> Place | None:
+def _unread(used: list[Footprint]) -> Footprint | None:
     """The first result that no operation reads."""
-    read = [place for place in places if place.is_read]
-    for place in places:
-        if place.is_written and not any(_have_common(place, other) for other in read):
-            return place
+    read = [found for found in used if found.is_read]
+    for found in used:
+        if found.is_written and not any(_have_common(found, other) for other in read):
+            return found
     return None
 
 
-def _have_common(place: Place, other: Place) -> bool:
-    return place.start < other.end and other.start < place.end
+def _have_common(found: Footprint, other: Footprint) -> bool:
+    return found.start < other.end and other.start < found.end
 
 
-def _unused(scope: str, asked: int, places: list[Place]) -> Iterator[Finding]:
-    if not asked or asked > MOST_IN_REPLY or any(place.is_open for place in places):
+def _unused(scope: str, asked: int, used: list[Footprint]) -> Iterator[Finding]:
+    if not asked or asked > MOST_IN_REPLY or any(found.is_open for found in used):
         return
-    used = max((place.end for place in places), default=0)
-    left = asked - used
-    if left <= 0 or (left < _LARGEST and used and asked % _LARGEST == 0):
+    needed = max((found.start + (found.most or 0) for found in used), default=0)
+    left = asked - needed
+    if left <= 0 or (left < _LARGEST and needed and asked % _LARGEST == 0):
         return
-    told = f"{used} of them are" if used else "none of them is"
+    told = f"{needed} of them are" if needed else "none of them is"
     yield codes.UNUSED_MEMORY.finding(
         HEADER_SIZE,
         MEMORY_SIZE,
         f"the header asks for {plural(asked, 'byte')} of {scope} memory, and {told} used",
-        f"ask for {used}",
+        f"ask for {needed}",
     )

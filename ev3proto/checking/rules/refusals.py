@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
+from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
-from ev3proto.checking.subject import Step, Subject
 from ev3proto.errors import Fault
 from ev3proto.messages import Argument
 from ev3proto.schema.frame import COMMAND_HEADER_SIZE
@@ -15,50 +15,49 @@ from ev3proto.schema.identification import ENCODINGS
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import CMD
 from ev3proto.tables import OPCODES
-from ev3proto.tables.declaration import Type
+from ev3proto.tables.declaration import Effect, Type
 from ev3proto.tables.encoding import CONSTANT
-from ev3proto.tables.validation import NEWER
-
-_ERROR = "ERROR"
 
 
-def check_refusals(subject: Subject) -> Iterator[Finding]:
+def check_refusals(context: CheckContext) -> Iterator[Finding]:
     """What stops the reader of the operations, or the validator where the reader goes on."""
-    for step in subject.steps:
-        if step.name == _ERROR:
-            yield step.finding(
-                codes.UNKNOWN_OPCODE, "0x00 is ERROR, which the firmware never runs", _out_of_step(step.start)
+    for operation in context.operations:
+        if operation.has(Effect.NEVER_RUNS):
+            yield operation.finding(
+                codes.UNKNOWN_OPCODE,
+                f"0x{operation.parsed.opcode:02X} is {operation.name}, which the firmware never runs",
+                _out_of_step(operation.start),
             )
-    if subject.dialect == "official":
-        yield from _newer(subject)
-    fault = subject.fault
-    if subject.verdict.spins:
-        yield _spins(subject)
-        if fault is not None and _faulty_start(subject) == subject.verdict.rejected_at:
+    if context.dialect == "official":
+        yield from _newer(context)
+    fault = context.fault
+    if context.verdict.spins:
+        yield _spins(context)
+        if fault is not None and _faulty_start(context) == context.verdict.rejected_at:
             return
     # That the frame ends too early, or that its length is wrong, has been said already.
-    if fault is not None and subject.end > COMMAND_HEADER_SIZE and not (subject.is_length_wrong and fault.truncated):
-        yield _fault(subject, fault)
+    if fault is not None and context.end > COMMAND_HEADER_SIZE and not (context.is_length_wrong and fault.truncated):
+        yield _fault(context, fault)
 
 
-def _faulty_start(subject: Subject) -> int:
+def _faulty_start(context: CheckContext) -> int:
     """Where the operation starts that cannot be read."""
     start: int = COMMAND_HEADER_SIZE
-    for last in subject.steps[-1:]:
-        start = last.end if last.operation.is_complete else last.start
+    for last in context.operations[-1:]:
+        start = last.end if last.parsed.is_complete else last.start
     return start
 
 
-def _newer(subject: Subject) -> Iterator[Finding]:
-    rejected_at = subject.verdict.rejected_at
-    for step in subject.steps:
-        if step.name not in NEWER:
+def _newer(context: CheckContext) -> Iterator[Finding]:
+    rejected_at = context.verdict.rejected_at
+    for operation in context.operations:
+        if not operation.facts.declaration.is_newer:
             continue
-        cmd = step.operation.cmd
+        cmd = operation.parsed.cmd
         assert cmd is not None
-        known = f"firmware of 2013 does not know {step.name} and reads its arguments as operations"
-        if rejected_at is not None and rejected_at >= step.start:
-            yield step.finding_at(
+        known = f"firmware of 2013 does not know {operation.name} and reads its arguments as operations"
+        if rejected_at is not None and rejected_at >= operation.start:
+            yield operation.finding_at(
                 codes.NEWER,
                 cmd,
                 f"{known}: it refuses the command at offset {rejected_at}",
@@ -67,45 +66,45 @@ def _newer(subject: Subject) -> Iterator[Finding]:
             # What the validator stops at further on has the same reason.
             rejected_at = None
         else:
-            yield step.finding_at(codes.NEWER_ACCEPTED, cmd, known, "send it to bricks with newer firmware only")
+            yield operation.finding_at(codes.NEWER_ACCEPTED, cmd, known, "send it to bricks with newer firmware only")
 
 
-def _spins(subject: Subject) -> Finding:
-    verdict = subject.verdict
+def _spins(context: CheckContext) -> Finding:
+    verdict = context.verdict
     at = verdict.blamed
     assert at is not None
-    step = next((step for step in subject.steps if step.start == verdict.rejected_at), None)
-    argument = next((it for it in step.arguments if it.offset == at), None) if step else None
-    mend = "give the number of the values that follow, 0 or more"
-    if step is not None and argument is not None:
+    operation = next((operation for operation in context.operations if operation.start == verdict.rejected_at), None)
+    argument = next((it for it in operation.arguments if it.offset == at), None) if operation else None
+    help_ = "give the number of the values that follow, 0 or more"
+    if operation is not None and argument is not None:
         counted = argument.value if argument.kind == CONSTANT else "no number"
         told = f"{argument.name} is {counted}: the brick reads millions of values before it looks at anything else"
-        return step.finding_at(codes.SPINS, argument, told, mend)
+        return operation.finding_at(codes.SPINS, argument, told, help_)
     told = "the brick takes this for a count of values, and reads millions of them before it looks at anything else"
-    return codes.SPINS.finding(at, max(subject.end - at, 0), told, mend)
+    return codes.SPINS.finding(at, max(context.end - at, 0), told, help_)
 
 
-def _fault(subject: Subject, fault: Fault) -> Finding:
+def _fault(context: CheckContext, fault: Fault) -> Finding:
     """What the reader stops at. What the validator makes of the bytes behind it follows from that."""
-    start = _faulty_start(subject)
-    if subject.steps and subject.steps[-1].start == start:
-        return _faulty_argument(subject, subject.steps[-1], fault)
-    family = instruction_set(subject.dialect).families[subject.frame[start]]
+    start = _faulty_start(context)
+    if context.operations and context.operations[-1].start == start:
+        return _faulty_argument(context, context.operations[-1], fault)
+    family = instruction_set(context.dialect).families[context.frame[start]]
     if family is None:
-        return _unknown_opcode(subject, start)
-    return _faulty_cmd(subject, start, family.opcode.name, fault)
+        return _unknown_opcode(context, start)
+    return _faulty_cmd(context, start, family.opcode.name, fault)
 
 
-def _unknown_opcode(subject: Subject, start: int) -> Finding:
-    number = subject.frame[start]
+def _unknown_opcode(context: CheckContext, start: int) -> Finding:
+    number = context.frame[start]
     others = [opcode for opcode in OPCODES if opcode.number == number and opcode.dialects]
     if others:
         message = (
             f"0x{number:02X} is {others[0].name} for the dialects {' and '.join(others[0].dialects)}, and no opcode for"
-            f" {subject.dialect} firmware"
+            f" {context.dialect} firmware"
         )
     else:
-        message = f"0x{number:02X} is no opcode of the {subject.dialect} firmware"
+        message = f"0x{number:02X} is no opcode of the {context.dialect} firmware"
     return codes.UNKNOWN_OPCODE.finding(start, 1, message, _out_of_step(start))
 
 
@@ -115,25 +114,25 @@ def _out_of_step(start: int) -> str:
     return "give an opcode, or look at the operation in front of it: one of its arguments may be too short or too long"
 
 
-def _faulty_cmd(subject: Subject, start: int, name: str, fault: Fault) -> Finding:
+def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> Finding:
     """An opcode is there, and no CMD that says what follows."""
     at = start + 1
     if fault.truncated:
         return codes.CUT_OFF.finding(
-            start, subject.end - start, f"{name}: {fault.reason}", "give the bytes that are missing", name, "CMD"
+            start, context.end - start, f"{name}: {fault.reason}", "give the bytes that are missing", name, "CMD"
         )
-    first = subject.frame[at]
+    first = context.frame[at]
     encoding = ENCODINGS[first]
     if encoding is None:
         return _undefined_form(at, first, name, "CMD")
-    family = instruction_set(subject.dialect).families[subject.frame[start]]
+    family = instruction_set(context.dialect).families[context.frame[start]]
     assert family is not None
     known = ", ".join(
         f"{number} {schema.declaration.command.name}"  # type: ignore[union-attr]
         for number, schema in sorted(family.commands.items())[:_MOST_NAMES]
     )
     more = ", ..." if len(family.commands) > _MOST_NAMES else ""
-    cmd, _ = CMD.read(subject.frame[: subject.end], at)
+    cmd, _ = CMD.read(context.frame[: context.end], at)
     if encoding.kind != CONSTANT:
         return codes.VARIABLE_CMD.finding(
             at,
@@ -146,7 +145,7 @@ def _faulty_cmd(subject: Subject, start: int, name: str, fault: Fault) -> Findin
     return codes.UNKNOWN_CMD.finding(
         at,
         cmd.length,
-        f"{name} has no CMD {cmd.value}{_consequence(subject, start)}",
+        f"{name} has no CMD {cmd.value}{_consequence(context, start)}",
         f"give one of {known}{more}",
         name,
         "CMD",
@@ -156,9 +155,9 @@ def _faulty_cmd(subject: Subject, start: int, name: str, fault: Fault) -> Findin
 _MOST_NAMES = 6
 
 
-def _consequence(subject: Subject, start: int) -> str:
+def _consequence(context: CheckContext, start: int) -> str:
     """What the brick does where it does not stop at the fault itself."""
-    rejected_at = subject.verdict.rejected_at
+    rejected_at = context.verdict.rejected_at
     if rejected_at is None:
         return "; the brick does not notice, and runs what follows as operations"
     if rejected_at > start:
@@ -177,43 +176,43 @@ def _undefined_form(at: int, first: int, name: str, parameter: str) -> Finding:
     )
 
 
-def _faulty_argument(subject: Subject, step: Step, fault: Fault) -> Finding:
+def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: Fault) -> Finding:
     """The operation is known, and one of its arguments cannot be read."""
     at = fault.offset
-    count = next((argument for argument in step.arguments if argument.offset == at), None)
+    count = next((argument for argument in operation.arguments if argument.offset == at), None)
     if count is not None:
         # An argument that can be read is no reason to stop, unless it tells how many follow.
-        return _faulty_count(subject, step, count, fault)
-    parameters = step.declaration.parameters
-    parameter = parameters[min(len(step.arguments), len(parameters) - 1)]
+        return _faulty_count(context, operation, count, fault)
+    parameters = operation.facts.declaration.parameters
+    parameter = parameters[min(len(operation.arguments), len(parameters) - 1)]
     if fault.truncated:
-        last = min(at, subject.end)
+        last = min(at, context.end)
         return codes.CUT_OFF.finding(
             last,
-            subject.end - last,
-            f"{step.name}: {fault.reason}",
+            context.end - last,
+            f"{operation.name}: {fault.reason}",
             f"give the bytes that are missing, or the right length of what stands in front of {parameter.name}",
-            step.name,
+            operation.name,
             parameter.name,
         )
-    return _undefined_form(at, subject.frame[at], step.name, parameter.name)
+    return _undefined_form(at, context.frame[at], operation.name, parameter.name)
 
 
-def _faulty_count(subject: Subject, step: Step, count: Argument, fault: Fault) -> Finding:
+def _faulty_count(context: CheckContext, operation: CheckedOperation, count: Argument, fault: Fault) -> Finding:
     is_number = count.kind == CONSTANT and isinstance(count.value, int)
-    is_count = fault.truncated or step.declaration.parameters[-1].type is Type.VALUES
+    is_count = fault.truncated or operation.facts.declaration.parameters[-1].type is Type.VALUES
     if is_number and is_count and int(count.value) >= 0:
-        room = subject.end - count.offset - count.length
-        return step.finding_at(
+        room = context.end - count.offset - count.length
+        return operation.finding_at(
             codes.CUT_OFF,
             count,
             f"{count.name} says that {plural(int(count.value), 'value')} follow, and {plural(room, 'byte')} do",
             "give as many values as it says, or the number that there are",
         )
     told = f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is no number"
-    return step.finding_at(
+    return operation.finding_at(
         codes.BAD_COUNT,
         count,
-        f"{told}{_consequence(subject, step.start)}",
+        f"{told}{_consequence(context, operation.start)}",
         "give the number of the values that follow as a constant",
     )

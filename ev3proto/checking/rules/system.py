@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
+from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import TYPE_OFFSET, plural
-from ev3proto.checking.subject import Subject
 from ev3proto.messages import DaisyCommand, SystemCommand
 from ev3proto.schema.fields import NUMBERS
 from ev3proto.schema.frame import HEADER_SIZE
@@ -23,35 +23,35 @@ _OPENED = "begin"
 """Transfers begin with a path of a file, which the firmware takes apart."""
 
 
-def check_system(subject: Subject, command: SystemCommand) -> Iterator[Finding]:
+def check_system(context: CheckContext, command: SystemCommand) -> Iterator[Finding]:
     """A system command."""
-    entry = SYSTEM_BY_NUMBER.get(command.number) if subject.end > HEADER_SIZE else None
+    entry = SYSTEM_BY_NUMBER.get(command.number) if context.end > HEADER_SIZE else None
     if entry is None:
-        if not (subject.is_length_wrong and subject.end <= HEADER_SIZE):
-            yield _unknown(subject)
+        if not (context.is_length_wrong and context.end <= HEADER_SIZE):
+            yield _unknown(context)
         return
-    if subject.carrier not in (None, _USB) and (entry.bootloader or entry.usb_only):
+    if context.carrier not in (None, _USB) and (entry.bootloader or entry.usb_only):
         yield codes.WRONG_CARRIER.finding(
             HEADER_SIZE,
             1,
-            f"{entry.name} reaches a brick by USB only, not by {subject.carrier}",
+            f"{entry.name} reaches a brick by USB only, not by {context.carrier}",
             "send it by USB",
             entry.name,
         )
     yield from _answer(command, entry)
-    if subject.fault is not None:
-        if not (subject.is_length_wrong and subject.fault.truncated):
-            yield _wrong_fields(subject, entry)
+    if context.fault is not None:
+        if not (context.is_length_wrong and context.fault.truncated):
+            yield _wrong_fields(context, entry)
         return
     yield from _fields(command, entry)
 
 
-def _unknown(subject: Subject) -> Finding:
-    if subject.end <= HEADER_SIZE:
+def _unknown(context: CheckContext) -> Finding:
+    if context.end <= HEADER_SIZE:
         return codes.UNKNOWN_SYSTEM.finding(
-            subject.end, 0, "the frame ends where the system command should stand", "give the number of one"
+            context.end, 0, "the frame ends where the system command should stand", "give the number of one"
         )
-    number = subject.frame[HEADER_SIZE]
+    number = context.frame[HEADER_SIZE]
     known = [entry for entry in SYSTEM_BY_NUMBER.values() if not entry.bootloader]
     return codes.UNKNOWN_SYSTEM.finding(
         HEADER_SIZE,
@@ -85,14 +85,14 @@ def _is_question(entry: Entry) -> bool:
     return entry.transfer == _OPENED or any(field.kind in (Kind.DATA, Kind.LISTING, Kind.U32) for field in entry.reply)
 
 
-def _wrong_fields(subject: Subject, entry: Entry) -> Finding:
-    fault = subject.fault
+def _wrong_fields(context: CheckContext, entry: Entry) -> Finding:
+    fault = context.fault
     assert fault is not None
-    start = min(fault.offset, subject.end)
+    start = min(fault.offset, context.end)
     expected = ", ".join(f"{field.name} ({field.kind.value})" for field in entry.request) or "nothing"
     return codes.WRONG_FIELDS.finding(
         start,
-        subject.end - start,
+        context.end - start,
         f"{entry.name}: {fault.reason}",
         f"give what belongs behind the command: {expected}",
         entry.name,
@@ -171,20 +171,20 @@ def _lists(entry: Entry) -> bool:
 _DAISY = f"0x{min(daisy.DaisyCommand):02X} to 0x{max(daisy.DaisyCommand):02X}"
 
 
-def check_daisy(subject: Subject, command: DaisyCommand) -> Iterator[Finding]:
+def check_daisy(context: CheckContext, command: DaisyCommand) -> Iterator[Finding]:
     """A message from brick to brick."""
-    fault = subject.fault
-    if fault is not None and not (subject.is_length_wrong and fault.truncated):
-        start = min(fault.offset, subject.end)
+    fault = context.fault
+    if fault is not None and not (context.is_length_wrong and fault.truncated):
+        start = min(fault.offset, context.end)
         yield codes.UNKNOWN_DAISY.finding(
-            start, min(1, subject.end - start), fault.reason, f"give a sub-command, {_DAISY}, and two layers"
+            start, min(1, context.end - start), fault.reason, f"give a sub-command, {_DAISY}, and two layers"
         )
     most = REPORT_SIZES[0]
-    if subject.end > most:
+    if context.end > most:
         yield codes.LONG_DAISY.finding(
             most,
-            subject.end - most,
-            f"the frame has {subject.end} bytes, and a report between bricks carries {most}",
+            context.end - most,
+            f"the frame has {context.end} bytes, and a report between bricks carries {most}",
             "send less at once",
             command.command,
         )

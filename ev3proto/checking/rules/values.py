@@ -6,66 +6,68 @@ import math
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
+from ev3proto.checking.context import CheckedOperation
+from ev3proto.checking.facts import ParameterFacts, parameter_facts
 from ev3proto.checking.report import Finding
-from ev3proto.checking.subject import Step
-from ev3proto.checking.traits import Expected, Meaning, expected_of_element
 from ev3proto.messages import Argument
-from ev3proto.tables.branch import OFFSET
-from ev3proto.tables.declaration import Direction, Type
+from ev3proto.semantics.domain import Domain
+from ev3proto.tables.declaration import Direction, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES, TEXT
 from ev3proto.tables.validation import LABELS
 
 _BYTES_OF_NUMBERS = {Type.DATA8: 1, Type.DATA16: 2, Type.DATA32: 4, Type.HANDLE: 2}
 
 
-def check_values(steps: tuple[Step, ...]) -> Iterator[Finding]:
+def check_values(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
     """The constants of all operations."""
-    for step in steps:
-        yield from _values(step)
+    for operation in operations:
+        yield from _values(operation)
 
 
-def _values(step: Step) -> Iterator[Finding]:
-    expected = step.traits.expected
-    for number, argument in enumerate(step.arguments):
+def _values(operation: CheckedOperation) -> Iterator[Finding]:
+    known_parameters = operation.facts.parameters
+    for number, argument in enumerate(operation.arguments):
         parameter, form, value, *_ = argument
         kind = form.kind
         if kind in (LOCAL, GLOBAL):
             continue
-        known = expected[number] if number < len(expected) else expected_of_element(parameter)
+        known = known_parameters[number] if number < len(known_parameters) else parameter_facts(parameter)
         # A range looks at all of its numbers, one by one, for what is no whole number.
         if type(value) is int and value in known.numbers:
             continue
-        is_first = not number and not step.traits.has_cmd
+        is_first = not number and not operation.facts.has_cmd
         if form.handle or form.address:
             # Only the brick knows what is there. Its validator takes the handle or address itself for the value.
             if is_first and isinstance(value, int):
-                yield from _refused(step, argument, value, known)
+                yield from _refused(operation, argument, value, known)
             continue
         if parameter.direction is not Direction.IN:
-            yield _constant_output(step, argument)
+            yield _constant_output(operation, argument)
         elif kind == TEXT:
             if parameter.type is not Type.STRING and parameter.length is None and parameter.type is not _UNTYPED:
-                yield _text_for_number(step, argument)
+                yield _text_for_number(operation, argument)
         elif isinstance(value, float):
             if math.isnan(value):
-                yield _not_a_number(step, argument)
+                yield _not_a_number(operation, argument)
         elif parameter.type is Type.STRING:
-            yield _number_for_text(step, argument)
+            yield _number_for_text(operation, argument)
         elif parameter.type is Type.DATAF:
             if value and parameter.length is None:
-                yield _integer_for_float(step, argument)
+                yield _integer_for_float(operation, argument)
         else:
             assert isinstance(value, int)
-            yield from _number(step, argument, value, known, is_first=is_first)
+            yield from _number(operation, argument, value, known, is_first=is_first)
 
 
 _UNTYPED = Type.ARRAY_TYPED
 
 
-def _number(step: Step, argument: Argument, value: int, known: Expected, *, is_first: bool) -> Iterator[Finding]:
+def _number(
+    operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts, *, is_first: bool
+) -> Iterator[Finding]:
     """What is wrong with a whole number."""
-    parameter, meaning = known.parameter, known.meaning
-    refused = list(_refused(step, argument, value, known)) if is_first else []
+    parameter, domain = known.parameter, known.domain
+    refused = list(_refused(operation, argument, value, known)) if is_first else []
     if refused or parameter.type is Type.LABEL:
         yield from refused
         return
@@ -73,39 +75,39 @@ def _number(step: Step, argument: Argument, value: int, known: Expected, *, is_f
     if size is not None:
         limits = RANGES[parameter.type]
         if not limits.low <= value <= limits.high:
-            yield _cut_down(step, argument, value, size, known)
+            yield _cut_down(operation, argument, value, size, known)
             return
-    if meaning is None or meaning.covers(value):
+    if domain is None or domain.covers(value):
         return
-    yield _meaningless(step, argument, value, meaning)
+    yield _illegal(operation, argument, value, domain)
 
 
-def _meaningless(step: Step, argument: Argument, value: int, meaning: Meaning, aside: str = "") -> Finding:
+def _illegal(operation: CheckedOperation, argument: Argument, value: int, domain: Domain, aside: str = "") -> Finding:
     """A number that the tables do not provide for."""
     parameter = argument.parameter
-    if meaning.by_name:
+    if domain.has_names:
         assert parameter.enum is not None
-        return step.finding_at(
+        return operation.finding_at(
             codes.NO_MEMBER,
             argument,
             f"{argument.name} is {value}, which {parameter.enum.name} has no name for{aside}",
-            f"give one of {meaning.told}",
+            f"give {domain.choice}",
         )
     unit = f" {parameter.unit}" if parameter.unit else ""
-    return step.finding_at(
+    return operation.finding_at(
         codes.OUT_OF_RANGE,
         argument,
-        f"{argument.name} is {value}{unit}, outside of {meaning.told}{aside}",
-        f"give {meaning.told}",
+        f"{argument.name} is {value}{unit}, outside of {domain.text}{aside}",
+        f"give {domain.text}",
     )
 
 
-def _refused(step: Step, argument: Argument, value: int, known: Expected) -> Iterator[Finding]:
+def _refused(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Iterator[Finding]:
     """A first parameter that the validator does not let pass."""
     parameter = known.parameter
-    if parameter.type is Type.LABEL and parameter is not OFFSET:
+    if parameter.role is Role.LABEL:
         if not 0 <= value < LABELS:
-            yield step.finding_at(
+            yield operation.finding_at(
                 codes.BAD_LABEL,
                 argument,
                 f"{argument.name} is {value}, and there are labels 0 to {LABELS - 1}",
@@ -118,38 +120,38 @@ def _refused(step: Step, argument: Argument, value: int, known: Expected) -> Ite
         checked = Type.DATA8
     limits = RANGES.get(checked)
     if limits is not None and not limits.low <= value <= limits.high:
-        yield step.finding_at(
+        yield operation.finding_at(
             codes.FIRST_OUT_OF_RANGE,
             argument,
             f"{argument.name} is {value}, and the brick takes {limits.low} to {limits.high} as {checked}"
             " in a first parameter",
-            _value_mend(known),
+            _value_help(known),
         )
 
 
-def _cut_down(step: Step, argument: Argument, value: int, size: int, known: Expected) -> Finding:
+def _cut_down(operation: CheckedOperation, argument: Argument, value: int, size: int, known: ParameterFacts) -> Finding:
     """A number that more bytes were given than the parameter has, or the one that means that there is none."""
     parameter = argument.parameter
     nan = RANGES[parameter.type].nan
     bits = 8 * size
     if value == nan:
-        return _not_a_number(step, argument)
+        return _not_a_number(operation, argument)
     kept = value & (1 << bits) - 1
     read = kept - (1 << bits) if kept >> bits - 1 else kept
     if 0 <= value < 1 << bits:
-        if known.meaning is not None and not known.meaning.covers(read):
-            return _meaningless(step, argument, value, known.meaning, f", and the brick reads it as {read}")
-        return step.finding_at(
+        if known.domain is not None and not known.domain.covers(read):
+            return _illegal(operation, argument, value, known.domain, f", and the brick reads it as {read}")
+        return operation.finding_at(
             codes.NEGATIVE,
             argument,
             f"{parameter.name} is {value}, which the brick reads as {read}: it is {_article(parameter.type)}",
             f"write {read} if these bits are meant, or else a number that fits",
         )
-    return step.finding_at(
+    return operation.finding_at(
         codes.TRUNCATED,
         argument,
         f"{parameter.name} is {value}, of which the brick keeps {read}: it is {_article(parameter.type)}",
-        _value_mend(known),
+        _value_help(known),
     )
 
 
@@ -158,16 +160,15 @@ def _article(kind: Type) -> str:
     return f"a {kind}, {limits.low} to {limits.high}"
 
 
-def _value_mend(known: Expected) -> str:
-    meaning = known.meaning
-    if meaning is not None:
-        return f"give {'one of ' if meaning.by_name else ''}{meaning.told}"
+def _value_help(known: ParameterFacts) -> str:
+    if known.domain is not None:
+        return f"give {known.domain.choice}"
     limits = RANGES.get(known.parameter.type)
     return "give a text" if limits is None else f"give {limits.low} to {limits.high}"
 
 
-def _not_a_number(step: Step, argument: Argument) -> Finding:
-    return step.finding_at(
+def _not_a_number(operation: CheckedOperation, argument: Argument) -> Finding:
+    return operation.finding_at(
         codes.NOT_A_NUMBER,
         argument,
         f'{argument.name} is {argument.value}, which means "not a number"',
@@ -175,11 +176,11 @@ def _not_a_number(step: Step, argument: Argument) -> Finding:
     )
 
 
-def _constant_output(step: Step, argument: Argument) -> Finding:
+def _constant_output(operation: CheckedOperation, argument: Argument) -> Finding:
     parameter = argument.parameter
     wide = parameter.type.size
     room = f" that has room for {parameter.type}" if wide else ""
-    return step.finding_at(
+    return operation.finding_at(
         codes.CONSTANT_OUTPUT,
         argument,
         f"{argument.name} is a constant, and the brick writes there",
@@ -187,8 +188,8 @@ def _constant_output(step: Step, argument: Argument) -> Finding:
     )
 
 
-def _number_for_text(step: Step, argument: Argument) -> Finding:
-    return step.finding_at(
+def _number_for_text(operation: CheckedOperation, argument: Argument) -> Finding:
+    return operation.finding_at(
         codes.NUMBER_FOR_TEXT,
         argument,
         f"{argument.name} is the number {argument.value}, and the brick reads a text",
@@ -196,8 +197,8 @@ def _number_for_text(step: Step, argument: Argument) -> Finding:
     )
 
 
-def _text_for_number(step: Step, argument: Argument) -> Finding:
-    return step.finding_at(
+def _text_for_number(operation: CheckedOperation, argument: Argument) -> Finding:
+    return operation.finding_at(
         codes.TEXT_FOR_NUMBER,
         argument,
         f"{argument.name} is a text, and the brick reads a {argument.parameter.type}",
@@ -205,8 +206,8 @@ def _text_for_number(step: Step, argument: Argument) -> Finding:
     )
 
 
-def _integer_for_float(step: Step, argument: Argument) -> Finding:
-    return step.finding_at(
+def _integer_for_float(operation: CheckedOperation, argument: Argument) -> Finding:
+    return operation.finding_at(
         codes.INTEGER_FOR_FLOAT,
         argument,
         f"{argument.name} is the whole number {argument.value}, whose bits the brick reads as a float",

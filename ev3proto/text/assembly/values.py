@@ -17,8 +17,7 @@ from ev3proto.schema.argument import (
     encode_variable,
     with_bits,
 )
-from ev3proto.tables.branch import OFFSET
-from ev3proto.tables.declaration import DATA8, Direction, Enumeration, Parameter, Type
+from ev3proto.tables.declaration import DATA8, Direction, Enumeration, Parameter, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.lexing import Token, TokenKind, unescaped
@@ -216,7 +215,7 @@ class Encoder:
     def _is_label(self, token: Token, schema: ArgumentSchema) -> bool:
         """Whether a name is one to jump to, which may stand further down. Raises AssemblyError where none can stand."""
         name = token.text
-        if schema.parameter == OFFSET:
+        if schema.parameter.role is Role.JUMP:
             return name not in self.names.constants and name not in self.names.variables
         if name in self.names.labels:
             raise error_at(token, f"{name} is a label, which cannot stand for {schema.parameter.name}")

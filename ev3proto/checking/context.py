@@ -1,0 +1,112 @@
+"""What the rules look at: a frame, the message in it, its operations with their arguments, the brick's verdict."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ev3proto.checking.codes import Code
+from ev3proto.checking.facts import OperationFacts, operation_facts
+from ev3proto.checking.report import Finding
+from ev3proto.checking.verdict import Verdict
+from ev3proto.errors import Fault
+from ev3proto.messages import Argument, Message, Operation
+from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.tables.declaration import Effect
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPORT_SIZES
+
+
+class CheckedOperation(NamedTuple):
+    """An operation with what the rules ask of it again and again.
+
+    parsed     the operation itself
+    facts      what is known of it
+    name       `SOUND.TONE`
+    arguments  what follows opcode and CMD; of an operation that is cut off, those that can be read
+    start      offset of its opcode
+    end        offset after it
+    """
+
+    parsed: Operation
+    facts: OperationFacts
+    name: str
+    arguments: tuple[Argument, ...]
+    start: int
+    end: int
+
+    def has(self, effect: Effect) -> bool:
+        """Whether it has an effect."""
+        return effect in self.facts.effects
+
+    def finding(self, code: Code, message: str, help_: str) -> Finding:
+        """A finding about the operation as a whole."""
+        return code.finding(self.start, self.end - self.start, message, help_, self.name)
+
+    def finding_at(self, code: Code, argument: Argument, message: str, help_: str) -> Finding:
+        """A finding about one of its arguments."""
+        return code.finding(argument.offset, argument.length, message, help_, self.name, argument.name)
+
+
+def checked_operation(parsed: Operation) -> CheckedOperation:
+    """An operation as the rules look at it."""
+    schema, _, start, end = parsed
+    facts = operation_facts(schema)
+    return CheckedOperation(parsed, facts, facts.name, parsed.arguments, start, end)
+
+
+def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperation, ...]:
+    """Operations as the rules look at them, as far as the firmware reads them."""
+    found: list[CheckedOperation] = []
+    for parsed in operations:
+        operation = checked_operation(parsed)
+        found.append(operation)
+        if operation.has(Effect.ENDS_CODE):
+            break
+    return tuple(found)
+
+
+class CheckContext(NamedTuple):
+    """A frame that is checked, with all that the rules may look at.
+
+    frame       the bytes
+    end         where the message ends: where its length field says, or where the bytes do
+    message     what `frame[:end]` says
+    verdict     what the brick says to it
+    operations  the operations of a direct command, as far as the firmware reads them: up to an OBJECT_END
+    dialect     the firmware whose instruction set it is read by
+    carrier     what is to carry it, None for any
+    """
+
+    frame: bytes
+    end: int
+    message: Message
+    verdict: Verdict
+    operations: tuple[CheckedOperation, ...]
+    dialect: str
+    carrier: str | None
+
+    @property
+    def fault(self) -> Fault | None:
+        """What cannot be read in the message.
+
+        None also for one that is too long, or where an OBJECT_END comes before it: that alone is reported then.
+        """
+        if self.end > MAX_FRAME or (self.operations and self.operations[-1].has(Effect.ENDS_CODE)):
+            return None
+        return self.message.flaw.fault
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether the operations are all that there is."""
+        return self.fault is None and (not self.operations or self.operations[-1].end == self.end)
+
+    @property
+    def is_padded(self) -> bool:
+        """Whether nothing but zeros follow the message, as many as fill it up to a USB report."""
+        frame, end = self.frame, self.end
+        return end < len(frame) and end >= HEADER_SIZE and len(frame) in REPORT_SIZES and not any(frame[end:])
+
+    @property
+    def is_length_wrong(self) -> bool:
+        """Whether the length field does not say how many bytes follow it, and they are no padding."""
+        frame = self.frame
+        return (frame[0] | frame[1] << 8) + LENGTH_FIELD != len(frame) and not self.is_padded

@@ -1,0 +1,83 @@
+"""What the rules need to know of an operation, worked out from the tables once and for all frames."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import NamedTuple
+
+from ev3proto.messages import OperationReader
+from ev3proto.semantics.domain import Domain, domain_of
+from ev3proto.tables.declaration import Declaration, Direction, Effect, Parameter, Role, Type
+from ev3proto.tables.encoding import RANGES
+
+
+class ParameterFacts(NamedTuple):
+    """What the rules need to know of a parameter.
+
+    parameter  the parameter
+    numbers    whole numbers about which there is nothing to say; there may be more
+    domain     the numbers that the tables tell, None where the type alone limits them
+    """
+
+    parameter: Parameter
+    numbers: range | frozenset[int]
+    domain: Domain | None
+
+
+class OperationFacts(NamedTuple):
+    """What the rules need to know of an operation besides its arguments.
+
+    declaration  what the tables say of it
+    name         `SOUND.TONE`
+    parameters   of each argument before the elements of a list
+    effects      what it does besides what its parameters say
+    has_cmd      its opcode has CMDs
+    is_jump      its last argument says where to
+    """
+
+    declaration: Declaration
+    name: str
+    parameters: tuple[ParameterFacts, ...]
+    effects: tuple[Effect, ...]
+    has_cmd: bool
+    is_jump: bool
+
+
+@cache
+def operation_facts(schema: OperationReader) -> OperationFacts:
+    """What is known of an operation."""
+    declaration = schema.declaration
+    parameters = declaration.parameters
+    fixed = parameters[:-1] if parameters and parameters[-1].type is Type.VALUES else parameters
+    return OperationFacts(
+        declaration,
+        declaration.name,
+        tuple(parameter_facts(parameter) for parameter in fixed),
+        declaration.effects,
+        declaration.command is not None,
+        bool(parameters) and parameters[-1].role is Role.JUMP,
+    )
+
+
+@cache
+def parameter_facts(parameter: Parameter) -> ParameterFacts:
+    """What is known of a parameter, or of an element of a list."""
+    domain = domain_of(parameter)
+    if domain is not None and not domain.is_documented:
+        domain = None
+    return ParameterFacts(parameter, _numbers(parameter, domain), domain)
+
+
+def _numbers(parameter: Parameter, domain: Domain | None) -> range | frozenset[int]:
+    if parameter.direction is not Direction.IN or parameter.type in (Type.STRING, Type.DATAF, Type.LABEL):
+        return frozenset()
+    limits = RANGES.get(parameter.validated or parameter.type)
+    if limits is None:
+        return frozenset()
+    whole = range(limits.low, limits.high + 1)
+    if domain is None:
+        return whole
+    if domain.spans:
+        low, high = domain.spans[0]
+        return range(max(low, limits.low), min(high, limits.high) + 1)
+    return frozenset(number for number in domain.singles if number in whole)

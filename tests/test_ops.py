@@ -250,7 +250,7 @@ def test_the_help_of_a_function() -> None:
 def test_a_draft_tells_what_is_open() -> None:
     open_draft = ops.ui_read.get_vbatt()
     assert (open_draft.name, open_draft.is_complete) == ("UI_READ.GET_VBATT", False)
-    assert repr(open_draft) == "<UI_READ.GET_VBATT(VALUE=left away)>"
+    assert repr(open_draft) == "<UI_READ.GET_VBATT(VALUE=omitted)>"
     assert (
         repr(ops.strings.add("a", "b", Global(12))) == "<STRINGS.ADD(SOURCE1='a', SOURCE2='b', DESTINATION=Global(12))>"
     )

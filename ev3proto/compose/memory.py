@@ -47,12 +47,12 @@ class Memory:
 
     def give(self, need: Need) -> Variable:
         """The next place that is free and aligned. BuildError where there is none."""
-        index = _aligned(self._next, need.alignment)
+        index = aligned(self._next, need.alignment)
         for start, end, who in sorted(self._taken):
             if who:
                 end = self._end(start, who, index, need)
             if start < index + need.size and index < end:
-                index = _aligned(end, need.alignment)
+                index = aligned(end, need.alignment)
         self._next = index + need.size
         if self._next > self.limit:
             raise BuildError(
@@ -82,5 +82,6 @@ def joined(needs: Iterable[Need]) -> Need:
     return Need(widest.name, widest.size, max(need.alignment for need in found))
 
 
-def _aligned(index: int, alignment: int) -> int:
+def aligned(index: int, alignment: int) -> int:
+    """The next multiple of the alignment, from the index on."""
     return -(-index // alignment) * alignment

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, overload
 
 from ev3proto.compose.calls import REQUIRED, explained
-from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.compose.drafts import Draft
+from ev3proto.compose.functions import drafts
 from ev3proto.late import listed
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from ev3proto.compose.drafts import may_be_left_away
+from ev3proto.compose.values import may_be_omitted
 from ev3proto.generate.modules.argument_types import argument_type
 from ev3proto.generate.modules.parameters import text_of
 from ev3proto.generate.modules.source import (
@@ -224,7 +224,8 @@ def _imports(
         yield f"from typing import {', '.join(typing)}"
     yield ""
     yield from imported("ev3proto.compose.calls", ["explained", *(["REQUIRED"] if is_overloaded else [])])
-    yield "from ev3proto.compose.drafts import Draft, drafts"
+    yield "from ev3proto.compose.drafts import Draft"
+    yield "from ev3proto.compose.functions import drafts"
     if has_hints:
         yield "from ev3proto.late import listed"
     for module, names in others.items():
@@ -245,7 +246,7 @@ def _functions(declarations: Sequence[Declaration], dialect: str) -> Iterator[st
 
 
 def _optional(declaration: Declaration) -> list[bool]:
-    return [may_be_left_away(declaration, number) for number in range(len(declaration.parameters))]
+    return [may_be_omitted(declaration, number) for number in range(len(declaration.parameters))]
 
 
 def _is_overloaded(declaration: Declaration) -> bool:

@@ -8,7 +8,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ev3proto.compose.calls import explained
-from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.compose.drafts import Draft
+from ev3proto.compose.functions import drafts
 
 if TYPE_CHECKING:
     from ev3proto.ops.argument_types import Number, Output, Real

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, overload
 
 from ev3proto.compose.calls import REQUIRED, explained
-from ev3proto.compose.drafts import Draft, drafts
+from ev3proto.compose.drafts import Draft
+from ev3proto.compose.functions import drafts
 
 if TYPE_CHECKING:
     from ev3proto.ops.argument_types import Number, Output, Real

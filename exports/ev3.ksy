@@ -168,7 +168,7 @@ types:
     doc: Closes an open file before its end
     seq:
       - {id: handle, type: u1, doc: "the open file on the brick, as its reply to BEGIN_... gave it"}
-      - {id: hash, size-eos: true, if: not _io.eof, doc: "MD5 of the file, often left away"}
+      - {id: hash, size-eos: true, if: not _io.eof, doc: "MD5 of the file, often omitted"}
   reply_close_filehandle:
     doc: Closes an open file before its end
     seq:

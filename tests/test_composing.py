@@ -33,7 +33,7 @@ from ev3proto import (
     ops,
 )
 from ev3proto.checking.checking import check as check_frame
-from ev3proto.compose import Place
+from ev3proto.compose import Placeholder
 from ev3proto.enums import LED
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables import operations as operations_of
@@ -50,7 +50,7 @@ def sizes(message: DirectCommand) -> tuple[bool, int, int]:
     return message.wants_reply, message.global_size, message.local_size
 
 
-# Outputs that are left away
+# Outputs that are omitted
 
 
 def test_battery_and_charge_read_back_by_name() -> None:
@@ -289,7 +289,7 @@ def meaningful(parameter: Parameter, lengths: set[str]) -> SearchStrategy[Any]:
 
 @st.composite
 def asked(draw: DrawFn, declaration: Declaration) -> list[Any]:
-    """One value for each parameter: inputs that mean something, outputs left away or with a place to be found."""
+    """One value for each parameter: inputs that mean something, outputs omitted or with a place to be found."""
     parameters = declaration.parameters
     lengths = {str(parameter.length) for parameter in parameters}
     values: list[Any] = []
@@ -382,7 +382,7 @@ def assert_says(declaration: Declaration, arguments: Sequence[Argument], values:
 
 
 def assert_value(argument: Argument, parameter: Parameter, value: Any) -> None:
-    if value is None or isinstance(value, Place):
+    if value is None or isinstance(value, Placeholder):
         scope = "global" if value is None else value.scope
         assert argument.kind == scope
         return

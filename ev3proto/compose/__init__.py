@@ -1,11 +1,11 @@
 """Commands put together from operations: what is left open (places in memory, sizes, reply type) is worked out here.
 
-An operation of `ev3proto.ops` is a `Draft`: its values are checked and encoded, but variables that were left away, and
+An operation of `ev3proto.ops` is a `Draft`: its values are checked and encoded, but variables that were omitted, and
 those that are `Local()` or `Global()`, get their place only when `command` knows all that shares the memory.
 """
 
 from ev3proto.compose.commands import command
 from ev3proto.compose.drafts import Draft
-from ev3proto.compose.places import Global, Local, Place
+from ev3proto.compose.placeholders import Global, Local, Placeholder
 
-__all__ = ["Draft", "Global", "Local", "Place", "command"]
+__all__ = ["Draft", "Global", "Local", "Placeholder", "command"]

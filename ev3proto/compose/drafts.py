@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ev3proto.compose.memory import Need
-from ev3proto.compose.places import Place
+from ev3proto.compose.placeholders import Placeholder
 from ev3proto.errors import BuildError
 from ev3proto.messages import GV, Operation, OperationReader, Variable
 from ev3proto.schema.argument import encode_variable
@@ -47,7 +47,7 @@ class Draft:
         self,
         schema: OperationReader,
         encoded: bytes,
-        places: Mapping[int, Place | Open],
+        places: Mapping[int, Placeholder | Open],
         needs: tuple[Need, ...] | None = None,
     ) -> None:
         self.schema = schema
@@ -94,7 +94,7 @@ class Draft:
     def _standing(self) -> Operation:
         return Operation((self.schema, self.encoded, 0, len(self.encoded)))
 
-    def place_of(self, footprint: Footprint) -> Place | Open | None:
+    def place_of(self, footprint: Footprint) -> Placeholder | Open | None:
         """What stands in the place of a variable that is open; None for one that has an index."""
         return self._places.get(footprint.number)
 

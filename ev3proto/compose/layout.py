@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ev3proto.compose.drafts import STAND_IN, Draft
 from ev3proto.compose.memory import Memory, Need, aligned, joined
-from ev3proto.compose.places import Place
+from ev3proto.compose.placeholders import Placeholder
 from ev3proto.errors import BuildError
 from ev3proto.messages import Variable
 from ev3proto.schema.argument import encode_variable
@@ -85,15 +85,15 @@ class _LayoutOfAll:
         self._drafts = [(draft, draft.footprints) for draft in drafts]
         self._omitted = omitted
         self._memories = {scope: Memory(scope, limit) for scope, limit in LIMITS.items()}
-        self._places: dict[Place, Variable] = {}
+        self._places: dict[Placeholder, Variable] = {}
         self._writes_globals = False
-        self._shared: dict[Place, list[Footprint]] = {}
+        self._shared: dict[Placeholder, list[Footprint]] = {}
         for draft, found in self._drafts:
             for footprint in found:
                 place = draft.place_of(footprint)
                 if place is None:
                     self._take(footprint)
-                elif isinstance(place, Place):
+                elif isinstance(place, Placeholder):
                     # Marked uses of a variable are uses of it, too.
                     self._shared.setdefault(place.origin, []).append(footprint)
 
@@ -114,7 +114,7 @@ class _LayoutOfAll:
         for footprint in found:
             number = footprint.number
             place = draft.place_of(footprint)
-            if isinstance(place, Place):
+            if isinstance(place, Placeholder):
                 at = self._variable(place)
                 variables[number] = Variable(at.scope, at.index, place.handle, place.address)
             elif place is not None:
@@ -123,14 +123,14 @@ class _LayoutOfAll:
                 self._writes_globals |= _is_stored(footprint) and variables[number].scope == GLOBAL
         return draft.placed(variables)
 
-    def _variable(self, place: Place) -> Variable:
+    def _variable(self, place: Placeholder) -> Variable:
         origin = place.origin
         if origin not in self._places:
             self._places[origin] = self._memories[origin.scope].give(_need(origin, self._shared[origin]))
         return self._places[origin]
 
 
-def _need(place: Place, found: Sequence[Footprint]) -> Need:
+def _need(place: Placeholder, found: Sequence[Footprint]) -> Need:
     """What a variable needs by all its uses. BuildError where they do not tell, or the size given is too small."""
     known = [each for each in found if each.room is not None]
     vague = [each for each in found if each.room is None and (_is_stored(each) or not known)]

@@ -16,7 +16,7 @@ from ev3proto.compose.meanings import (
     no_variable,
     wrong_name,
 )
-from ev3proto.compose.places import Place
+from ev3proto.compose.placeholders import Placeholder
 from ev3proto.errors import BuildError
 from ev3proto.messages import Variable
 from ev3proto.schema.operation import OperationSchema
@@ -44,8 +44,8 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
 
     Args:
         schema: The operation.
-        values: As `ev3proto.operation` takes them, a `Place`, or None for an output or a count that is omitted. A list
-            parameter takes a list, one of outputs their number, too.
+        values: As `ev3proto.operation` takes them, a `Placeholder`, or None for an output or a count that is omitted. A
+            list parameter takes a list, one of outputs their number, too.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
 
     Raises:
@@ -54,7 +54,7 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
     declaration = schema.declaration
     try:
         flat = _flat(declaration, values, unchecked)
-        places = {number: value for number, value in enumerate(flat) if isinstance(value, Place | Open)}
+        places = {number: value for number, value in enumerate(flat) if isinstance(value, Placeholder | Open)}
         operation = schema.make([_standing(value) for value in flat] if places else flat)
         arguments = operation.arguments
         used = footprints(operation, arguments)
@@ -74,7 +74,7 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
 def _standing(value: Any) -> Any:
     if isinstance(value, Open):
         return STAND_IN
-    if isinstance(value, Place):
+    if isinstance(value, Placeholder):
         # The scope is kept for messages; the index is the shortest that there is.
         return Variable(value.scope, 0, value.handle, value.address)
     return value
@@ -112,7 +112,7 @@ def _elements(parameter: Parameter, value: Any) -> list[Any]:
             if not 0 <= value <= most:
                 raise BuildError(f"{parameter.name} cannot be {value}: as a number of outputs it is 0 to {most}")
             return [OMITTED] * value
-        if isinstance(value, Variable | Place):
+        if isinstance(value, Variable | Placeholder):
             return [value]
     if isinstance(value, str | bytes) or not isinstance(value, Iterable):
         raise BuildError(f"{parameter.name} takes a list, not {value!r}")
@@ -153,7 +153,7 @@ def _check_name(parameter: Parameter, value: Any) -> None:
         raise BuildError(f"{parameter.name} takes a member of {parameter.enum.name}, not {value!r}")
 
 
-def _refuse_unknown_size(used: Iterable[Footprint], places: Mapping[int, Place | Open]) -> None:
+def _refuse_unknown_size(used: Iterable[Footprint], places: Mapping[int, Placeholder | Open]) -> None:
     for found in used:
         if found.room is None and isinstance(places.get(found.number), Open):
             raise BuildError(

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, TypeAlias
 
-from ev3proto.compose.places import Place
+from ev3proto.compose.placeholders import Placeholder
 from ev3proto.enums import (
     BROWSERTYPE,
     BUTTONTYPE,
@@ -32,14 +32,14 @@ from ev3proto.enums import (
 )
 from ev3proto.messages import Argument, Variable
 
-AnyVariable: TypeAlias = "Variable | Place | Argument | bytes"
+AnyVariable: TypeAlias = "Variable | Placeholder | Argument | bytes"
 Number: TypeAlias = "int | AnyVariable"
 Real: TypeAlias = "float | AnyVariable"
 Text: TypeAlias = "str | AnyVariable"
 Elements: TypeAlias = "int | str | AnyVariable"
 Untyped: TypeAlias = "float | str | AnyVariable"
 Output: TypeAlias = "AnyVariable | None"
-Outputs: TypeAlias = "Sequence[Output] | Variable | Place | int | None"
+Outputs: TypeAlias = "Sequence[Output] | Variable | Placeholder | int | None"
 
 _SLOT_NAME: TypeAlias = Literal[
     "GUI_SLOT",

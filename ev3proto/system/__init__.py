@@ -128,7 +128,7 @@ def close_filehandle(handle: int, hash: bytes | None = None, *, counter: int = 0
 
     Args:
         handle: The open file on the brick, as its reply to BEGIN_... gave it; 0 to 255.
-        hash: MD5 of the file, often left away; at most 16 bytes.
+        hash: MD5 of the file, often omitted; at most 16 bytes.
         counter: Of the message, 0 to 65535.
         reply: Whether the brick is to answer.
     """

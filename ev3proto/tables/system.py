@@ -150,7 +150,7 @@ SYSTEM = (
         0x98,
         "CLOSE_FILEHANDLE",
         "Closes an open file before its end",
-        (_HANDLE, Field("hash", Kind.DATA, "MD5 of the file, often left away", optional=True, most=16)),
+        (_HANDLE, Field("hash", Kind.DATA, "MD5 of the file, often omitted", optional=True, most=16)),
         # The firmware's structure has a handle in the reply, the published text has none: both occur.
         (Field("handle", Kind.U8, "the file that was closed", optional=True),),
         transfer="close",

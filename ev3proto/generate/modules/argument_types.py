@@ -9,14 +9,14 @@ from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import DIALECTS, Direction, Enumeration, Parameter, Type
 
 _ALIASES = {
-    "AnyVariable": "Variable | Place | Argument | bytes",
+    "AnyVariable": "Variable | Placeholder | Argument | bytes",
     "Number": "int | AnyVariable",
     "Real": "float | AnyVariable",
     "Text": "str | AnyVariable",
     "Elements": "int | str | AnyVariable",
     "Untyped": "float | str | AnyVariable",
     "Output": "AnyVariable | None",
-    "Outputs": "Sequence[Output] | Variable | Place | int | None",
+    "Outputs": "Sequence[Output] | Variable | Placeholder | int | None",
 }
 """The types that no enumeration is part of."""
 
@@ -68,7 +68,7 @@ def _lines() -> Iterator[str]:
     yield "from collections.abc import Sequence"
     yield "from typing import Literal, TypeAlias"
     yield ""
-    yield from imported("ev3proto.compose.places", ["Place"])
+    yield from imported("ev3proto.compose.placeholders", ["Placeholder"])
     yield from imported("ev3proto.enums", [enum.name for enum in enums])
     yield from imported("ev3proto.messages", ["Argument", "Variable"])
     yield ""

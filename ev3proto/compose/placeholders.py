@@ -13,7 +13,7 @@ from ev3proto.errors import BuildError
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 
 
-class Place:
+class Placeholder:
     """A variable without an index yet; made by `Local` and `Global`.
 
     scope    "local" or "global"
@@ -32,7 +32,7 @@ class Place:
         *,
         handle: bool = False,
         address: bool = False,
-        origin: Place | None = None,
+        origin: Placeholder | None = None,
     ) -> None:
         if size is not None and (isinstance(size, bool) or not isinstance(size, int) or size < 1):
             raise BuildError(f"the size of a variable cannot be {size!r}: it is a number of bytes, 1 or more")
@@ -42,13 +42,13 @@ class Place:
         self.address = address
         self.origin = self if origin is None else origin
 
-    def as_handle(self) -> Place:
+    def as_handle(self) -> Placeholder:
         """The same variable where an operation is to take it as a handle to a memory object, as `HND(...)` does."""
-        return Place(self.scope, self.size, handle=True, origin=self.origin)
+        return Placeholder(self.scope, self.size, handle=True, origin=self.origin)
 
-    def as_address(self) -> Place:
+    def as_address(self) -> Placeholder:
         """The same variable where an operation is to take it as an absolute address, as `ADR(...)` does."""
-        return Place(self.scope, self.size, address=True, origin=self.origin)
+        return Placeholder(self.scope, self.size, address=True, origin=self.origin)
 
     def __repr__(self) -> str:
         size = "" if self.size is None else str(self.size)
@@ -56,21 +56,21 @@ class Place:
         return f"{'Global' if self.scope == GLOBAL else 'Local'}({size}){mark}"
 
 
-def Local(size: int | None = None) -> Place:  # noqa: N802 - stands beside LV
+def Local(size: int | None = None) -> Placeholder:  # noqa: N802 - stands beside LV
     """A new local variable, for what one operation hands to another.
 
-    size  bytes, 1 or more; left away where the operations tell, as all do but those with texts without a length
+    size  bytes, 1 or more; omitted where the operations tell, as all do but those with texts without a length
 
     Raises BuildError for another size.
     """
-    return Place(LOCAL, size)
+    return Placeholder(LOCAL, size)
 
 
-def Global(size: int | None = None) -> Place:  # noqa: N802 - stands beside GV
+def Global(size: int | None = None) -> Placeholder:  # noqa: N802 - stands beside GV
     """A new global variable: the reply carries it.
 
-    size  bytes, 1 or more; left away where the operations tell, as all do but those with texts without a length
+    size  bytes, 1 or more; omitted where the operations tell, as all do but those with texts without a length
 
     Raises BuildError for another size.
     """
-    return Place(GLOBAL, size)
+    return Placeholder(GLOBAL, size)

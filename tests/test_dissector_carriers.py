@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
+from support.effort import effort
 from support.packets import (
     BRICK,
     HCI_WITH_DIRECTION,
@@ -130,14 +131,16 @@ def test_frames_are_cut_anywhere(ask: Ask) -> None:
     assert ask(capture, "ev3.expert.cut_off || ev3.expert.no_boundary || ev3.expert.fault") == []
 
 
-@pytest.mark.parametrize("size", [1, 2, 3, 7, 16, 1000])
-def test_segments_of_any_size(ask: Ask, size: int) -> None:
+def test_segments_of_any_size(ask: Ask) -> None:
     capture = Capture(RAW_IP)
-    connection = Connection(capture)
     many = b"".join(tone(number) + begin_upload(number) for number in range(30))
-    for at in range(0, len(many), size):
-        connection.send(many[at : at + size])
-    assert counters(ask(capture, "ev3", "ev3.msg_num")) == [number for number in range(30) for _ in range(2)]
+    sizes = (1, 2, 3, 7, 16, 1000)
+    for size in sizes:
+        connection = Connection(capture, 10_000 + size)
+        for at in range(0, len(many), size):
+            connection.send(many[at : at + size])
+    found = counters(ask(capture, "ev3", "ev3.msg_num"))
+    assert found == [number for number in range(30) for _ in range(2)] * len(sizes)
 
 
 def test_both_directions_at_once(ask: Ask) -> None:
@@ -183,17 +186,22 @@ UNLOCKS = [
 ]
 
 
-@pytest.mark.parametrize("unlock", UNLOCKS)
-@pytest.mark.parametrize("apart", [True, False])
-def test_texts_stand_before_the_frames(ask: Ask, unlock: bytes, apart: bool) -> None:
+def test_texts_stand_before_the_frames(ask: Ask) -> None:
+    """Whatever ends the text, in a segment of its own or together with the frame: a connection each."""
     capture = Capture(RAW_IP)
-    connection = Connection(capture)
-    for send, text, frame in ((connection.send, unlock, voltage(1)), (connection.receive, ACCEPT, volts(1))):
-        for piece in (text, frame) if apart else (text + frame,):
-            send(piece)
-    assert ask(capture, "ev3.unlock", "ev3.unlock.serial") == [SERIAL]
-    assert len(ask(capture, "ev3.accept")) == 1
-    assert ask(capture, "ev3.msg_num", "ev3.msg_num", "ev3.ui_read.get_vbatt.value") == ["1\t", "1\t7.5"]
+    ways = [(unlock, apart) for unlock in UNLOCKS for apart in (True, False)]
+    for port, (unlock, apart) in enumerate(ways, 10_000):
+        connection = Connection(capture, port)
+        for send, text, frame in ((connection.send, unlock, voltage(1)), (connection.receive, ACCEPT, volts(1))):
+            for piece in (text, frame) if apart else (text + frame,):
+                send(piece)
+    ports = [str(port) for port in range(10_000, 10_000 + len(ways))]
+    assert ask(capture, "ev3.unlock", "tcp.srcport", "ev3.unlock.serial") == [f"{port}\t{SERIAL}" for port in ports]
+    assert ask(capture, "ev3.accept", "tcp.dstport") == ports
+    commands = ask(capture, "ev3.msg_num && tcp.dstport == 5555", "tcp.srcport", "ev3.msg_num")
+    assert commands == [f"{port}\t1" for port in ports]
+    fields = ("tcp.dstport", "ev3.msg_num", "ev3.ui_read.get_vbatt.value")
+    assert ask(capture, "ev3.msg_num && tcp.srcport == 5555", *fields) == [f"{port}\t1\t7.5" for port in ports]
     assert ask(capture, "ev3.rest") == []
 
 
@@ -307,13 +315,16 @@ UNLIKELY: dict[str, tuple[bool, bytes]] = {
 }
 
 
-@pytest.mark.parametrize("report", UNLIKELY)
-def test_what_is_no_frame_in_every_respect_is_left_to_wireshark(ask: Ask, report: str) -> None:
-    from_host, data = UNLIKELY[report]
+def test_what_is_no_frame_in_every_respect_is_left_to_wireshark(ask: Ask) -> None:
+    """Each report is of another device; the last device says a frame."""
     capture = Capture(USBMON)
-    device = Device(capture)
-    (device.send if from_host else device.receive)(data)
-    assert ask(capture, "ev3") == []
+    sent = {}
+    for number, (report, (from_host, data)) in enumerate(UNLIKELY.items(), 1):
+        device = Device(capture, number)
+        sent[str((device.send if from_host else device.receive)(data))] = report
+    last = Device(capture, 100).send(voltage(1))
+    found = ask(capture, "ev3")
+    assert [sent.get(packet, packet) for packet in found] == [str(last)]
 
 
 def test_other_devices_are_left_to_wireshark(ask: Ask) -> None:
@@ -333,14 +344,12 @@ def test_other_devices_are_left_to_wireshark(ask: Ask) -> None:
         pytest.param(1024, b"", 5, id="vendor's own, 1024 bytes"),
     ],
 )
-def test_of_a_hundred_thousand_random_reports_hardly_any_is_taken_for_a_frame(
-    ask: Ask, size: int, first: bytes, most: int
-) -> None:
-    """What is taken, of those of 1024 bytes, are replies to direct commands: they may have any memory in them."""
+def test_of_many_random_reports_hardly_any_is_taken_for_a_frame(ask: Ask, size: int, first: bytes, most: int) -> None:
+    """`most` of a hundred thousand. Of those of 1024 bytes some are: replies may have any memory in them."""
     rng = random.Random(size)
     capture = Capture(USBMON)
     device = Device(capture, size=size)
-    for _ in range(50_000):
+    for _ in range(effort(8_000, 50_000)):
         device.send(first + rng.randbytes(size - len(first)))
         device.receive(first + rng.randbytes(size - len(first)))
     assert len(ask(capture, "ev3")) <= most
@@ -401,28 +410,32 @@ def test_decode_as_on_another_channel(ask: Ask) -> None:
 
 
 def test_frames_cut_over_rfcomm_frames_and_sharing_them(ask: Ask) -> None:
-    for at in range(HEADER, len(STREAM), 5):
-        capture, port = rfcomm()
+    capture = Capture(HCI_WITH_DIRECTION)
+    places = range(HEADER, len(STREAM))
+    for at in places:
+        port = SerialPort(capture, connection=at)
         for piece in (STREAM[:at], STREAM[at:]):
             port.send(piece)
-        assert counters(ask(capture, "ev3", "ev3.msg_num")) == [1, 2, 3, 4, 5]
+    assert counters(ask(capture, "ev3", "ev3.msg_num")) == [1, 2, 3, 4, 5] * len(places)
 
 
 HEADER = 5
 """Bytes that tell whether a stream may be of this protocol."""
 
 
-@pytest.mark.parametrize("size", [1, 2, 3, 7, 16, 250])
-def test_rfcomm_frames_of_any_size(ask: Ask, size: int) -> None:
-    capture, port = rfcomm()
-    for number in range(30):
-        both = tone(number) + begin_upload(number)
-        for at in range(0, len(both), size):
-            port.send(both[at : at + size])
-            port.receive(volts(number)[at : at + size]) if at < 9 else None
+def test_rfcomm_frames_of_any_size(ask: Ask) -> None:
+    capture = Capture(HCI_WITH_DIRECTION)
+    sizes = (1, 2, 3, 7, 16, 250)
+    for size in sizes:
+        port = SerialPort(capture, connection=size)
+        for number in range(30):
+            both = tone(number) + begin_upload(number)
+            for at in range(0, len(both), size):
+                port.send(both[at : at + size])
+                port.receive(volts(number)[at : at + size]) if at < 9 else None
     found = counters(ask(capture, "btrfcomm && hci_h4.direction == 0", "ev3.msg_num"))
-    assert found == [number for number in range(30) for _ in range(2)]
-    assert counters(ask(capture, "btrfcomm && hci_h4.direction == 1", "ev3.msg_num")) == list(range(30))
+    assert found == [number for number in range(30) for _ in range(2)] * len(sizes)
+    assert counters(ask(capture, "btrfcomm && hci_h4.direction == 1", "ev3.msg_num")) == list(range(30)) * len(sizes)
     assert ask(capture, "ev3.expert.fault || ev3.expert.no_boundary || ev3.expert.cut_off") == []
 
 

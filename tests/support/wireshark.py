@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
@@ -35,6 +36,18 @@ _PROBE = b'print("loaded by " .. _VERSION)\n'
 _BUG_GROUP = 0x11000000
 _ERRORS = f"_ws.lua.error || _ws.expert.group == {_BUG_GROUP}"
 _TROUBLE = re.compile(r"\bLua\b|\.lua:\d|[Dd]issector bug")
+# Prints the packets that filters let through. The fields of other scripts are there when the reading begins.
+_TAPS = """\
+local filters = {{ {filters} }}
+local taps = Proto("filter_taps", "Taps")
+function taps.init()
+    for number, filter in ipairs(filters) do
+        local tap = Listener.new("frame", filter)
+        function tap.packet(pinfo) print("filter " .. number .. " packet " .. pinfo.number) end
+    end
+    filters = {{}}
+end
+"""
 # Run by nobody where root runs the tests, and without anybody's own preferences and plugins.
 _AS_NOBODY = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--"]
 _CLEAN = ["env", "-u", "XDG_CONFIG_HOME", "-u", "WIRESHARK_CONFIG_DIR", "-u", "WIRESHARK_PLUGIN_DIR"]
@@ -188,6 +201,16 @@ class Tshark:
             found = re.search(r"^.*Lua Error.*$", done.stdout, re.MULTILINE)
             assert not found, f"{shlex.join(done.args)}:\n{found and found[0].strip()}"
         return done.stdout
+
+    def matches(self, capture: Path, filters: Sequence[str], *words: str) -> dict[str, list[int]]:
+        """The numbers of the packets that each of many display filters lets through, by one run of tshark."""
+        taps = _TAPS.format(filters=", ".join(f"[==[{text}]==]" for text in filters))
+        script = self.place(taps.encode(), "taps.lua")
+        found: dict[str, list[int]] = {text: [] for text in filters}
+        for line in self.run(capture, "-q", "-X", f"lua_script:{script}", *words).splitlines():
+            if match := re.fullmatch(r"filter (\d+) packet (\d+)", line):
+                found[filters[int(match[1]) - 1]].append(int(match[2]))
+        return found
 
     def lua_errors(self, capture: Path, *words: str) -> list[str]:
         """Every Lua error while the script is loaded and `capture` is read: "frame 1: Lua Error: ...".

@@ -311,7 +311,7 @@ def test_a_filter() -> None:
     done = run("decode", "--filter", "FREQUENCY>440", stdin=dialogue())
     assert (done.returncode, done.stderr.decode()) == (
         1,
-        "standard input: there is nothing that the filter lets through in 3 packets\n",
+        "standard input: there is no frame that the filter lets through in 3 packets\n",
     )
 
 

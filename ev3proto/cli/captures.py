@@ -1,4 +1,4 @@
-"""What all subcommands that read captures share: the options, the complaints, the progress bar."""
+"""What the subcommands that read captures share: options, complaints, progress bar."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ BUILTIN = "builtin"
 """The engine that needs no other program."""
 
 MOST_COMPLAINTS = 10
-"""Places in a capture that are complained about one by one; of the others, only their number is told."""
+"""Places in a capture that are complained about one by one; of the others, only their number is given."""
 
 _PATIENCE = 1.0
 _EVERY = 2048
@@ -51,16 +51,20 @@ class CaptureOptions:
 
 @dataclass
 class CaptureSource:
-    """A capture named on the command line.
+    """A capture that was named on the command line.
 
-    name     path, or - for standard input
-    options  how to read it
-    status   exit status so far: 1 once anything was at fault
+    name      path, or - for standard input
+    options   how to read it
+    file      its bytes, where they were looked at before
+    is_quiet  nothing is printed while it is read: a progress bar may be drawn
+    status    exit status so far: 1 once anything was at fault
     """
 
     name: str
     options: CaptureOptions
-    status: int = 0
+    file: CaptureFile | None = None
+    is_quiet: bool = field(default=True, kw_only=True)
+    status: int = field(default=0, kw_only=True)
     _capture: Capture | None = field(default=None, repr=False)
 
     @property
@@ -72,20 +76,20 @@ class CaptureSource:
 
     @property
     def label(self) -> str:
-        """How people call it."""
+        """What complaints call it."""
         return "standard input" if self.name == "-" else self.name
 
-    def events(self, stream: CaptureFile | None = None, *, is_quiet: bool = True) -> Iterator[Event]:
-        """The events that the filter lets through. What cannot be read is complained about; nothing is raised.
+    def events(self) -> Iterator[Event]:
+        """Reads the capture. What cannot be read is complained about; nothing is raised.
 
-        stream    its bytes, where they were looked at before
-        is_quiet  nothing else is printed meanwhile: a progress bar may be drawn
+        Yields:
+            The events that the filter lets through.
         """
         from ev3proto.capture import CaptureError
 
         try:
-            with self._opened(stream) as capture, _progress(capture, self.label, is_quiet=is_quiet) as advance:
-                for count, event in enumerate(self._told(capture)):
+            with self._opened() as capture, _progress(capture, self.label, is_quiet=self.is_quiet) as advance:
+                for count, event in enumerate(self._filtered(capture)):
                     if count % _EVERY == 0:
                         advance()
                     yield event
@@ -98,12 +102,12 @@ class CaptureSource:
         complain(f"{self.label}: {sentence}")
         self.status = 1
 
-    def _opened(self, stream: CaptureFile | None) -> Capture:
+    def _opened(self) -> Capture:
         from ev3proto.capture import read
 
         options = self.options
         self._capture = read(
-            stream or _stream(self.name),
+            self.file or _stream(self.name),
             dialect=options.dialect,
             ports=options.ports,
             engine=options.engine,  # type: ignore[arg-type]
@@ -111,7 +115,8 @@ class CaptureSource:
         )
         return self._capture
 
-    def _told(self, capture: Capture) -> Iterator[Event]:
+    def _filtered(self, capture: Capture) -> Iterator[Event]:
+        """The events that the filter lets through; skipped bytes are complained about."""
         from ev3proto.capture import Record, Skipped
 
         chosen = self.options.filter
@@ -182,7 +187,7 @@ _OPTIONS = (
 
 
 def reading_options(command: F) -> F:
-    """Adds the options to a command, which gets them as one argument, `reading`."""
+    """Adds the options on how to read captures to a command, which gets them as one argument, `reading`."""
 
     @functools.wraps(command)
     def called(
@@ -200,18 +205,6 @@ def reading_options(command: F) -> F:
     for option in reversed(_OPTIONS):
         option(called)
     return called  # type: ignore[return-value]
-
-
-def capture_options(command: F) -> F:
-    """Adds the options and the argument FILE to a command, which gets them as one argument, `source`."""
-
-    @functools.wraps(command)
-    def called(*arguments: Any, file: str, reading: CaptureOptions, **others: Any) -> Any:
-        return command(*arguments, source=CaptureSource(file, reading), **others)
-
-    wrapped = reading_options(called)
-    click.argument("file", metavar="FILE")(wrapped)
-    return wrapped  # type: ignore[return-value]
 
 
 def _progress(capture: Capture, name: str, *, is_quiet: bool) -> AbstractContextManager[Callable[[], None]]:

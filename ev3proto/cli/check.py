@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import Printer, complain
-from ev3proto.cli.sources import Source, SourceReader, packets, sources
+from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import near_misses
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.paste import Pasted
@@ -22,7 +22,6 @@ from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
     from ev3proto.capture import Record
-    from ev3proto.capture.formats import CaptureFile
     from ev3proto.checking.codes import Code
     from ev3proto.checking.fixing import Fix
     from ev3proto.checking.report import Finding, Report
@@ -68,6 +67,8 @@ class Place:
 class Checking(SourceReader):
     """Checks the frames of the sources, one after the other, and counts what is found."""
 
+    wanted = "command"
+
     def __init__(self, reading: CaptureOptions, options: CheckOptions, *, is_single: bool) -> None:
         super().__init__(reading)
         self._options = options
@@ -77,11 +78,6 @@ class Checking(SourceReader):
         self.frames = 0
         self.replies = 0
         self.counts: Counter[str] = Counter()
-
-    def refuse_text(self, source: Source) -> None:
-        """A filter chooses among the frames of a capture."""
-        if self.reading.filter is not None:
-            raise click.UsageError(f"--filter is for captures, and {source.label[:60]} is none")
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text."""
@@ -99,24 +95,20 @@ class Checking(SourceReader):
             place = Place(source.where(pasted), {"source": source.label, "line": pasted.line})
         self._frame(frame, place, self._options.carrier)
 
-    def capture(self, source: Source, file: CaptureFile) -> None:
+    def capture(self, capture: CaptureSource) -> int:
         """The commands in a capture, each as what carried it takes it."""
         from ev3proto.capture import Record
 
-        capture = CaptureSource(source.name, self.reading)
         before = self.frames
-        for event in capture.events(file if self.reading.engine == BUILTIN else None, is_quiet=False):
+        for event in capture.events():
             if not isinstance(event, Record):
                 continue
             if _is_reply(event):
                 self.replies += 1
                 continue
-            place = Place(f"{source.label}, packet {event.number}", {"source": source.label, "packet": event.number})
+            place = Place(f"{capture.label}, packet {event.number}", {"source": capture.label, "packet": event.number})
             self._frame(event.frame, place, self._options.carrier or str(event.carrier))
-        if not capture.status and self.frames == before:
-            what = "no command that the filter lets through" if self.reading.filter else "no command"
-            self.complain(f"{source.label}: there is {what} in {packets(capture.account.packets)}")
-        self.at_fault |= bool(capture.status)
+        return self.frames - before
 
     def summary(self) -> None:
         """How many frames there were and what was found, where there was more than one."""

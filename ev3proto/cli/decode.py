@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
 from ev3proto.cli.show import FORMATS, Show
-from ev3proto.cli.sources import Source, SourceReader, packets, sources
+from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.text.heading import Seen
 from ev3proto.text.paste import Pasted
@@ -19,7 +19,6 @@ from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
     from ev3proto.capture import Event
-    from ev3proto.capture.formats import CaptureFile
 
 
 class Decoding(SourceReader):
@@ -32,39 +31,35 @@ class Decoding(SourceReader):
         self._dialogue = Dialogue()
 
     def refuse_text(self, source: Source) -> None:
-        """What is asked for only of captures cannot be had of a text."""
+        """--dialogues is for captures, too."""
         if self._as_dialogues or self.reading.filter is not None:
             raise click.UsageError(f"--dialogues and --filter are for captures, and {source.label[:60]} is none")
 
-    def capture(self, source: Source, file: CaptureFile) -> None:
+    def capture(self, capture: CaptureSource) -> int:
         """Its frames and texts, or its dialogues."""
         from ev3proto.capture import Announcement, Record
         from ev3proto.capture.dialogues import dialogues
 
-        capture = CaptureSource(source.name, self.reading)
-        events = capture.events(file if self.reading.engine == BUILTIN else None, is_quiet=False)
+        before = self._show.count
         if self._as_dialogues:
-            for spoken in dialogues(self._faults(source, events)):
+            for spoken in dialogues(self._faults(capture)):
                 self._show.dialogue(spoken, capture.account.first_ns or 0)
         else:
-            for event in self._faults(source, events):
+            for event in self._faults(capture):
                 if isinstance(event, Announcement):
                     self._show.announcement(event, capture.account.first_ns or 0)
                 elif isinstance(event, Record):
                     self._show.record(event, capture.account.first_ns or 0)
-        if not capture.status and not self._show.count:
-            what = "nothing that the filter lets through" if self.reading.filter else "no frame"
-            self.complain(f"{source.label}: there is {what} in {packets(capture.account.packets)}")
-        self.at_fault |= bool(capture.status)
+        return self._show.count - before
 
-    def _faults(self, source: Source, events: Iterator[Event]) -> Iterator[Event]:
-        """The same events; faulty frames are complained about."""
+    def _faults(self, capture: CaptureSource) -> Iterator[Event]:
+        """The events of a capture; faulty frames are complained about."""
         from ev3proto.capture import Record
 
-        for event in events:
+        for event in capture.events():
             yield event
             if isinstance(event, Record) and event.message.fault is not None:
-                self.complain(f"{source.label}, packet {event.number}: fault at {event.message.fault}")
+                self.complain(f"{capture.label}, packet {event.number}: fault at {event.message.fault}")
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text."""

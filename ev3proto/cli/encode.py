@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
-from ev3proto.cli.sources import Source, SourceReader, is_binary, packets, sources, text_lines
+from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -27,7 +27,6 @@ from ev3proto.text.spans import plain_text
 from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
-    from ev3proto.capture.formats import CaptureFile
     from ev3proto.text.assembly.errors import AssemblyError
 
 _START = 8
@@ -140,56 +139,27 @@ class Wants:
 class Encoding(SourceReader):
     """Writes the frames of the sources, one after the other, and remembers whether any source was at fault."""
 
+    accepted = "what can be encoded is assembly, JSON, frames in hex, or a capture"
+
     def __init__(self, output: Output, reading: CaptureOptions, wants: Wants) -> None:
         super().__init__(reading)
         self._output = output
         self._counter = wants.counter
         self._reply = wants.reply
 
-    def read(self, source: Source) -> None:
-        """Everything in a source; a sentence where it cannot be read."""
-        if source.is_frame:
-            self.refuse_text(source)
-            self._text(source, source.name.split("\n"))
-            return
-        file = self._opened(source)
-        if file is None:
-            return
-        with file:
-            if self.reading.engine != BUILTIN or self._is_capture(source, file):
-                self.capture(source, file)
-                return
-            self.refuse_text(source)
-            start = file.contents.peek(_START)[:_START]
-            if is_binary(start):
-                self.complain(
-                    f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()}; what can be"
-                    " encoded is assembly, JSON, frames in hex, or a capture"
-                )
-                return
-            try:
-                self._text(source, text_lines(file.contents))
-            except (OSError, EOFError) as error:
-                self.complain(f"{source.label}: cannot be read: {getattr(error, 'strerror', None) or error}")
+    def argument(self, source: Source) -> None:
+        """The text that was typed on the command line."""
+        self.text(source, iter(source.name.split("\n")))
 
-    def refuse_text(self, source: Source) -> None:
-        """A filter chooses among the frames of a capture."""
-        if self.reading.filter is not None:
-            raise click.UsageError(f"--filter is for captures, and {source.label[:60]} is none")
-
-    def capture(self, source: Source, file: CaptureFile) -> None:
+    def capture(self, capture: CaptureSource) -> int:
         """The frames of a capture."""
         from ev3proto.capture import Record
 
-        capture = CaptureSource(source.name, self.reading)
         before = self._output.count
-        for event in capture.events(file if self.reading.engine == BUILTIN else None, is_quiet=False):
+        for event in capture.events():
             if isinstance(event, Record):
                 self._output.write(event.message)
-        if not capture.status and self._output.count == before:
-            what = "nothing that the filter lets through" if self.reading.filter else "no frame"
-            self.complain(f"{source.label}: there is {what} in {packets(capture.account.packets)}")
-        self.at_fault |= bool(capture.status)
+        return self._output.count - before
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text. A faulty one is written as it is, but for one that is not all there."""
@@ -202,9 +172,8 @@ class Encoding(SourceReader):
         if fault is not None:
             self.complain(f"{source.where(pasted)}: fault at {fault}")
 
-    def _text(self, source: Source, lines: Iterable[str]) -> None:
+    def text(self, source: Source, lines: Iterator[str]) -> None:
         """A text, which is whatever its first line tells that is neither empty nor a comment."""
-        lines = iter(lines)
         first = list(_introduction(lines))
         line = first[-1].strip() if first else ""
         whole = itertools.chain(first, lines)

@@ -13,7 +13,7 @@ import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
-from ev3proto.cli.sources import Source, SourceReader, packets, sources
+from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 from ev3proto.tables.declaration import DIALECTS
@@ -21,7 +21,6 @@ from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
-    from ev3proto.capture.formats import CaptureFile
     from ev3proto.generate.captures import CaptureWriter, TimedFrame
 
 F = TypeVar("F", bound=Callable[..., object])
@@ -170,33 +169,26 @@ def everything(folder: Path, check: bool) -> None:
 class _Carrying(SourceReader):
     """Hands the frames of all sources on to a capture, and complains about those that cannot be carried."""
 
+    is_quiet = True
+
     def __init__(self, writer: CaptureWriter, reading: CaptureOptions) -> None:
         super().__init__(reading)
         self._writer = writer
-
-    def refuse_text(self, source: Source) -> None:
-        """What is asked for only of captures cannot be had of a text."""
-        if self.reading.filter is not None:
-            raise click.UsageError(f"--filter is for captures, and {source.label[:60]} is none")
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text, which goes on from the one before."""
         self._add(piece.message.build(), source.where(pasted))
 
-    def capture(self, source: Source, file: CaptureFile) -> None:
+    def capture(self, capture: CaptureSource) -> int:
         """The frames of a capture, at their times."""
         from ev3proto.capture import Record
         from ev3proto.generate.captures import TimedFrame
 
-        capture = CaptureSource(source.name, self.reading)
         before = self._writer.count
-        for event in capture.events(file):
+        for event in capture.events():
             if isinstance(event, Record):
-                self._add(TimedFrame(event.frame, event.time_ns), f"{source.label}, packet {event.number}")
-        if not capture.status and self._writer.count == before:
-            what = "nothing that the filter lets through" if self.reading.filter else "no frame"
-            self.complain(f"{source.label}: there is {what} in {packets(capture.account.packets)}")
-        self.at_fault |= bool(capture.status)
+                self._add(TimedFrame(event.frame, event.time_ns), f"{capture.label}, packet {event.number}")
+        return self._writer.count - before
 
     def _add(self, frame: bytes | TimedFrame, place: str) -> None:
         try:

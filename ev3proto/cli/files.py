@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ev3proto.cli.captures import CaptureSource, capture_options
+from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
 
 if TYPE_CHECKING:
@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@capture_options
+@click.argument("file")
+@reading_options
 @click.option(
     "-o",
     "--output",
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 @click.option("--listings", is_flag=True, help="Also the listings of folders, as text.")
 @click.option("--force", is_flag=True, help="Overwrite files that are in the folder.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
-def files(source: CaptureSource, folder: Path | None, listings: bool, force: bool, as_json: bool) -> None:
+def files(file: str, reading: CaptureOptions, folder: Path | None, listings: bool, force: bool, as_json: bool) -> None:
     """Puts the files that were moved to or from the brick back together.
 
     Without -o they are only listed. With it, each is written under its path on the brick, always inside the folder; a
@@ -45,23 +46,24 @@ def files(source: CaptureSource, folder: Path | None, listings: bool, force: boo
     from ev3proto.capture.files import Outcome, recover, survey
     from ev3proto.capture.moving import printable
 
+    source = CaptureSource(file, reading)
     if folder is None:
         found = survey(source.events(), listings=listings)
     else:
         found = recover(source.events(), folder, force=force, listings=listings)
     rows = []
     is_empty = True
-    for file in _complaining(found, source):
+    for recovered in _complaining(found, source):
         is_empty = False
         if as_json:
-            click.echo(json.dumps(_record(file), ensure_ascii=False))
+            click.echo(json.dumps(_record(recovered), ensure_ascii=False))
         elif folder is None:
-            rows.append(_row(file))
-        elif file.file is not None:
-            click.echo(f"{file.file}: {file.bytes} bytes {file.direction}, {printable(file.path)}")
-        if folder is not None and file.trouble is not None:
-            complain(f"{source.label}, packet {file.packets[0]}: {printable(file.path)}: {file.trouble}")
-            source.status |= file.outcome is Outcome.INCOMPLETE
+            rows.append(_row(recovered))
+        elif recovered.file is not None:
+            click.echo(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {printable(recovered.path)}")
+        if folder is not None and recovered.trouble is not None:
+            complain(f"{source.label}, packet {recovered.packets[0]}: {printable(recovered.path)}: {recovered.trouble}")
+            source.status |= recovered.outcome is Outcome.INCOMPLETE
     if rows:
         _list(rows)
     if is_empty and not source.status:

@@ -13,7 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ev3proto.cli.captures import BUILTIN, CaptureOptions
+import click
+
+from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import complain
 from ev3proto.text.paste import MAX_LINE, Pasted, read_argument, read_text
 from ev3proto.text.split import Piece, split
@@ -76,8 +78,17 @@ def _exists(name: str) -> bool:
 class SourceReader(ABC):
     """Reads sources one after the other, and remembers whether any was at fault.
 
-    A subclass says what becomes of the pieces of a text and of a capture. What cannot be read is complained about.
+    A subclass says what becomes of the frames of a text and of a capture. What cannot be read is complained about.
     """
+
+    wanted = "frame"
+    """What is looked for in captures, as complaints call it."""
+
+    accepted = "captures are pcap, pcapng or btsnoop files, packed with gzip or not"
+    """What can be read, for whoever gives something else."""
+
+    is_quiet = False
+    """Nothing is printed while a capture is read: a progress bar may be drawn."""
 
     def __init__(self, reading: CaptureOptions) -> None:
         self.reading = reading
@@ -85,42 +96,59 @@ class SourceReader(ABC):
 
     @abstractmethod
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """One frame of a text."""
+        """Takes one frame of a text."""
 
     @abstractmethod
-    def capture(self, source: Source, file: CaptureFile) -> None:
-        """A capture."""
+    def capture(self, capture: CaptureSource) -> int:
+        """Takes the events of a capture.
 
-    @abstractmethod
+        Returns:
+            How many there were of what is wanted.
+        """
+
     def refuse_text(self, source: Source) -> None:
-        """Called in front of every text. Raises click.UsageError where the options are for captures only."""
+        """Is called before every text.
+
+        Raises:
+            click.UsageError: The options are for captures only.
+        """
+        if self.reading.filter is not None:
+            raise click.UsageError(f"--filter is for captures, and {source.label[:60]} is none")
+
+    def argument(self, source: Source) -> None:
+        """Takes a frame that was typed on the command line."""
+        self._pasted(read_argument(source.name), source)
+
+    def text(self, source: Source, lines: Iterator[str]) -> None:
+        """Takes the lines of a text."""
+        for pasted in read_text(lines):
+            self._pasted(pasted, source)
 
     def read(self, source: Source) -> None:
-        """Everything in a source; a sentence where it cannot be read."""
+        """Reads everything in a source, and complains where it cannot be read."""
         if source.is_frame:
             self.refuse_text(source)
-            self._pasted(read_argument(source.name), source)
+            self.argument(source)
             return
         file = self._opened(source)
         if file is None:
             return
         with file:
             if self.reading.engine != BUILTIN or self._is_capture(source, file):
-                self.capture(source, file)
+                self._captured(source, file)
                 return
             self.refuse_text(source)
             start = file.contents.peek(_START)[:_START]
             if is_binary(start):
                 self.complain(
-                    f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()}; captures"
-                    " are pcap, pcapng or btsnoop files, packed with gzip or not"
+                    f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()};"
+                    f" {self.accepted}"
                 )
                 return
-            for pasted in self._readable(source, read_text(text_lines(file.contents))):
-                self._pasted(pasted, source)
+            self.text(source, self._readable(source, text_lines(file.contents)))
 
     def complain(self, sentence: str) -> None:
-        """A sentence to standard error, about input that is at fault."""
+        """Prints a sentence on standard error, about input that is at fault."""
         complain(sentence)
         self.at_fault = True
 
@@ -134,7 +162,7 @@ class SourceReader(ABC):
             return None
 
     def _is_capture(self, source: Source, file: CaptureFile) -> bool:
-        """Whether it is a capture; a damaged gzip is told as one."""
+        """Whether it is a capture; a damaged gzip is reported as one."""
         from ev3proto.capture import CaptureError
 
         try:
@@ -145,9 +173,18 @@ class SourceReader(ABC):
             self._unreadable(source, error)
             return False
 
-    def _readable(self, source: Source, pasted: Iterator[Pasted]) -> Iterator[Pasted]:
+    def _captured(self, source: Source, file: CaptureFile) -> None:
+        is_looked_at = self.reading.engine == BUILTIN
+        capture = CaptureSource(source.name, self.reading, file if is_looked_at else None, is_quiet=self.is_quiet)
+        if not self.capture(capture) and not capture.status:
+            what = f"no {self.wanted} that the filter lets through" if self.reading.filter else f"no {self.wanted}"
+            self.complain(f"{source.label}: there is {what} in {packets(capture.account.packets)}")
+        self.at_fault |= bool(capture.status)
+
+    def _readable(self, source: Source, lines: Iterator[str]) -> Iterator[str]:
+        """The lines as far as they can be read. What goes wrong with them elsewhere is none of its concern."""
         try:
-            yield from pasted
+            yield from lines
         except (OSError, EOFError, zlib.error) as error:
             self._unreadable(source, error)
 
@@ -155,7 +192,7 @@ class SourceReader(ABC):
         self.complain(f"{source.label}: cannot be read: {getattr(error, 'strerror', None) or error}")
 
     def _pasted(self, pasted: Pasted, source: Source) -> None:
-        """Everything in one piece of pasted text."""
+        """Takes everything in one piece of pasted text."""
         if pasted.problem is not None:
             self.complain(f"{source.where(pasted)}: {pasted.problem}")
         if pasted.data:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.captures import CaptureSource, capture_options
+from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.tables import Tables
 
 if TYPE_CHECKING:
@@ -21,9 +21,10 @@ _MILLISECONDS = 1000
 
 
 @click.command()
-@capture_options
+@click.argument("file")
+@reading_options
 @click.option("--json", "as_json", is_flag=True, help="One JSON object.")
-def stats(source: CaptureSource, as_json: bool) -> None:
+def stats(file: str, reading: CaptureOptions, as_json: bool) -> None:
     """Tells what a capture amounts to.
 
     Messages by kind and by operation, latencies, errors, commands that got no reply, the files that were moved, and
@@ -36,6 +37,7 @@ def stats(source: CaptureSource, as_json: bool) -> None:
     """  # noqa: D301 - the mark by which click leaves lines as they are
     from ev3proto.capture.statistics import Statistics
 
+    source = CaptureSource(file, reading)
     statistics = Statistics()
     for event in source.events():
         statistics.add(event)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.captures import CaptureSource, capture_options
+from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
 
 if TYPE_CHECKING:
@@ -27,7 +27,8 @@ def _seconds(_context: click.Context, _parameter: click.Parameter, value: float 
 
 
 @click.command()
-@capture_options
+@click.argument("file")
+@reading_options
 @click.option(
     "-o",
     "--output",
@@ -41,7 +42,7 @@ def _seconds(_context: click.Context, _parameter: click.Parameter, value: float 
 @click.option(
     "--to", "last", type=float, callback=_seconds, metavar="SECONDS", help="End so long after the first message."
 )
-def timeline(source: CaptureSource, output: Path, first: float | None, last: float | None) -> None:
+def timeline(file: str, reading: CaptureOptions, output: Path, first: float | None, last: float | None) -> None:
     """Draws who said what when, how long the brick took to answer, and what went wrong.
 
     The file's suffix says what is drawn: .html is a page to zoom and point at, which needs no network; .svg and .png
@@ -63,6 +64,7 @@ def timeline(source: CaptureSource, output: Path, first: float | None, last: flo
     if not output.parent.is_dir():
         complain(f"{output}: cannot be written: there is no folder {output.parent}")
         sys.exit(1)
+    source = CaptureSource(file, reading)
     drawn = _collected(source, first, last)
     if drawn is None:
         if not source.status:

@@ -11,10 +11,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
-from ev3proto.errors import Fault
+from ev3proto.errors import BuildError, Fault
+from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
+from ev3proto.schema.header import HEADER_SIZE, build_frame, write_memory
 from ev3proto.tables.declaration import Declaration, Parameter
 from ev3proto.tables.encoding import GLOBAL, LOCAL, Encoding
-from ev3proto.tables.frame import MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MessageType
 from ev3proto.tables.system import SystemStatus
 
 
@@ -228,7 +230,8 @@ class Operation(tuple["OperationReader", bytes, int, int]):
 
     def placed(self, frame: bytes, offset: int) -> Operation:
         """The same operation where it stands in a frame."""
-        return type(self)((self._schema, frame, offset, offset + self.length))
+        schema, _, start, end = self
+        return type(self)((schema, frame, offset, offset + end - start))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Operation):
@@ -257,13 +260,6 @@ class PartialOperation(Operation):
     def arguments(self) -> tuple[Argument, ...]:
         """The arguments in front of the fault."""
         return self._schema.readable_arguments(self._data, self.offset, self._end)
-
-
-class Builder(Protocol):
-    """What a message needs of the schema of frames."""
-
-    def write(self, message: Any) -> bytes:
-        """The frame."""
 
 
 class Flaw(NamedTuple):
@@ -296,7 +292,6 @@ class Message:
     type: MessageType | None = None
     counter: int = 0
     flaw: Flaw = NO_FLAW
-    frames: ClassVar[Builder]  # set by ev3proto.schema.frame, which builds on these classes
 
     @property
     def fault(self) -> Fault | None:
@@ -329,8 +324,29 @@ class Message:
         return len(self.build()) - 2 if self.stated_length is None else self.stated_length
 
     def build(self) -> bytes:
-        """The frame. Raises BuildError when no frame can carry the message."""
-        return Message.frames.write(self)
+        """Builds the frame.
+
+        Returns:
+            The frame. For a message that was parsed these are the bytes that it was parsed from.
+
+        Raises:
+            BuildError: No frame can carry the message. The sentence names the attribute at fault.
+
+        """
+        flaw = self.flaw
+        if self.type is None:
+            return flaw.rest
+        if flaw is NO_FLAW:
+            return build_frame(self.type, self.counter, self._body())
+        body = flaw.rest if flaw.headless else self._body() + flaw.rest
+        length = flaw.stated_length
+        if length is None and flaw.fault is not None:
+            length = HEADER_SIZE - LENGTH_FIELD + len(body)  # a faulty frame may be longer than the brick takes
+        return build_frame(self.type, self.counter, body, length)
+
+    def _body(self) -> bytes:
+        """What follows the header, as far as it could be read."""
+        return b""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -346,6 +362,9 @@ class DirectCommand(Message):
     local_size: int = 0
     operations: tuple[Operation, ...] = ()
 
+    def _body(self) -> bytes:
+        return write_memory(self.global_size, self.local_size) + b"".join([each.raw for each in self.operations])
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DirectReply(Message):
@@ -357,6 +376,9 @@ class DirectReply(Message):
     def is_error(self) -> bool:
         """True when the brick refused or failed the command."""
         return self.type is MessageType.DIRECT_REPLY_ERROR
+
+    def _body(self) -> bytes:
+        return self.memory
 
 
 FieldValue = int | str | bytes
@@ -370,6 +392,9 @@ class SystemCommand(Message):
     number: int = 0
     command: str | None = None
     fields: Mapping[str, FieldValue] = field(default_factory=dict, hash=False)
+
+    def _body(self) -> bytes:
+        return _byte("number", self.number) + _fields(REQUESTS, self.number, self.fields)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -394,6 +419,10 @@ class SystemReply(Message):
         """True when the command failed; END_OF_FILE is how an upload ends."""
         return self.status is None or self.status.is_failure or self.type is MessageType.SYSTEM_REPLY_ERROR
 
+    def _body(self) -> bytes:
+        head = _byte("number", self.number) + _byte("status", self.status_code)
+        return head + _fields(REPLIES, self.number, self.fields)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DaisyCommand(Message):
@@ -413,6 +442,9 @@ class DaisyCommand(Message):
     layer_to: int = 0
     payload: bytes = b""
     operations: tuple[Operation, ...] = ()
+
+    def _body(self) -> bytes:
+        return _byte("number", self.number) + _layers(self.layer_from, self.layer_to) + self.payload
 
 
 class SensorReport(NamedTuple):
@@ -439,3 +471,24 @@ class DaisyReply(Message):
     layer_to: int = 0
     payload: bytes = b""
     report: SensorReport | None = None
+
+    def _body(self) -> bytes:
+        return _layers(self.layer_from, self.layer_to) + self.payload
+
+
+def _byte(name: str, value: int) -> bytes:
+    if isinstance(value, int) and 0 <= value <= 0xFF:
+        return bytes((value,))
+    raise BuildError(f"{name} cannot be {value!r}: it is a whole number from 0 to 255")
+
+
+def _layers(layer_from: int, layer_to: int) -> bytes:
+    return _byte("layer_from", layer_from) + _byte("layer_to", layer_to)
+
+
+def _fields(schemas: Mapping[int, Fields], number: int, fields: Mapping[str, FieldValue]) -> bytes:
+    if not fields:
+        return b""
+    if number not in schemas:
+        raise BuildError(f"0x{number:02X} is no system command, so nobody knows its fields")
+    return schemas[number].write_present(fields)

@@ -74,7 +74,7 @@ class Decoder:
 
     def _message(self, frame: bytes, start: int) -> Message:
         if not self._strict:
-            return self._schema.read_leniently(frame)
+            return self._schema.read_frame(frame, strict=False)
         try:
             return self._schema.read_frame(frame)
         except DecodeError as error:

@@ -36,7 +36,8 @@ from ev3proto.messages import (
     Variable,
 )
 from ev3proto.schema import constructors
-from ev3proto.schema.frame import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE, parse
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.instructions import operation
 from ev3proto.tables import AREAS, area_of, daisy

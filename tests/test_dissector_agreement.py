@@ -29,7 +29,7 @@ import ev3proto
 from ev3proto import GV, LV
 from ev3proto.messages import DaisyReply, DirectCommand, Message, Operation, SystemCommand, SystemReply, Variable
 from ev3proto.schema.discovery import UNLOCK
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
 from ev3proto.tables.discovery import ACCEPT, TCP_PORT, UNLOCK_REQUEST

@@ -17,7 +17,8 @@ import pytest
 import ev3proto
 from ev3proto import GV, LV, BuildError, DecodeError
 from ev3proto.schema.fields import Fields
-from ev3proto.schema.frame import HEADER, MEMORY, frame_schema
+from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.header import HEADER, MEMORY
 from ev3proto.schema.identification import ENCODINGS, IDENTIFICATION, LABEL_BYTE
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables.system import SYSTEM
@@ -323,6 +324,50 @@ def test_an_error_reply_tells_nothing_more() -> None:
 def test_counters_are_unsigned() -> None:
     assert direct_reply("03:00|00:80|02").counter == 32768
     assert direct_reply("03:00|FF:FF|02").counter == 65535
+
+
+def test_a_list_whose_counter_is_missing() -> None:
+    """INIT_BYTES ends after its destination, where the number of bytes that follow should stand."""
+    message = ev3proto.parse(frame_of("07:00|01:00|80|00:14|2F:40"), strict=False)
+    assert message.fault is not None
+    assert (message.fault.offset, message.fault.truncated) == (9, True)
+    assert "where the argument LENGTH should start" in message.fault.reason
+
+
+def test_a_long_list_is_read_whole() -> None:
+    """The counter is an LC1 where there are more than 31 elements."""
+    elements = list(range(1, 41))
+    (operation,) = ev3proto.direct_command(
+        ev3proto.operation("INIT_BYTES", LV(0), 40, elements), local_size=40
+    ).operations
+    assert [argument.value for argument in operation.arguments] == [0, 40, *elements]
+    command = ev3proto.direct_command(operation, operation, local_size=40)
+    assert ev3proto.parse(command.build()) == command
+
+
+@pytest.mark.parametrize("faulty", ["FF", "94:01:FF", "94:01:85", "2F:40:01:85", "2F:40:3F", "2F:40:85"])
+def test_a_fault_early_in_more_bytes_than_any_frame_has(faulty: str) -> None:
+    """Undefined bytes are found, however many bytes follow them."""
+    frame = frame_of(f"FF:FF|01:00|80|00:00|{faulty}") + bytes(9000)
+    message = ev3proto.parse(frame, strict=False)
+    assert isinstance(message, ev3proto.DirectCommand)
+    assert message.fault is not None
+    assert "at offset" in message.fault.reason
+    assert message.build() == frame
+
+
+def test_dialects_share_what_is_the_same() -> None:
+    """An operation made for one firmware equals the one that another firmware's frame has; copies equal it, too."""
+    made = ev3proto.operation("SOUND.TONE", 1, 440, 1000)
+    assert made == ev3proto.operation("SOUND.TONE", 1, 440, 1000, dialect="xtended")
+    assert instruction_set()["SOUND.TONE"] is instruction_set("compat")["SOUND.TONE"]
+    frame = ev3proto.direct_command(made, counter=42).build()
+    assert ev3proto.parse(frame) == ev3proto.parse(frame, dialect="compat")
+    assert pickle.loads(pickle.dumps(made)) == copy.deepcopy(made) == made
+    other = ev3proto.operation("ARRAY.DESTROY", LV(0), dialect="xtended")
+    assert pickle.loads(pickle.dumps(other)) == other
+    assert other.command == "DESTROY"
+    assert ev3proto.operation("ARRAY.DELETE", LV(0)) != other
 
 
 def test_a_cmd_above_31_takes_two_bytes() -> None:

@@ -32,7 +32,7 @@ from ev3proto.brick.settings import Settings
 from ev3proto.brick.sound import Sound
 from ev3proto.brick.terminal import Terminal
 from ev3proto.checking.verdict import Reason, verdict
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER, HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER, HEADER_SIZE
 from ev3proto.schema.packed import packed
 from ev3proto.tables import check_dialect, operations
 from ev3proto.tables.frame import GLOBAL_BITS, GRANTED_GLOBALS, LENGTH_FIELD, MAX_GLOBALS, MessageType

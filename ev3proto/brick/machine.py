@@ -13,7 +13,7 @@ from ev3proto.brick.handles import ROOM, Array, Closable
 from ev3proto.brick.memory import Place
 from ev3proto.brick.outcomes import Busy, Failure, Leave, Sleep, WildAccess
 from ev3proto.brick.programs import FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
-from ev3proto.schema.argument import SIZES, UNDEFINED
+from ev3proto.schema.argument import SIZES, STRINGS
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
@@ -204,10 +204,8 @@ class Machine:
 
     def skip(self) -> None:
         """Goes past a parameter without looking at its value."""
-        size = SIZES[self.code[self.ip]]
-        if size == UNDEFINED:
-            size = 1
-        self.ip = self.ip + size if size else self.code.index(0, self.ip + 1) + 1
+        first = self.code[self.ip]
+        self.ip = self.code.index(0, self.ip + 1) + 1 if first in STRINGS else self.ip + (SIZES[first] or 1)
 
     def place(self) -> Place:
         """Reads a parameter of any type: the place where its value stands.

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ev3proto.capture.record import Record, Route
 from ev3proto.messages import SystemCommand, SystemReply
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, FrameSchema
+from ev3proto.schema.frame import FrameSchema
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.semantics.pairing import Pairing
 from ev3proto.semantics.transfers import Transfers
 from ev3proto.tables.frame import MAX_GLOBALS, MessageType

@@ -14,7 +14,8 @@ from typing import NamedTuple
 
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import UNLOCK
-from ev3proto.schema.frame import HEADER_SIZE, FrameSchema
+from ev3proto.schema.frame import FrameSchema
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, MessageType
 

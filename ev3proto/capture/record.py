@@ -52,8 +52,8 @@ class Route:
 class FrameReader(Protocol):
     """What a record needs of the schema of frames."""
 
-    def read_leniently(self, data: bytes) -> Message:
-        """The message in a frame, with its fault if it has one."""
+    def read_frame(self, frame: bytes, *, strict: bool = True) -> Message:
+        """The message in a frame. With `strict=False` a faulty one is a message, too."""
 
 
 class Record:
@@ -108,7 +108,7 @@ class Record:
     def message(self) -> Message:
         """What the frame says. A faulty frame's message has a `fault`."""
         if self._message is None:
-            self._message = self._reader.read_leniently(self.frame)
+            self._message = self._reader.read_frame(self.frame, strict=False)
         return self._message
 
     @property

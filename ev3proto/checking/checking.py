@@ -17,7 +17,8 @@ from ev3proto.checking.rules.system import check_daisy, check_system
 from ev3proto.checking.rules.values import check_values
 from ev3proto.checking.verdict import verdict
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
-from ev3proto.schema.frame import HEADER_SIZE, frame_schema
+from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.frame import LENGTH_FIELD
 
@@ -65,7 +66,7 @@ def _subject(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
         if stated != size:
             end = min(max(stated, HEADER_SIZE), size)
             content = (end - LENGTH_FIELD & 0xFFFF).to_bytes(LENGTH_FIELD, "little") + frame[LENGTH_FIELD:end]
-    message = frame_schema(dialect).read_leniently(content)
+    message = frame_schema(dialect).read_frame(content, strict=False)
     operations = checked_operations(message.operations) if isinstance(message, DirectCommand) else ()
     return CheckContext(frame, end, message, verdict(frame, dialect), operations, dialect, carrier)
 

@@ -10,7 +10,7 @@ from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Verdict
 from ev3proto.errors import Fault
 from ev3proto.messages import Argument, Message, Operation
-from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPORT_SIZES
 

@@ -17,7 +17,8 @@ from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
 from ev3proto.errors import BuildError
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
 from ev3proto.schema.argument import encode_as, encode_integer, encode_variable
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, parse
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.semantics.footprint import Footprint, footprints
 from ev3proto.tables.declaration import Role
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL

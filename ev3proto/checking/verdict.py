@@ -28,7 +28,7 @@ from enum import Enum
 from functools import cache
 from typing import NamedTuple
 
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import operations, with_effect
 from ev3proto.tables.declaration import Declaration, Effect, Parameter, Role, Type

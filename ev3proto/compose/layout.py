@@ -12,7 +12,7 @@ from ev3proto.compose.placeholders import Placeholder
 from ev3proto.errors import BuildError
 from ev3proto.messages import Variable
 from ev3proto.schema.argument import encode_variable
-from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.footprint import Footprint
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS

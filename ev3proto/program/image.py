@@ -158,7 +158,8 @@ class _Reader:
                 parameters, at = read_table(self.image, at, end)
             except DecodeError as error:
                 return _Code(flaw=Flaw(error.fault, self.image[start:end], headless=True))
-        operations, fault = self._instructions.read_between(self.image, at, end)
+        found, fault = self._instructions.scan(self.image, at, end)
+        operations = tuple(found)
         if fault is None:
             return _Code(parameters, operations)
         last = _last_end(operations)

@@ -23,7 +23,8 @@ from ev3proto.errors import BuildError, DecodeError
 from ev3proto.scapy.operations import OperationsField
 from ev3proto.scapy.system import EV3SystemCommand, EV3SystemReply
 from ev3proto.schema.discovery import UNLOCK
-from ev3proto.schema.frame import HEADER_SIZE, MEMORY_SIZE, SENSOR_REPORT
+from ev3proto.schema.frame import SENSOR_REPORT
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, MOST_UNLOCK, TCP_PORT, UNLOCK_REQUEST
 from ev3proto.tables.frame import (

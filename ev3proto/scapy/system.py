@@ -8,8 +8,7 @@ from scapy.fields import ByteEnumField, ByteField, Field, FieldLenField, LEIntFi
 from scapy.packet import Packet, Raw, bind_layers
 
 from ev3proto.errors import DecodeError
-from ev3proto.schema.fields import CountedText
-from ev3proto.schema.frame import REPLIES
+from ev3proto.schema.fields import REPLIES, CountedText
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, Kind, SystemCommand, SystemStatus
 from ev3proto.tables.system import Field as Declared

@@ -28,14 +28,15 @@ from ev3proto.tables.encoding import (
 Unpack = Callable[[bytes, int], tuple[Any]]
 Long = tuple[Encoding, Unpack | None, int]
 Short = tuple[Encoding, int]
+Reader = tuple[Parameter, tuple[Long | None, ...]]
+"""A parameter, and how its long forms are read, by their identification byte."""
 
-UNDEFINED = 1 << 16
-"""In `SIZES`: no identification byte that the firmware defines. Larger than any frame, so reading runs past the end."""
+SIZES = bytes(0 if encoding is None or encoding.width is None else 1 + encoding.width for encoding in ENCODINGS)
+"""Bytes of an argument by its identification byte, that byte included. 0 for strings, which end at their zero, and for
+undefined bytes. `data.translate(SIZES)` has, for each byte, the size of the argument that would start there."""
 
-SIZES: tuple[int, ...] = tuple(
-    UNDEFINED if encoding is None else 0 if encoding.width is None else 1 + encoding.width for encoding in ENCODINGS
-)
-"""Bytes of an argument by its identification byte, that byte included; 0 for strings, which end at their zero."""
+STRINGS = frozenset(byte for byte, encoding in enumerate(ENCODINGS) if encoding is not None and encoding.kind == TEXT)
+"""The identification bytes of strings."""
 
 SHORT: tuple[Short, ...] = tuple(
     (encoding, value)
@@ -75,22 +76,49 @@ class ArgumentSchema(Bytewise):
         super().__init__()
         self.parameter = parameter
         self.long_forms = _FLOAT_FORMS if parameter.type is Type.DATAF else _INTEGER_FORMS
+        self.reader: Reader = (parameter, self.long_forms)
+        limits = None if parameter.direction is Direction.OUT else RANGES.get(parameter.type)
+        self.integers = range(0) if limits is None else range(limits.low, limits.high + 1)
+        """The whole numbers that are written without further thought."""
 
     def read(self, data: bytes, at: int) -> tuple[Argument, int]:
-        """The argument at an offset, and the offset behind it. DecodeError names the parameter and the reason."""
-        return self.read_at(data, at, self.measure(data, at, len(data)))
+        """Reads the argument at an offset.
 
-    def read_at(self, data: bytes, at: int, end: int) -> tuple[Argument, int]:
-        """The argument in `data[at:end]`, which was measured, and `end`."""
+        Args:
+            data: The bytes that the argument is in.
+            at: The offset of its identification byte.
+
+        Returns:
+            The argument, and the offset after it.
+
+        Raises:
+            DecodeError: No argument can be read there. The error names the parameter and the reason.
+
+        """
+        end = self.measure(data, at, len(data))
+        return self.read_measured(data, at, end), end
+
+    def read_measured(self, data: bytes, at: int, end: int) -> Argument:
+        """Reads the argument between two offsets that `measure` found.
+
+        Args:
+            data: The bytes that the argument is in.
+            at: The offset of its identification byte.
+            end: The offset after it.
+
+        Returns:
+            The argument.
+
+        """
         first = data[at]
         if first < len(SHORT):
             encoding, short = SHORT[first]
-            return Argument((self.parameter, encoding, short, at, data)), end
+            return Argument((self.parameter, encoding, short, at, data))
         form = self.long_forms[first]
         assert form is not None, "measure() lets no undefined identification byte pass"
         encoding, unpack, _ = form
         value = data[at + 1 : end - 1].decode(STRING_CODING) if unpack is None else unpack(data, at)[0]
-        return Argument((self.parameter, encoding, value, at, data)), end
+        return Argument((self.parameter, encoding, value, at, data))
 
     def measure(self, data: bytes, at: int, limit: int) -> int:
         """The offset behind the argument at an offset, where the contents end at `limit`. Raises DecodeError."""
@@ -189,24 +217,39 @@ _BY_NAME = {
 _NAN_ENCODING = {1: "LC1", 2: "LC2", 4: "LC4"}
 """By the bytes of a type: the encoding in which its lowest number means "not a number"."""
 
-_INTEGER_STEPS = (
-    ("LC1", -0x7F, 0x7F, "<b"),
-    ("LC2", -0x7FFF, 0x7FFF, "<h"),
-    ("LC4", -0x80000000, 0x7FFFFFFF, "<i"),
-)
 _INDEX_STEPS = (("0", 0x1F, None), ("1", 0xFF, "<B"), ("2", 0xFFFF, "<H"), ("4", 0xFFFFFFFF, "<I"))
 
 
-def encode_integer(value: int) -> bytes:
-    """The shortest constant for a number that fits 32 bits: LC0, LC1, LC2 or LC4.
+_BYTES = tuple(
+    bytes((value & 0x3F,)) if -32 <= value <= 31 else struct.pack("<Bb", _BY_NAME["LC1", False, False], value)
+    for value in range(-0x7F, 0x80)
+)
+"""LC0 and LC1 for every number from -127 to 127."""
 
-    The lowest number of a width means "not a number" there and takes the next one. BuildError beyond 32 bits.
+_LC2, _LC4 = (struct.pack("<B", _BY_NAME[name, False, False]) for name in ("LC2", "LC4"))
+_pack_2, _pack_4 = struct.Struct("<h").pack, struct.Struct("<i").pack
+
+
+def encode_integer(value: int) -> bytes:
+    """Writes a number as the shortest constant: LC0, LC1, LC2 or LC4.
+
+    Args:
+        value: -2147483647 to 2147483647. The lowest number of each width means "not a number" there, so it takes the
+            next width.
+
+    Returns:
+        The identification byte and what follows it.
+
+    Raises:
+        BuildError: The number needs more than 32 bits.
+
     """
-    if -32 <= value <= 31:
-        return bytes((value & 0x3F,))
-    for name, low, high, layout in _INTEGER_STEPS:
-        if low <= value <= high:
-            return bytes((_BY_NAME[name, False, False],)) + struct.pack(layout, value)
+    if -0x7F <= value <= 0x7F:
+        return _BYTES[value + 0x7F]
+    if -0x7FFF <= value <= 0x7FFF:
+        return _LC2 + _pack_2(value)
+    if -0x7FFFFFFF <= value <= 0x7FFFFFFF:
+        return _LC4 + _pack_4(value)
     raise BuildError(f"no constant can be {value}: the largest encoding, LC4, holds -2147483647 to 2147483647")
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import DirectCommand, DirectReply, FieldValue, Operation, SystemCommand, SystemReply
-from ev3proto.schema.fields import Fields
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, REPLIES, REQUESTS
+from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
+from ev3proto.schema.frame import new_direct_command
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
 from ev3proto.tables import system
 from ev3proto.tables.frame import MessageType
 
@@ -19,32 +18,34 @@ def direct_command(
     global_size: int = 0,
     local_size: int = 0,
 ) -> DirectCommand:
-    """A direct command of these operations, each at the offset that it has in the frame.
+    """Makes a direct command.
 
-    counter      0 to 65535
-    reply        whether the brick is to answer
-    global_size  bytes of global memory, 0 to 1023
-    local_size   bytes of local memory, 0 to 63
+    Args:
+        operations: What is to be run, in this order.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick is to answer.
+        global_size: Bytes of global memory, 0 to 1023.
+        local_size: Bytes of local memory, 0 to 63.
 
-    Raises BuildError when no frame can carry it.
+    Returns:
+        The command. Each operation has the offset that it has in the frame.
+
+    Raises:
+        BuildError: No frame can carry it.
+
     """
     for operation in operations:
         if not isinstance(operation, Operation):
             raise BuildError(f"{operation!r} is no operation: ev3proto.operation makes one")
-    message = DirectCommand(
-        type=MessageType.DIRECT_COMMAND_REPLY if reply else MessageType.DIRECT_COMMAND_NO_REPLY,
-        counter=counter,
-        global_size=global_size,
-        local_size=local_size,
-        operations=operations,
-    )
-    frame = message.build()
+    kind = MessageType.DIRECT_COMMAND_REPLY if reply else MessageType.DIRECT_COMMAND_NO_REPLY
+    memory = write_memory(global_size, local_size)
+    frame = build_frame(kind, counter, memory + b"".join([operation.raw for operation in operations]))
     at = COMMAND_HEADER_SIZE
     placed = []
     for operation in operations:
         placed.append(operation.placed(frame, at))
         at += operation.length
-    return replace(message, operations=tuple(placed))
+    return new_direct_command(kind, counter, global_size, local_size, tuple(placed))
 
 
 def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) -> DirectReply:

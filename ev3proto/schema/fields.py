@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from construct import Construct, GreedyBytes, Int8ul, Int16ul, Int32ul, NullTerminated, StringEncoded
 from construct.core import ConstructError
 
 from ev3proto.errors import BuildError, DecodeError
-from ev3proto.messages import FieldValue
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.system import Field, Kind
+from ev3proto.tables.system import SYSTEM, Field, Kind
+
+if TYPE_CHECKING:
+    from ev3proto.messages import FieldValue
 
 NUMBERS: dict[Kind, Construct] = {Kind.U8: Int8ul, Kind.U16: Int16ul, Kind.U32: Int32ul}
 
@@ -190,3 +192,8 @@ def _too_short(field: Field) -> str:
     if field.kind is Kind.TEXT:
         return f"the text {field.name} runs past the end of the frame: the zero that ends it is missing"
     return f"the frame ends where the field {field.name} ({field.kind.value}) should stand"
+
+
+REQUESTS = {command.number: Fields(command.request) for command in SYSTEM}
+REPLIES = {command.number: Fields(command.reply) for command in SYSTEM}
+"""The fields of system commands and of the replies to them, by the command's number."""

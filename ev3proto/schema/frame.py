@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import struct
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
-from construct import BitsInteger, BitStruct, Bytes, ByteSwapped, GreedyBytes, Int8ul, Int16ul, Struct
+from construct import Bytes, GreedyBytes, Int8ul, Struct
 from construct.core import ConstructError
 
-from ev3proto.errors import BuildError, DecodeError, Fault
+from ev3proto.errors import DecodeError, Fault
 from ev3proto.messages import (
     NO_FLAW,
     DaisyCommand,
     DaisyReply,
     DirectCommand,
     DirectReply,
-    FieldValue,
     Flaw,
     Message,
     Operation,
@@ -26,28 +23,19 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.schema.bytewise import Bytewise
-from ev3proto.schema.fields import Fields
+from ev3proto.schema.fields import REPLIES, REQUESTS
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, unpack_header, unpack_memory
 from ev3proto.schema.instructions import InstructionSet, instruction_set
-from ev3proto.schema.packed import packed
 from ev3proto.tables import daisy, system
 from ev3proto.tables.frame import (
-    COUNTERS,
     GLOBAL_BITS,
     LENGTH_FIELD,
-    LOCAL_BITS,
     MAX_FRAME,
     MAX_GLOBALS,
     MAX_LENGTH,
-    MAX_LOCALS,
     MIN_LENGTH,
     MessageType,
 )
-
-HEADER = Struct("length" / Int16ul, "counter" / Int16ul, "type" / Int8ul)
-"""What every frame starts with."""
-
-MEMORY = ByteSwapped(BitStruct("locals" / BitsInteger(LOCAL_BITS), "globals" / BitsInteger(GLOBAL_BITS)))
-"""The two bytes of a direct command that ask for memory, as bits of one little-endian number."""
 
 SENSOR_REPORT = Struct(
     "layer" / Int8ul,
@@ -62,19 +50,6 @@ SENSOR_REPORT = Struct(
 """A sensor of another layer in a daisy reply."""
 
 
-_header = packed(HEADER)
-_unpack_header = _header.unpack_from
-_memory = struct.Struct("<H")
-_command_header = struct.Struct(_header.format + "H").unpack_from
-HEADER_SIZE = HEADER.sizeof()
-MEMORY_SIZE = MEMORY.sizeof()
-COMMAND_HEADER_SIZE = HEADER_SIZE + MEMORY_SIZE
-_DIRECT_COMMANDS = {member.value: member for member in MessageType if member.kind == "direct-command"}
-_DIRECT_REPLIES = {member.value: member for member in MessageType if member.kind == "direct-reply"}
-
-REQUESTS = {command.number: Fields(command.request) for command in system.SYSTEM}
-REPLIES = {command.number: Fields(command.reply) for command in system.SYSTEM}
-
 Body = tuple[Message | None, bytes, DecodeError | None]
 """A message, the bytes at its end that could not be read, and why not; no message where its fixed part is cut."""
 
@@ -85,23 +60,36 @@ _set_type, _set_counter, _set_flaw, _set_globals, _set_locals, _set_operations =
     getattr(DirectCommand, name).__set__
     for name in ("type", "counter", "flaw", "global_size", "local_size", "operations")
 )
-"""The slots of a direct command. Filling them takes a third of the time of the frozen class's own constructor."""
-
 _set_reply_type, _set_reply_counter, _set_reply_flaw, _set_memory = (
     getattr(DirectReply, name).__set__ for name in ("type", "counter", "flaw", "memory")
 )
-"""Those of a direct reply."""
-
 _new = object.__new__
+# The slots of the two messages that nearly every frame is. With the constructor of the frozen class, which takes 1.3 us
+# where filling the slots takes 0.5 us, parsing takes 1.85 times the plain decoder's time instead of 1.7.
 
 
-def _direct_command(member: MessageType, counter: int, memory: int, operations: tuple[Operation, ...]) -> DirectCommand:
+def new_direct_command(
+    member: MessageType, counter: int, global_size: int, local_size: int, operations: tuple[Operation, ...]
+) -> DirectCommand:
+    """Makes a direct command faster than its class does. Nothing is checked.
+
+    Args:
+        member: The type.
+        counter: The message counter, 0 to 65535.
+        global_size: Bytes of global memory, 0 to 1023.
+        local_size: Bytes of local memory, 0 to 63.
+        operations: The operations, where they stand in the frame.
+
+    Returns:
+        The command.
+
+    """
     message = _new(DirectCommand)
     _set_type(message, member)
     _set_counter(message, counter)
     _set_flaw(message, NO_FLAW)
-    _set_globals(message, memory & MAX_GLOBALS)
-    _set_locals(message, memory >> GLOBAL_BITS)
+    _set_globals(message, global_size)
+    _set_locals(message, local_size)
     _set_operations(message, operations)
     return message
 
@@ -121,71 +109,66 @@ class FrameSchema(Bytewise):
     def __init__(self, dialect: str) -> None:
         super().__init__()
         self.instructions: InstructionSet = instruction_set(dialect)
-        self._read_operations = self.instructions.read_quickly
-        bodies = {
-            "direct-command": self._direct_command,
-            "direct-reply": self._direct_reply,
-            "system-command": self._system_command,
-            "system-reply": self._system_reply,
-            "daisy-command": self._daisy_command,
-            "daisy-reply": self._daisy_reply,
+        bodies: dict[str, tuple[type[Message], BodyReader]] = {
+            "direct-command": (DirectCommand, self._direct_command),
+            "direct-reply": (DirectReply, self._direct_reply),
+            "system-command": (SystemCommand, self._system_command),
+            "system-reply": (SystemReply, self._system_reply),
+            "daisy-command": (DaisyCommand, self._daisy_command),
+            "daisy-reply": (DaisyReply, self._daisy_reply),
         }
-        self._empty: dict[str, type[Message]] = {
-            "direct-command": DirectCommand,
-            "system-command": SystemCommand,
-            "system-reply": SystemReply,
-            "daisy-command": DaisyCommand,
-            "daisy-reply": DaisyReply,
-        }
-        # Keyed by plain numbers: looking a member of an enumeration up takes three times as long.
-        self._types: dict[int, tuple[MessageType, BodyReader]] = {
-            member.value: (member, bodies[member.kind]) for member in MessageType
-        }
+        # The keys are plain numbers: to look up a member of an enumeration takes three times as long.
+        self._types = {member.value: (member, *bodies[member.kind]) for member in MessageType}
 
     # Reading
 
     def read(self, data: bytes, at: int) -> tuple[Message, int]:
-        """The frame at an offset, and the offset behind it. Raises DecodeError."""
+        """Reads the frame at an offset.
+
+        Args:
+            data: The bytes that the frame is in. More frames may follow it.
+            at: The offset of its length field.
+
+        Returns:
+            The message, and the offset after the frame.
+
+        Raises:
+            DecodeError: The frame is faulty.
+
+        """
         if len(data) - at < LENGTH_FIELD:
             raise DecodeError(at, "a frame starts with two bytes of length", truncated=True)
-        end = at + LENGTH_FIELD + int(Int16ul.parse(data[at : at + LENGTH_FIELD]))
+        end = at + frame_size(data, at)
         return self.read_frame(data[at:end]), end
 
-    def read_frame(self, frame: bytes) -> Message:
-        """Exactly one frame. DecodeError names the offset and the reason."""
-        size = len(frame)
-        message = self._read_quickly(frame, size)
-        if message is not None:
-            return message
-        if HEADER_SIZE <= size <= MAX_FRAME:
-            length, counter, code = _header.unpack_from(frame)
-            found = self._types.get(code)
-            if found is not None and length + LENGTH_FIELD == size:
-                member, read_body = found
-                message, _, error = read_body(frame, size, counter, member)
-                if error is None:
-                    assert message is not None
-                    return message
-                raise error
-        raise self._envelope_error(frame)
+    def read_frame(self, frame: bytes, *, strict: bool = True) -> Message:
+        """Reads exactly one frame.
 
-    def _read_quickly(self, frame: bytes, size: int) -> Message | None:
-        """The message of nearly every frame: a direct command or reply with nothing wrong. None for all others."""
-        if not HEADER_SIZE <= size <= MAX_FRAME:
-            return None
-        length, counter, code = _unpack_header(frame)
-        if length + LENGTH_FIELD != size:
-            return None
-        reply = _DIRECT_REPLIES.get(code)
-        if reply is not None:
-            return _direct_reply(reply, counter, frame[HEADER_SIZE:])
-        command = _DIRECT_COMMANDS.get(code)
-        if command is None or size < COMMAND_HEADER_SIZE:
-            return None
-        operations = self._read_operations(frame, COMMAND_HEADER_SIZE, size)
-        if operations is None:
-            return None
-        return _direct_command(command, counter, frame[HEADER_SIZE] | frame[HEADER_SIZE + 1] << 8, operations)
+        Args:
+            frame: From its length field to its last byte.
+            strict: False: any bytes give a message, whose `fault` says what is wrong with them.
+
+        Returns:
+            The message, with everything that can be read.
+
+        Raises:
+            DecodeError: The frame is faulty, and `strict` is true. The error names the offset and the reason.
+
+        """
+        size = len(frame)
+        if HEADER_SIZE <= size <= MAX_FRAME:
+            length, counter, code = unpack_header(frame)
+            known = self._types.get(code)
+            if known is not None and length + LENGTH_FIELD == size:
+                member, _, read_body = known
+                message, _, fault = read_body(frame, size, counter, member)
+                if fault is None and message is not None:
+                    return message
+                if fault is not None and strict:
+                    raise fault
+        if strict:
+            raise self._envelope_error(frame)
+        return self._read_faulty(frame)
 
     def _envelope_error(self, frame: bytes) -> DecodeError:
         """What is wrong around the body; the body itself is not looked at."""
@@ -196,7 +179,7 @@ class FrameSchema(Bytewise):
                 f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), here are {size}",
                 truncated=True,
             )
-        length, _, code = _header.unpack_from(frame)
+        length, _, code = unpack_header(frame)
         if not MIN_LENGTH <= length <= MAX_LENGTH:
             return DecodeError(
                 0, f"the length field says {length}; a frame can have {MIN_LENGTH} to {MAX_LENGTH} bytes behind it"
@@ -214,15 +197,11 @@ class FrameSchema(Bytewise):
             )
         return DecodeError(4, f"0x{code:02X} is no message type")
 
-    def read_leniently(self, frame: bytes) -> Message:
-        """A message for any bytes at all: what can be read is there, `fault` says what is wrong."""
+    def _read_faulty(self, frame: bytes) -> Message:
         size = len(frame)
-        message = self._read_quickly(frame, size)
-        if message is not None:
-            return message
         if size < HEADER_SIZE:
             return Message(flaw=Flaw(self._envelope_error(frame).fault, frame))
-        length, counter, code = _header.unpack_from(frame)
+        length, counter, code = unpack_header(frame)
         stated = None if length == size - LENGTH_FIELD else length
         envelope = None
         if stated is not None or size > MAX_FRAME or code not in self._types:
@@ -231,25 +210,19 @@ class FrameSchema(Bytewise):
             assert envelope is not None
             return Message(counter=counter, flaw=Flaw(envelope.fault, frame, stated))
         end = min(size, max(length + LENGTH_FIELD, HEADER_SIZE))
-        member, read_body = self._types[code]
+        member, kind, read_body = self._types[code]
         message, rest, error = read_body(frame[:end], end, counter, member)
-        if error is None and envelope is None:
-            assert message is not None
-            return message
-        fault = _worse(envelope, error)
-        if message is None:
-            message = self._empty[member.kind](type=member, counter=counter)
-            return replace(message, flaw=Flaw(fault, rest + frame[end:], stated, headless=True))
-        return replace(message, flaw=Flaw(fault, rest + frame[end:], stated))
+        flaw = Flaw(_worse(envelope, error), rest + frame[end:], stated, headless=message is None)
+        return replace(kind(type=member, counter=counter) if message is None else message, flaw=flaw)
 
     def _direct_command(self, frame: bytes, end: int, counter: int, member: MessageType) -> Body:
         start = COMMAND_HEADER_SIZE
         if end < start:
             error = DecodeError(end, "a direct command starts with two bytes that ask for memory", truncated=True)
             return None, frame[HEADER_SIZE:], error
-        memory = _command_header(frame)[3]
-        operations, fault = self.instructions.read_between(frame, start, end)
-        message = _direct_command(member, counter, memory, operations)
+        operations, fault = self.instructions.scan(frame, start, end)
+        (memory,) = unpack_memory(frame, HEADER_SIZE)
+        message = new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, tuple(operations))
         if fault is None:
             return message, b"", None
         return message, frame[operations[-1].offset + operations[-1].length if operations else start :], fault
@@ -324,8 +297,8 @@ class FrameSchema(Bytewise):
         return message, b"", fault
 
     def _operations_if_whole(self, frame: bytes, at: int, end: int) -> tuple[Operation, ...]:
-        operations, fault = self.instructions.read_between(frame, at, end)
-        return () if fault else operations
+        operations, fault = self.instructions.scan(frame, at, end)
+        return () if fault else tuple(operations)
 
     def _daisy_reply(self, frame: bytes, end: int, counter: int, member: MessageType) -> Body:
         at = HEADER_SIZE
@@ -345,26 +318,20 @@ class FrameSchema(Bytewise):
 
     # Building
 
-    def write(self, message: Message) -> bytes:
-        """The frame of a message. BuildError names what no frame can carry."""
-        if message.type is None:
-            return message.rest
-        flaw = message.flaw
-        body = flaw.rest if flaw.headless else _BODIES[type(message)](message) + flaw.rest
-        length = HEADER_SIZE - LENGTH_FIELD + len(body)
-        if flaw.stated_length is not None:
-            length = flaw.stated_length
-        elif length > MAX_LENGTH and flaw.fault is None:
-            raise BuildError(
-                f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {MAX_FRAME} in one frame"
-            )
-        return self._head(length, message.counter, message.type) + body
+    def write(self, value: Message) -> bytes:
+        """Builds the frame of a message.
 
-    def _head(self, length: int, counter: int, code: int) -> bytes:
-        try:
-            return _header.pack(length, counter, code)
-        except struct.error:
-            raise BuildError(f"counter cannot be {counter!r}: it is a whole number from 0 to {COUNTERS - 1}") from None
+        Args:
+            value: The message.
+
+        Returns:
+            The frame.
+
+        Raises:
+            BuildError: No frame can carry it.
+
+        """
+        return value.build()
 
 
 def _bootloader_hint(frame: bytes, code: int) -> str:
@@ -392,66 +359,6 @@ def _too_long(size: int) -> DecodeError:
     return DecodeError(0, f"the frame has {size} bytes; no frame has more than {MAX_FRAME}")
 
 
-def _direct_command_body(message: DirectCommand) -> bytes:
-    for name, value, most in (
-        ("global_size", message.global_size, MAX_GLOBALS),
-        ("local_size", message.local_size, MAX_LOCALS),
-    ):
-        if not isinstance(value, int) or not 0 <= value <= most:
-            raise BuildError(f"{name} cannot be {value!r}: a header can ask for 0 to {most} bytes")
-    memory = _memory.pack(message.local_size << GLOBAL_BITS | message.global_size)
-    return memory + b"".join([operation.raw for operation in message.operations])
-
-
-def _direct_reply_body(message: DirectReply) -> bytes:
-    return message.memory
-
-
-def _system_command_body(message: SystemCommand) -> bytes:
-    return _byte("number", message.number) + _present(REQUESTS, message.number, message.fields)
-
-
-def _system_reply_body(message: SystemReply) -> bytes:
-    head = _byte("number", message.number) + _byte("status", message.status_code)
-    return head + _present(REPLIES, message.number, message.fields)
-
-
-def _present(schemas: Mapping[int, Fields], number: int, fields: Mapping[str, FieldValue]) -> bytes:
-    if not fields:
-        return b""
-    if number not in schemas:
-        raise BuildError(f"0x{number:02X} is no system command, so nobody knows its fields")
-    return schemas[number].write_present(fields)
-
-
-def _byte(name: str, value: int) -> bytes:
-    if isinstance(value, int) and 0 <= value <= 0xFF:
-        return bytes((value,))
-    raise BuildError(f"{name} cannot be {value!r}: it is a whole number from 0 to 255")
-
-
-def _daisy_command_body(message: DaisyCommand) -> bytes:
-    return _byte("number", message.number) + _layers(message) + message.payload
-
-
-def _daisy_reply_body(message: DaisyReply) -> bytes:
-    return _layers(message) + message.payload
-
-
-def _layers(message: DaisyCommand | DaisyReply) -> bytes:
-    return _byte("layer_from", message.layer_from) + _byte("layer_to", message.layer_to)
-
-
-_BODIES: dict[type[Message], Callable[[Any], bytes]] = {
-    DirectCommand: _direct_command_body,
-    DirectReply: _direct_reply_body,
-    SystemCommand: _system_command_body,
-    SystemReply: _system_reply_body,
-    DaisyCommand: _daisy_command_body,
-    DaisyReply: _daisy_reply_body,
-}
-
-
 _SCHEMAS: dict[str, FrameSchema] = {}
 
 
@@ -460,17 +367,6 @@ def frame_schema(dialect: str = "official") -> FrameSchema:
     if dialect not in _SCHEMAS:
         _SCHEMAS[dialect] = FrameSchema(dialect)
     return _SCHEMAS[dialect]
-
-
-class _Builder:
-    """Building needs no dialect: operations know their bytes."""
-
-    def write(self, message: Message) -> bytes:
-        """The frame."""
-        return frame_schema().write(message)
-
-
-Message.frames = _Builder()
 
 
 def parse(frame: bytes | bytearray | memoryview, *, strict: bool = True, dialect: str = "official") -> Message:
@@ -485,4 +381,4 @@ def parse(frame: bytes | bytearray | memoryview, *, strict: bool = True, dialect
     if type(frame) is not bytes:
         frame = bytes(memoryview(frame))
     schema = _SCHEMAS.get(dialect) or frame_schema(dialect)
-    return schema.read_frame(frame) if strict else schema.read_leniently(frame)
+    return schema.read_frame(frame, strict=strict)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from ev3proto.messages import DirectCommand, DirectReply, Message, SystemReply
-from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.footprint import UNTYPED_SIZE, Footprint, footprints
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import RANGES, STRING_CODING

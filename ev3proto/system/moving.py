@@ -8,7 +8,7 @@ from itertools import chain
 from ev3proto.errors import BuildError
 from ev3proto.messages import SystemCommand
 from ev3proto.schema.constructors import system_command
-from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.frame import COUNTERS, MAX_FRAME
 
 PIECE = MAX_FRAME - HEADER_SIZE - 2

@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING
 
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, parse
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.assembly import operation_line
 from ev3proto.text.dialogues import command_spans

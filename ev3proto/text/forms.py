@@ -19,7 +19,8 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, REPLIES, REQUESTS
+from ev3proto.schema.fields import REPLIES, REQUESTS
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.heading import Seen, heading
 from ev3proto.text.phrases import argument_value, plain

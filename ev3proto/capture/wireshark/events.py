@@ -15,7 +15,8 @@ from ev3proto.capture.wireshark.row import Row
 from ev3proto.capture.wireshark.segments import MOST_WAITING, Origin, Segments
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon, Unlock
-from ev3proto.schema.frame import HEADER_SIZE, frame_schema
+from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import ACCEPT, BEACON_LINES, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH

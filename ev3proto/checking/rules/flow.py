@@ -9,7 +9,7 @@ from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
 from ev3proto.messages import Argument
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables.declaration import Effect, Role
 from ev3proto.tables.encoding import JUMP

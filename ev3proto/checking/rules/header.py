@@ -9,7 +9,7 @@ from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Reason
 from ev3proto.messages import DirectCommand
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MessageType
 
 MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE

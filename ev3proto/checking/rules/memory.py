@@ -10,7 +10,7 @@ from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
 from ev3proto.messages import DirectCommand, Variable
-from ev3proto.schema.frame import HEADER_SIZE, MEMORY_SIZE
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.semantics.footprint import Footprint, footprints
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 

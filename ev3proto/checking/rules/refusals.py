@@ -10,7 +10,7 @@ from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
 from ev3proto.errors import Fault
 from ev3proto.messages import Argument
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import CMD

@@ -10,7 +10,7 @@ from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import TYPE_OFFSET, plural
 from ev3proto.messages import DaisyCommand, SystemCommand
 from ev3proto.schema.fields import NUMBERS
-from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables import daisy, paths
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import REPORT_SIZES, MessageType

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple, Protocol
 
 from ev3proto.errors import BuildError
-from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
 
 _REPLIES = {member.value for member in MessageType if not member.is_command}

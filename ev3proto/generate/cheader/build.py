@@ -6,7 +6,7 @@ from string import Template
 
 from ev3proto.generate.cheader import parts, tables
 from ev3proto.schema.argument import encode_as
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.tables.encoding import ADDRESS_BIT, HANDLE_BIT, NAN_FLOAT, RANGES

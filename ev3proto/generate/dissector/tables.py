@@ -11,7 +11,8 @@ from construct.core import SizeofError
 
 from ev3proto.generate.dissector.lua import Name, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE, SENSOR_REPORT
+from ev3proto.schema.frame import SENSOR_REPORT
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import OPCODES, carriers, daisy, discovery, enumerations, frame
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Type

@@ -16,7 +16,7 @@ from ev3proto.generate.modules.source import (
     sentence,
 )
 from ev3proto.schema.fields import NUMBERS
-from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand
 

@@ -6,7 +6,7 @@ from itertools import groupby
 from typing import Any
 
 from ev3proto.schema.discovery import Unlock
-from ev3proto.schema.frame import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import AREAS, carriers, daisy, discovery, enumerations, frame
 from ev3proto.tables.constants import CONSTANTS

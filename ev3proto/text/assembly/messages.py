@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from itertools import accumulate
 
 from ev3proto.messages import DirectCommand, Message, Operation
-from ev3proto.schema.frame import HEADER, HEADER_SIZE, MEMORY, parse
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY
 from ev3proto.schema.packed import packed
 from ev3proto.semantics.footprint import footprints
 from ev3proto.tables.daisy import DaisyCommand

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from ev3proto.errors import BuildError
 from ev3proto.messages import FieldValue
-from ev3proto.schema.fields import NUMBERS, Fields
-from ev3proto.schema.frame import REPLIES, REQUESTS
+from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
 from ev3proto.text.assembly.parser import Argument, Call, Named, Raw, error_at

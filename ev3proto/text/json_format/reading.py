@@ -10,8 +10,9 @@ from ev3proto.dialogue import Exchange
 from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import GV, LV, Message
 from ev3proto.schema.argument import ArgumentSchema, encode_as, encode_float, with_bits
-from ev3proto.schema.fields import NUMBERS, Fields
-from ev3proto.schema.frame import HEADER, HEADER_SIZE, MEMORY, REPLIES, REQUESTS, parse
+from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import OperationSchema
 from ev3proto.schema.packed import packed

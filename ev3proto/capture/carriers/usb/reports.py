@@ -11,7 +11,7 @@ from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Direction, Event, Route, Skipped
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
-from ev3proto.schema.frame import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables import operations, system
 from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
 from ev3proto.tables.daisy import MOST_LAYERS
@@ -109,11 +109,11 @@ class Reports:
         if (member.carries == "daisy") != (reported != _BIG_REPORT):
             return False
         if _is_overwritten(frame, is_from_host):
-            return self._context.schema.read_leniently(frame).fault is None
+            return self._context.schema.read_frame(frame, strict=False).fault is None
         # Bricks in a chain send commands both ways.
         if member.carries != "daisy" and member.is_command != is_from_host:
             return False
-        message = self._context.schema.read_leniently(frame)
+        message = self._context.schema.read_frame(frame, strict=False)
         return message.fault is None and _makes_sense(message)
 
 

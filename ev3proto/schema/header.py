@@ -1,0 +1,172 @@
+"""The header that every frame starts with, and the memory that a direct command asks for right after it.
+
+The two Constructs declare the bytes. The functions here are how the whole project reads and writes headers:
+`Header.read` takes one apart, `frame_size` says how long a frame will be, `build_frame` puts a frame together.
+"""
+
+from __future__ import annotations
+
+import struct
+from typing import NamedTuple
+
+from construct import BitsInteger, BitStruct, ByteSwapped, Int8ul, Int16ul, Struct
+
+from ev3proto.errors import BuildError
+from ev3proto.schema.packed import packed
+from ev3proto.tables.frame import (
+    COUNTERS,
+    GLOBAL_BITS,
+    LENGTH_FIELD,
+    LOCAL_BITS,
+    MAX_FRAME,
+    MAX_GLOBALS,
+    MAX_LENGTH,
+    MAX_LOCALS,
+    MIN_LENGTH,
+)
+
+HEADER = Struct("length" / Int16ul, "counter" / Int16ul, "type" / Int8ul)
+"""What every frame starts with."""
+
+MEMORY = ByteSwapped(BitStruct("locals" / BitsInteger(LOCAL_BITS), "globals" / BitsInteger(GLOBAL_BITS)))
+"""The two bytes of a direct command that ask for memory, as bits of one little-endian number."""
+
+HEADER_SIZE: int = HEADER.sizeof()
+MEMORY_SIZE: int = MEMORY.sizeof()
+COMMAND_HEADER_SIZE = HEADER_SIZE + MEMORY_SIZE
+"""Where the operations of a direct command start."""
+
+_header = packed(HEADER)
+_memory = packed(Struct("memory" / Int16ul))
+_length = packed(Struct("length" / Int16ul))
+
+unpack_header = _header.unpack_from
+"""Length field, counter and type number of the header in `(data, offset)`. There must be `HEADER_SIZE` bytes."""
+
+unpack_memory = _memory.unpack_from
+"""The number in `(data, offset)` that asks for memory. Its lower `GLOBAL_BITS` bits are for global memory."""
+
+
+class Header(NamedTuple):
+    """The header of a frame.
+
+    Attributes:
+        length: The length field: bytes that follow it.
+        counter: The message counter, 0 to 65535.
+        type: The number of the message type, 0 to 255.
+
+    """
+
+    length: int
+    counter: int
+    type: int
+
+    @classmethod
+    def read(cls, data: bytes | bytearray, at: int = 0) -> Header:
+        """Reads the header at an offset.
+
+        Args:
+            data: At least `HEADER_SIZE` bytes from the offset on.
+            at: The offset of the length field.
+
+        Returns:
+            The three numbers as they are. Nothing is checked.
+
+        """
+        return cls(*unpack_header(data, at))
+
+
+def frame_size(data: bytes | bytearray, at: int = 0) -> int:
+    """Works out how long the frame at an offset is by its length field.
+
+    Args:
+        data: At least the two bytes of the length field from the offset on.
+        at: The offset of the length field.
+
+    Returns:
+        Bytes of the whole frame, its length field included: 2 to 65537. `is_frame_size` says whether that can be.
+
+    """
+    length: int = _length.unpack_from(data, at)[0]
+    return length + LENGTH_FIELD
+
+
+def is_frame_size(size: int) -> bool:
+    """Says whether a frame can have so many bytes, its length field included."""
+    return MIN_LENGTH <= size - LENGTH_FIELD <= MAX_LENGTH
+
+
+def read_memory(data: bytes | bytearray, at: int = HEADER_SIZE) -> tuple[int, int]:
+    """Reads how much memory a direct command asks for.
+
+    Args:
+        data: At least `MEMORY_SIZE` bytes from the offset on.
+        at: The offset of the two bytes.
+
+    Returns:
+        Bytes of global memory (0 to 1023) and bytes of local memory (0 to 63).
+
+    """
+    number: int = _memory.unpack_from(data, at)[0]
+    return number & MAX_GLOBALS, number >> GLOBAL_BITS
+
+
+def write_memory(global_size: int, local_size: int) -> bytes:
+    """Writes how much memory a direct command asks for.
+
+    Args:
+        global_size: Bytes of global memory, 0 to 1023.
+        local_size: Bytes of local memory, 0 to 63.
+
+    Returns:
+        The two bytes.
+
+    Raises:
+        BuildError: A size is outside its range.
+
+    """
+    for name, value, most in (("global_size", global_size, MAX_GLOBALS), ("local_size", local_size, MAX_LOCALS)):
+        if not isinstance(value, int) or not 0 <= value <= most:
+            raise BuildError(f"{name} cannot be {value!r}: a header can ask for 0 to {most} bytes")
+    return _memory.pack(local_size << GLOBAL_BITS | global_size)
+
+
+def with_length(contents: bytes) -> bytes:
+    """Puts the length field in front of what follows it.
+
+    Args:
+        contents: All of a frame behind its length field. At most 65535 bytes are counted: a longer one has no number.
+
+    Returns:
+        The frame.
+
+    """
+    return _length.pack(len(contents) & 0xFFFF) + contents
+
+
+def build_frame(code: int, counter: int, body: bytes, length: int | None = None) -> bytes:
+    """Puts a frame together. This is the only place that does.
+
+    Args:
+        code: The number of the message type, 0 to 255.
+        counter: The message counter, 0 to 65535.
+        body: What follows the header.
+        length: What the length field says where it must not say the truth, 0 to 65535. None: it is worked out.
+
+    Returns:
+        The frame.
+
+    Raises:
+        BuildError: The frame would be longer than the brick takes, or the counter is outside its range.
+
+    """
+    if length is None:
+        length = HEADER_SIZE - LENGTH_FIELD + len(body)
+        if length > MAX_LENGTH:
+            raise BuildError(
+                f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {MAX_FRAME} in one frame"
+            )
+    try:
+        return _header.pack(length, counter, code) + body
+    except struct.error:
+        raise BuildError(f"counter cannot be {counter!r}: it is a whole number from 0 to {COUNTERS - 1}") from None

@@ -44,7 +44,6 @@ class RetypedSchema:
     def __init__(self, base: OperationSchema, first: int, kinds: Kinds) -> None:
         self.base = base
         self.declaration = base.declaration
-        self.dialect = base.dialect
         self.first = first
         self.kinds = kinds
         self.has_outputs = base.has_outputs or any(direction is not Direction.IN for _, direction in kinds)
@@ -71,9 +70,9 @@ class RetypedSchema:
         )
         return (*kept, *read, *behind)
 
-    def __reduce__(self) -> tuple[object, tuple[str, str, int, Kinds]]:
+    def __reduce__(self) -> tuple[object, tuple[OperationSchema, int, Kinds]]:
         """Copied and pickled as what it was made from, so that there is one of each."""
-        return retyped, (self.dialect, self.declaration.name, self.first, self.kinds)
+        return retyped, (self.base, self.first, self.kinds)
 
 
 @cache
@@ -86,9 +85,9 @@ def _schema_of_argument(argument: Argument, kind: Type, direction: Direction) ->
 
 
 @cache
-def retyped(dialect: str, name: str, first: int, kinds: Kinds) -> RetypedSchema:
+def retyped(base: OperationSchema, first: int, kinds: Kinds) -> RetypedSchema:
     """The schema of an operation with other types, made once."""
-    return RetypedSchema(instruction_set(dialect)[name], first, kinds)
+    return RetypedSchema(base, first, kinds)
 
 
 Callees = Mapping[int, tuple[ProgramParameter, ...]]
@@ -101,7 +100,7 @@ def with_types(codes: Sequence[tuple[Operation, ...]], callees: Callees, dialect
     callees  the parameters that objects declare, by their numbers
     """
     instructions = instruction_set(dialect)
-    call, fill = instructions.by_name.get(CALL), instructions.by_name.get(_FILL)
+    call, fill = instructions[CALL], instructions[_FILL]
     makers = {instructions.by_name[name]: kind for name, kind in _MAKERS.items() if name in instructions.by_name}
     shared: _Handles = {}
     own = [_handles(operations, makers, shared) for operations in codes]
@@ -111,9 +110,9 @@ def with_types(codes: Sequence[tuple[Operation, ...]], callees: Callees, dialect
         found.append(
             tuple(
                 [
-                    _typed_call(operation, callees, dialect)
+                    _typed_call(operation, call, callees)
                     if operation._schema is call
-                    else _typed_fill(operation, known, dialect)
+                    else _typed_fill(operation, fill, known)
                     if operation._schema is fill
                     else operation
                     for operation in operations
@@ -140,13 +139,13 @@ def _handle_of(operation: Operation) -> Argument | None:
     return next((it for it in operation.arguments if it.is_variable and it.parameter.type is Type.HANDLE), None)
 
 
-def _typed_call(operation: Operation, callees: Callees, dialect: str) -> Operation:
+def _typed_call(operation: Operation, schema: OperationSchema, callees: Callees) -> Operation:
     arguments = operation.arguments
     callee = arguments[0] if arguments else None
     if callee is None or callee.kind != CONSTANT or callee.value not in callees:
         return operation
     kinds = _kinds(callees[int(callee.value)])
-    return _with_schema(operation, retyped(dialect, CALL, _FIXED_OF_CALL, kinds))
+    return _with_schema(operation, retyped(schema, _FIXED_OF_CALL, kinds))
 
 
 @cache
@@ -154,11 +153,11 @@ def _kinds(parameters: tuple[ProgramParameter, ...]) -> Kinds:
     return tuple((parameter.type, parameter.direction) for parameter in parameters)
 
 
-def _typed_fill(operation: Operation, handles: _Handles, dialect: str) -> Operation:
+def _typed_fill(operation: Operation, schema: OperationSchema, handles: _Handles) -> Operation:
     handle = _handle_of(operation)
     if handle is None or handles.get((handle.kind, int(handle.value))) != {DATAF}:
         return operation
-    return _with_schema(operation, retyped(dialect, _FILL, 1, ((DATAF, Direction.IN),)))
+    return _with_schema(operation, retyped(schema, 1, ((DATAF, Direction.IN),)))
 
 
 def _with_schema(operation: Operation, schema: RetypedSchema) -> Operation:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from typing import Any
 
 from construct import Bytes, GreedyBytes
@@ -24,18 +23,15 @@ from ev3proto.scapy.operations import OperationsField
 from ev3proto.scapy.system import EV3SystemCommand, EV3SystemReply
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import SENSOR_REPORT
-from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, Header, build_frame, frame_size, is_frame_size
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, MOST_UNLOCK, TCP_PORT, UNLOCK_REQUEST
 from ev3proto.tables.frame import (
     GLOBAL_BITS,
     LENGTH_FIELD,
     LOCAL_BITS,
-    MAX_FRAME,
     MAX_GLOBALS,
-    MAX_LENGTH,
     MAX_LOCALS,
-    MIN_LENGTH,
     MessageType,
 )
 
@@ -72,10 +68,10 @@ class EV3(Packet):
             return _text(data)
         if len(data) < LENGTH_FIELD:
             return None
-        length = int.from_bytes(data[:LENGTH_FIELD], "little")
-        if not MIN_LENGTH <= length <= MAX_LENGTH:
+        size = frame_size(data)
+        if not is_frame_size(size):
             return Raw(data)  # nobody can say where the next frame starts
-        return cls(data) if len(data) >= LENGTH_FIELD + length else None
+        return cls(data) if len(data) >= size else None
 
     def extract_padding(self, s: bytes) -> tuple[bytes, bytes]:
         """The body, and what follows the frame."""
@@ -83,20 +79,27 @@ class EV3(Packet):
         return s[:end], s[end:]
 
     def post_build(self, pkt: bytes, pay: bytes) -> bytes:
-        """Fills in the length. Raises BuildError for a frame that no brick takes; who gives a length can make it."""
+        """Fills in the length where none is given.
+
+        Args:
+            pkt: The header.
+            pay: The body.
+
+        Returns:
+            The frame.
+
+        Raises:
+            BuildError: The frame is longer than a brick takes. A length that is given is never looked at.
+        """
         if self.length is None:
-            length = len(pkt) - LENGTH_FIELD + len(pay)
-            if length > MAX_LENGTH:
-                raise BuildError(
-                    f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {MAX_FRAME}"
-                )
-            pkt = length.to_bytes(LENGTH_FIELD, "little") + pkt[LENGTH_FIELD:]
+            _, counter, code = Header.read(pkt)
+            return build_frame(code, counter, pkt[HEADER_SIZE:] + pay)
         return pkt + pay
 
     def hashret(self) -> bytes:
         """What command and reply have in common."""
         member = _member(self)
-        return struct.pack("<H", self.counter) + (b"" if member is None else member.carries.encode())
+        return f"{self.counter} {'' if member is None else member.carries}".encode()
 
     def answers(self, other: Packet) -> int:
         """Whether this is the reply to that command."""

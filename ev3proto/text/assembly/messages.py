@@ -6,19 +6,18 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate
 
-from ev3proto.messages import DirectCommand, Message, Operation
+from ev3proto.errors import BuildError
+from ev3proto.messages import DaisyCommand as DaisyMessage
+from ev3proto.messages import DaisyReply, DirectCommand, Flaw, Message, Operation
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY
-from ev3proto.schema.packed import packed
+from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.footprint import footprints
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import (
     COUNTERS,
-    LENGTH_FIELD,
     MAX_FRAME,
     MAX_GLOBALS,
-    MAX_LENGTH,
     MAX_LOCALS,
     MessageType,
 )
@@ -29,8 +28,6 @@ from ev3proto.text.assembly.values import Encoder, Jump, Piece
 
 COUNTER, LENGTH, GLOBALS, LOCALS = "counter", "length", "globals", "locals"
 COMMAND, LAYER_FROM, LAYER_TO = "command", "layer_from", "layer_to"
-
-_header = packed(HEADER).pack
 
 _FACTS = {
     "direct-command": {GLOBALS: MAX_GLOBALS, LOCALS: MAX_LOCALS},
@@ -95,26 +92,48 @@ class Draft:
         body = _joined(self.parts, names.labels)
         if self.is_frame:
             return parse(body, strict=False, dialect=dialect)
-        sizes = self._memory(body, names, dialect)
-        kind = self.type
-        if kind is None:
-            kind = _command_type(bool(sizes[GLOBAL]) if reply is None else reply)
-        frame = self._frame(kind, self._fixed(kind, sizes) + body, self.facts.get(COUNTER, counter))
+        try:
+            frame = self._unread(body, names, dialect, counter, reply).build()
+        except BuildError as error:
+            raise error_at(self.token, str(error)) from None
         message = parse(frame, strict=False, dialect=dialect)
         if message.fault is not None and not self.is_lenient:
             raise error_at(self.token, f"the message cannot be sent: {message.fault}")
         return message
 
+    def _unread(self, body: bytes, names: Names, dialect: str, counter: int, reply: bool | None) -> Message:
+        """The message, its operations, payload or fields still as bytes."""
+        counter = self.facts.get(COUNTER, counter)
+        flaw = Flaw(rest=body, stated_length=self.facts.get(LENGTH))
+        if self.type is None or self.type.kind == MessageType.DIRECT_COMMAND_REPLY.kind:
+            sizes = self._memory(body, names, dialect)
+            kind = self.type
+            if kind is None:
+                kind = _command_type(bool(sizes[GLOBAL]) if reply is None else reply)
+            return DirectCommand(
+                type=kind, counter=counter, global_size=sizes[GLOBAL], local_size=sizes[LOCAL], flaw=flaw
+            )
+        if self.type.carries != "daisy":
+            return Message(type=self.type, counter=counter, flaw=flaw)
+        layer_from, layer_to = self.facts.get(LAYER_FROM, 0), self.facts.get(LAYER_TO, 0)
+        if not self.type.is_command:
+            return DaisyReply(type=self.type, counter=counter, layer_from=layer_from, layer_to=layer_to, flaw=flaw)
+        if COMMAND not in self.facts:
+            known = ", ".join(command.name for command in DaisyCommand)
+            raise error_at(self.token, f"a daisy command needs a command: {known}, or a number")
+        return DaisyMessage(
+            type=self.type,
+            counter=counter,
+            number=self.facts[COMMAND],
+            layer_from=layer_from,
+            layer_to=layer_to,
+            flaw=flaw,
+        )
+
     def _memory(self, body: bytes, names: Names, dialect: str) -> dict[str, int]:
         """Bytes of memory that a direct command asks for: those stated, or those that it uses."""
-        if self.kind != MessageType.DIRECT_COMMAND_REPLY.kind:
-            return {GLOBAL: 0, LOCAL: 0}
-        kind = MessageType.DIRECT_COMMAND_REPLY
-        alone = parse(
-            self._frame(kind, self._fixed(kind, {GLOBAL: 0, LOCAL: 0}) + body, 0), strict=False, dialect=dialect
-        )
-        assert isinstance(alone, DirectCommand)
-        used = _used(alone.operations)
+        operations, _ = instruction_set(dialect).scan(body, 0, len(body))
+        used = _used(operations)
         sizes = {}
         for scope, name in _MEMORIES.items():
             stated, declared = self.facts.get(name), names.sizes[scope]
@@ -130,27 +149,6 @@ class Draft:
                     f" (`message {name} {MOST_MEMORY[scope]}` in front of them leaves it at that)",
                 )
         return sizes
-
-    def _fixed(self, kind: MessageType, sizes: dict[str, int]) -> bytes:
-        """What stands between the message type and the operations, payload or fields."""
-        if kind.kind == "direct-command":
-            return bytes(MEMORY.build({"globals": sizes[GLOBAL], "locals": sizes[LOCAL]}))
-        if kind.carries != "daisy":
-            return b""
-        if kind.is_command and COMMAND not in self.facts:
-            known = ", ".join(command.name for command in DaisyCommand)
-            raise error_at(self.token, f"a daisy command needs a command: {known}, or a number")
-        names = (COMMAND, LAYER_FROM, LAYER_TO) if kind.is_command else (LAYER_FROM, LAYER_TO)
-        return bytes(self.facts.get(name, 0) for name in names)
-
-    def _frame(self, kind: MessageType, body: bytes, counter: int) -> bytes:
-        length = self.facts.get(LENGTH, HEADER_SIZE - LENGTH_FIELD + len(body))
-        if LENGTH not in self.facts and length > MAX_LENGTH:
-            raise error_at(
-                self.token,
-                f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {MAX_FRAME} in one frame",
-            )
-        return _header(length, counter, kind) + body
 
 
 def begun_by(header: Header | RawFrame, encoder: Encoder) -> Draft:

@@ -3,22 +3,34 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from ev3proto.dialogue import Exchange
 from ev3proto.errors import BuildError, near_misses
-from ev3proto.messages import GV, LV, Message
+from ev3proto.messages import (
+    GV,
+    LV,
+    DaisyCommand,
+    DaisyReply,
+    DirectCommand,
+    DirectReply,
+    Flaw,
+    Message,
+    Operation,
+    PartialOperation,
+    SystemCommand,
+    SystemReply,
+)
 from ev3proto.schema.argument import ArgumentSchema, encode_as, encode_float, with_bits
 from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import OperationSchema
-from ev3proto.schema.packed import packed
 from ev3proto.tables.declaration import Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, TEXT
-from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
+from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MAX_LOCALS, MessageType
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
 from ev3proto.text.heading import Seen
 from ev3proto.text.json_format.writing import record
@@ -127,57 +139,62 @@ def _made(entry: Mapping[str, Any], dialect: str) -> bytes:
     except KeyError:
         hint = near_misses(entry["type"], MessageType.__members__)
         raise RecordError(f"there is no message type {_shown(entry['type'])}{hint}") from None
-    body = _BODIES[kind.kind](entry, dialect)
-    if "rest" in entry:
-        body += _bytes(entry, "rest")
-    length = HEADER_SIZE - LENGTH_FIELD + len(body)
     is_faulty = "fault" in entry
-    if is_faulty and "length" in entry:
-        length = _whole(entry, "length", 0xFFFF)
-    elif length > MAX_LENGTH:
-        raise RecordError(
-            f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {MAX_FRAME} in one frame"
-        )
+    rest = _bytes(entry, "rest") if "rest" in entry else b""
+    length = _whole(entry, "length", 0xFFFF) if is_faulty and "length" in entry else None
     counter = _whole(entry, "counter", COUNTERS - 1, 0)
-    frame = packed(HEADER).pack(length, counter, kind) + body
+    message = replace(_MAKERS[kind.kind](entry, dialect), type=kind, counter=counter, flaw=Flaw(None, rest, length))
+    frame = message.build()
     fault = parse(frame, strict=False, dialect=dialect).fault
     if fault is not None and not is_faulty:
         raise RecordError(f"the frame of this object would be at fault: {fault}")
     return frame
 
 
-def _direct_command(entry: Mapping[str, Any], dialect: str) -> bytes:
-    sizes = {"globals": _whole(entry, "globals", MAX_GLOBALS, 0), "locals": _whole(entry, "locals", MAX_LOCALS, 0)}
-    return bytes(MEMORY.build(sizes)) + _operations(entry, dialect)
+def _direct_command(entry: Mapping[str, Any], dialect: str) -> Message:
+    return DirectCommand(
+        global_size=_whole(entry, "globals", MAX_GLOBALS, 0),
+        local_size=_whole(entry, "locals", MAX_LOCALS, 0),
+        operations=tuple(_operations(entry, dialect)),
+    )
 
 
-def _direct_reply(entry: Mapping[str, Any], _dialect: str) -> bytes:
-    return _bytes(entry, "memory") if "memory" in entry else b""
+def _direct_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
+    return DirectReply(memory=_bytes(entry, "memory") if "memory" in entry else b"")
 
 
-def _system_command(entry: Mapping[str, Any], _dialect: str) -> bytes:
+def _system_command(entry: Mapping[str, Any], _dialect: str) -> Message:
     number = _number(entry)
-    return bytes((number,)) + _fields(entry, REQUESTS.get(number))
+    return SystemCommand(number=number, fields=_fields(entry, REQUESTS.get(number)))
 
 
-def _system_reply(entry: Mapping[str, Any], _dialect: str) -> bytes:
+def _system_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
     number = _number(entry)
     status = _whole(entry, "status_code", 0xFF, SystemStatus.SUCCESS)
-    return bytes((number, status)) + _fields(entry, REPLIES.get(number))
+    return SystemReply(number=number, status_code=status, fields=_fields(entry, REPLIES.get(number)))
 
 
-def _daisy_command(entry: Mapping[str, Any], dialect: str) -> bytes:
+def _daisy_command(entry: Mapping[str, Any], dialect: str) -> Message:
     fields = _object(entry, "fields")
-    payload = _operations(entry, dialect) if entry.get("operations") else _payload(fields)
-    return bytes((_whole(entry, "number", 0xFF),)) + _layers(fields) + payload
+    operations = b"".join(one.raw for one in _operations(entry, dialect)) if entry.get("operations") else None
+    return DaisyCommand(
+        number=_whole(entry, "number", 0xFF),
+        layer_from=_whole(fields, "layer_from", 0xFF, 0),
+        layer_to=_whole(fields, "layer_to", 0xFF, 0),
+        payload=_payload(fields) if operations is None else operations,
+    )
 
 
-def _daisy_reply(entry: Mapping[str, Any], _dialect: str) -> bytes:
+def _daisy_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
     fields = _object(entry, "fields")
-    return _layers(fields) + _payload(fields)
+    return DaisyReply(
+        layer_from=_whole(fields, "layer_from", 0xFF, 0),
+        layer_to=_whole(fields, "layer_to", 0xFF, 0),
+        payload=_payload(fields),
+    )
 
 
-_BODIES = {
+_MAKERS: dict[str, Callable[[Mapping[str, Any], str], Message]] = {
     "direct-command": _direct_command,
     "direct-reply": _direct_reply,
     "system-command": _system_command,
@@ -185,10 +202,6 @@ _BODIES = {
     "daisy-command": _daisy_command,
     "daisy-reply": _daisy_reply,
 }
-
-
-def _layers(fields: Mapping[str, Any]) -> bytes:
-    return bytes(_whole(fields, name, 0xFF, 0) for name in ("layer_from", "layer_to"))
 
 
 def _payload(fields: Mapping[str, Any]) -> bytes:
@@ -206,20 +219,22 @@ def _number(entry: Mapping[str, Any]) -> int:
     raise RecordError(f"there is no system command {name}{near_misses(name, [known.name for known in SYSTEM])}")
 
 
-def _fields(entry: Mapping[str, Any], schema: Fields | None) -> bytes:
+def _fields(entry: Mapping[str, Any], schema: Fields | None) -> dict[str, Any]:
     given = _object(entry, "fields")
     if schema is None:
         if given:
             raise RecordError(f"0x{_number(entry):02X} is no system command, so nobody knows its fields")
-        return b""
+        return {}
     values = {name: _field(schema.by_name.get(name), name, given) for name in given}
+    completed = schema.completed(values)
     if "fault" in entry or entry.get("status_code") or MessageType[entry["type"]].is_error:
-        return schema.write_present(schema.completed(values))
+        return completed
     try:
-        return schema.write(values)
+        schema.write(values)  # for what it refuses
     except BuildError as error:
         name = SYSTEM_BY_NUMBER[_number(entry)].name
         raise RecordError(f"{name}: {error}") from None
+    return completed
 
 
 def _field(field: Field | None, name: str, given: Mapping[str, Any]) -> Any:
@@ -231,22 +246,22 @@ def _field(field: Field | None, name: str, given: Mapping[str, Any]) -> Any:
 # Operations
 
 
-def _operations(entry: Mapping[str, Any], dialect: str) -> bytes:
+def _operations(entry: Mapping[str, Any], dialect: str) -> list[Operation]:
     operations = entry.get("operations", [])
     if not isinstance(operations, list):
         raise RecordError(f"operations takes a list, not {_shown(operations)}")
-    pieces = []
+    found = []
     for index, operation in enumerate(operations):
         if not isinstance(operation, dict):
             raise RecordError(f"operations[{index}] takes an object, not {_shown(operation)}")
         try:
-            pieces.append(_operation(operation, dialect))
+            found.append(_operation(operation, dialect))
         except (BuildError, RecordError) as error:
             raise RecordError(f"operations[{index}]: {error}") from None
-    return b"".join(pieces)
+    return found
 
 
-def _operation(entry: Mapping[str, Any], dialect: str) -> bytes:
+def _operation(entry: Mapping[str, Any], dialect: str) -> Operation:
     name = _text(entry, "op")
     if entry.get("command") is not None:
         name += f".{_text(entry, 'command')}"
@@ -259,9 +274,10 @@ def _operation(entry: Mapping[str, Any], dialect: str) -> bytes:
         raise RecordError(f"args takes a list, not {_shown(arguments)}")
     head = _head(schema, entry)
     if entry.get("complete") is False:
-        return head + b"".join(_written(schema, arguments))
-    written = schema.write(list(_written(schema, arguments)))
-    return head + written[len(schema.head) :]
+        raw = head + b"".join(_written(schema, arguments))
+        return PartialOperation((schema, raw, 0, len(raw)))
+    raw = head + schema.write(list(_written(schema, arguments)))[len(schema.head) :]
+    return Operation((schema, raw, 0, len(raw)))
 
 
 def _head(schema: OperationSchema, entry: Mapping[str, Any]) -> bytes:

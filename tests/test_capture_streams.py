@@ -12,6 +12,7 @@ from itertools import product
 from typing import Any
 
 import pytest
+from support.effort import effort
 from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
 from support.packets import FIN, HOST_PORT, RST, SYN, SerialPort, packets_of, segment
 from support.packets import Capture as Packets
@@ -540,7 +541,8 @@ def test_a_frame_at_fault_is_a_frame_all_the_same() -> None:
 
 def test_a_million_bytes_that_never_fit() -> None:
     """Every other byte of a stream, each in a segment of its own."""
-    packets = [segment(True, 999, flags=SYN), *(segment(True, 1001 + 2 * at, b"\xff") for at in range(30_000))]
+    count = effort(15_000, 500_000)
+    packets = [segment(True, 999, flags=SYN), *(segment(True, 1001 + 2 * at, b"\xff") for at in range(count))]
     data = pcap(RAW_IP, timed(packets))
     begin = time.monotonic()
     tracemalloc.start()
@@ -549,20 +551,19 @@ def test_a_million_bytes_that_never_fit() -> None:
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert capture.account.balance == 0
-    assert (capture.account.skipped, skipped) == (30_000, 30_000)
-    assert peak < 4_000_000
-    assert time.monotonic() - begin < 30
+    assert (capture.account.skipped, skipped) == (count, count)
+    assert peak < 3_500_000
+    assert time.monotonic() - begin < effort(30, 300)
 
 
 def test_connections_without_end() -> None:
-    """Of a hundred thousand connections only some are remembered."""
+    """Only some connections are remembered."""
+    count = effort(4_000, 60_000)
 
     def packets() -> Iterator[bytes]:
-        for number in range(8_000):
-            port, brick = 1024 + number % 60_000, number // 60_000
+        for port in range(1024, 1024 + count):
             yield segment(True, 1000, voltage(1) + voltage(2)[:3], port=port)
             yield segment(False, 5000, volts(1), port=port, acknowledged=1013)
-            assert brick == 0
 
     data = pcap(RAW_IP, timed(list(packets())))
     tracemalloc.start()
@@ -570,10 +571,10 @@ def test_connections_without_end() -> None:
     answered = sum(isinstance(event, Record) and event.request is not None for event in capture.events())
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert answered == 8_000
+    assert answered == count
     assert capture.account.balance == 0
-    assert capture.account.frames == 8_000 * 19
-    assert peak < 12_000_000
+    assert capture.account.frames == count * 19
+    assert peak < 6_000_000
 
 
 # RFCOMM
@@ -824,8 +825,10 @@ def test_garbage_in_a_serial_port() -> None:
 def test_connections_of_bluetooth_without_end() -> None:
     """Handles given again and again, channels asked for without end, events that nobody needs: memory stays flat."""
 
+    count = effort(2000, 20_000)
+
     def packets() -> Iterator[bytes]:
-        for number in range(4000):
+        for number in range(count):
             link = Link(handle=number % 5000)
             link.connect()
             link.l2cap(True, 1, struct.pack("<BBHHH", 2, number % 256, 4, 3, 0x40 + number % 60_000))
@@ -841,7 +844,7 @@ def test_connections_of_bluetooth_without_end() -> None:
     records = sum(isinstance(event, Record) for event in capture.events())
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert (records, capture.account.balance, capture.account.skipped) == (4000, 0, 4000 * 6)
+    assert (records, capture.account.balance, capture.account.skipped) == (count, 0, count * 6)
     assert peak < 3_000_000
 
 

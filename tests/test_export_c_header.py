@@ -5,9 +5,11 @@ from __future__ import annotations
 import shutil
 import struct
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import pytest
+from support.effort import effort
 from support.frames import drawn
 
 from ev3proto import Argument, Operation, direct_command, operation, parse, system_command
@@ -113,6 +115,7 @@ def line(told: Operation) -> str:
     return ", ".join(pieces + [macro(argument) for argument in told.arguments])
 
 
+@cache
 def commands(dialect: str, count: int) -> list[DirectCommand]:
     found = []
     for raw in drawn(raw_operations(dialect), count):
@@ -126,7 +129,7 @@ def commands(dialect: str, count: int) -> list[DirectCommand]:
 @pytest.mark.parametrize("compiler", [GCC, GXX])
 @pytest.mark.parametrize("dialect", ["official", "xtended", "compat"])
 def test_operations_of_any_kind_in_macros(tmp_path: Path, compiler: list[str], dialect: str) -> None:
-    told = [message.operations[0] for message in commands(dialect, 300)]
+    told = [message.operations[0] for message in commands(dialect, effort(100, 1000))]
     body = "".join(f"    {{ const uint8_t op[] = {{{line(one)}}}; show(op, sizeof op); }}\n" for one in told)
     assert run(f"{HEAD}{body}    return 0;\n}}\n", tmp_path, compiler) == [one.raw.hex() for one in told]
 

@@ -19,17 +19,21 @@ from ev3proto.brick.clock import (
     MOST_FRAMES,
     MOST_OPERATIONS,
     MOST_SECONDS,
+    OPERATIONS_PER_TICK,
     OPERATIONS_PER_TURN,
     TICK,
-    TURNS_PER_TICK,
 )
 from ev3proto.brick.display import Display
+from ev3proto.brick.files import RecentFiles
 from ev3proto.brick.machine import Machine
+from ev3proto.brick.mailboxes import Mailboxes
 from ev3proto.brick.panel import Panel
 from ev3proto.brick.parts import Part
 from ev3proto.brick.programs import CMD_SLOT, FAIL, OK, RUNNING, STOP, STOPPED, USER_SLOT, Program, ProgramObject
 from ev3proto.brick.settings import Settings
 from ev3proto.brick.sound import Sound
+from ev3proto.brick.storage import Storage
+from ev3proto.brick.system_commands import SystemCommands
 from ev3proto.brick.terminal import Terminal
 from ev3proto.checking.verdict import Reason, verdict
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER, HEADER_SIZE
@@ -74,11 +78,14 @@ class Brick:
 
     def __init__(self, root: str | Path | None = None, *, dialect: str = "official") -> None:
         self.dialect = check_dialect(dialect)
-        self.root = None if root is None else Path(root)
         self.microseconds = 0
         self.is_dead = False
         self.tests_until = 0
         self.settings = Settings()
+        self.files = Storage(root)
+        self.recent = RecentFiles()
+        self.mailboxes = Mailboxes()
+        self.log_sync = (0, 0)
         self.random = Random()
         self.machine = Machine(self, self.dialect)
         self.display = Display()
@@ -91,6 +98,7 @@ class Brick:
         self._waiting: deque[Incoming] = deque()
         self._replies: list[Outgoing] = []
         self._command: _Command | None = None
+        self._system = SystemCommands(self)
 
     def used_kilobytes(self) -> int:
         """KB of the flash memory that users' files take."""
@@ -167,6 +175,7 @@ class Brick:
         Returns the replies that became due to others.
         """
         self._waiting = deque(waiting for waiting in self._waiting if waiting.channel != channel)
+        self._system.disconnect(channel)
         if self._command is not None and self._command.channel == channel:
             self.machine.end_program(self._command.program, FAIL)
             self._command = None
@@ -256,7 +265,12 @@ class Brick:
     # System commands
 
     def _take_system(self, channel: Hashable, frame: bytes, counter: int, wants_reply: bool) -> None:
-        """Does a system command."""
+        found = self._system.answer(channel, frame)
+        if found is None or not wants_reply:
+            return
+        status, contents = found
+        kind = MessageType.SYSTEM_REPLY_ERROR if status.is_failure else MessageType.SYSTEM_REPLY
+        self._reply(channel, counter, kind, contents)
 
     # Time and programs
 
@@ -268,10 +282,12 @@ class Brick:
         for slot, program in enumerate(self.machine.slots):
             if program is None or slot == CMD_SLOT:
                 continue
-            for _ in range(TURNS_PER_TICK):
-                if program.status != RUNNING:
-                    break
-                self.machine.turn(program, OPERATIONS_PER_TURN)
+            left, waiting = OPERATIONS_PER_TICK, 0
+            # Once round without an object that does not wait, nothing more can happen before the next tick.
+            while left > 0 and program.status == RUNNING and waiting <= len(program.objects):
+                executed, is_waiting = self.machine.turn(program, min(left, OPERATIONS_PER_TURN))
+                left -= max(executed, 1)
+                waiting = waiting + 1 if is_waiting else 0
 
     def _advance_parts(self) -> None:
         """Tells the parts what time it is."""
@@ -285,6 +301,8 @@ class Brick:
 
     def program_ended(self, program: Program) -> None:
         """What happens when a program or a direct command has ended."""
+        if program.slot == USER_SLOT:
+            self.mailboxes.close_all()
         if program.slot != CMD_SLOT:
             for part in self.parts:
                 part.program_ended(program)

@@ -4,10 +4,10 @@ TICK = 1_000
 """Microseconds from one turn of the programs to the next while one of them waits."""
 
 OPERATIONS_PER_TURN = 200
-"""Operations of one turn of a program, other than of a direct command."""
+"""Operations of one turn of an object, other than that of a direct command."""
 
-TURNS_PER_TICK = 5
-"""Turns that every program gets in a tick: a real brick executes some hundred thousand operations a second."""
+OPERATIONS_PER_TICK = 1_000
+"""Operations of all turns of a program in a tick: a real brick executes some hundred thousand a second."""
 
 MOST_OPERATIONS = 3_000_000
 """Operations after which a direct command is ended: the firmware would go on for ever."""

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 
 from ev3proto.brick.dispatch import Family, dispatch_table
 from ev3proto.brick.handles import ROOM, Array, Closable
+from ev3proto.brick.images import Image, Images, load
 from ev3proto.brick.memory import Place
-from ev3proto.brick.outcomes import Busy, Failure, Leave, Sleep, WildAccess
-from ev3proto.brick.programs import FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
+from ev3proto.brick.outcomes import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
+from ev3proto.brick.programs import CMD_SLOT, FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
 from ev3proto.schema.argument import SIZES, STRINGS
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables.declaration import Type
@@ -45,6 +46,7 @@ class Machine:
     brick     what it is part of
     slots     the programs, by slot; None where there has been none
     program   the one that runs at this moment, `object` its object that does
+    images    program images in memory
     code, ip  its code, and the offset of what is read next
     global_memory, local_memory  its variables
     """
@@ -59,6 +61,7 @@ class Machine:
         self.ip = 0
         self.global_memory = bytearray()
         self.local_memory = bytearray()
+        self.images = Images()
         self._scratch = bytearray(_SCRATCH)
         self._dispatch = dispatch_table(dialect)
 
@@ -103,7 +106,7 @@ class Machine:
                 found = dispatch[code[begin]]
                 self.ip = begin + 1
                 if found is None:
-                    raise Failure
+                    raise NoOperation
                 if isinstance(found, Family):
                     entries, unknown = found
                     command = entries.get(self.int8())
@@ -125,12 +128,25 @@ class Machine:
             is_waiting = True
         except Leave:
             pass
-        except (Failure, IndexError, ValueError):
+        except (Failure, IndexError, ValueError) as failure:
             # Reading code beyond its end makes an IndexError, a text in it that never ends a ValueError.
+            if program.slot != CMD_SLOT:
+                is_unknown = isinstance(failure, NoOperation)
+                self.brick.settings.log_error("VM_PROGRAM_INSTRUCTION_BREAK" if is_unknown else "VM_PROGRAM_FAIL_BREAK")
             self.end_program(program, FAIL)
         executed = most - left
         program.executed += executed
         return executed, is_waiting
+
+    def start_program(self, slot: int, image: Image) -> bool:
+        """Makes a program of an image and starts it in a slot. False, and an error in the log, where it is damaged."""
+        program = load(slot, image, self.microseconds, self.brick.dialect)
+        if program is None:
+            self.brick.settings.log_error("VM_PROGRAM_VALIDATION")
+            return False
+        self.slots[slot] = program
+        self.brick.program_started(program)
+        return True
 
     def fail(self) -> None:
         """Ends the running program: the operation failed."""

@@ -13,6 +13,10 @@ class WildAccess(Failure):
     """Memory that no program owns. The firmware would read or write something else; here the operation fails."""
 
 
+class NoOperation(Failure):
+    """There is no such opcode."""
+
+
 class Busy(Outcome):
     """The operation has to wait: it is executed again, parameters and all, when the program has its next turn."""
 

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from ev3proto.brick.handles import HandleTable
+from ev3proto.brick.memory import Place
 from ev3proto.checking.verdict import operation_offsets
+from ev3proto.program import ProgramParameter
 from ev3proto.tables import operations
 from ev3proto.tables.enumerations import OBJSTAT, RESULT, SLOT
+from ev3proto.tables.program import ObjectKind
 
 RUNNING, WAITING, STOPPED, HALTED = (OBJSTAT.members[name] for name in ("RUNNING", "WAITING", "STOPPED", "HALTED"))
 OK, BUSY, FAIL, STOP = (RESULT.members[name] for name in ("OK", "BUSY", "FAIL", "STOP"))
@@ -20,6 +24,19 @@ SLOTS = 5
 _LABEL = operations()["LABEL"].opcode.number
 
 
+class Result(NamedTuple):
+    """An output of a subroutine.
+
+    parameter  as the subroutine declares it
+    own        where it stands in the subroutine's memory
+    place      where the caller wants it
+    """
+
+    parameter: ProgramParameter
+    own: Place
+    place: Place
+
+
 @dataclass(eq=False)
 class ProgramObject:
     """An object of a program: a thread, a subroutine, or a block that runs in its owner's memory.
@@ -28,24 +45,28 @@ class ProgramObject:
     start         offset of its first operation, or of a subroutine's table of parameters
     local_memory  its variables; those of its owner for a block
     local_size    bytes of them that its header asks for
+    kind          thread, subcall or block
     triggers      how many triggers start it; 0: it is started by itself
+    parameters    those that a subcall declares
     status        one of OBJSTAT
     ip            offset of the next operation
     pending       triggers that are still missing
     caller        the object that called it
-    resume        of the caller, offset of its CALL
+    results       its outputs, and where its caller wants them
     """
 
     number: int
     start: int
     local_memory: bytearray
     local_size: int
+    kind: ObjectKind = ObjectKind.THREAD
     triggers: int = 0
+    parameters: tuple[ProgramParameter, ...] = ()
     status: int = STOPPED
     ip: int = 0
     pending: int = 0
     caller: ProgramObject | None = None
-    resume: int = 0
+    results: list[Result] = field(default_factory=list)
 
     def reset(self) -> None:
         """Back to its beginning."""

@@ -40,6 +40,10 @@ class Settings:
         """Adds an error by its name; where the log is full it is dropped."""
         self.log_error_number(NUMBERS[name])
 
+    def has_error(self, name: str) -> bool:
+        """Whether an error stands in the log."""
+        return NUMBERS[name] in self.errors
+
     def log_error_number(self, number: int) -> None:
         """Adds an error by its number; 0 is ignored, and where the log is full the error is dropped."""
         if number and len(self.errors) < LOGGED:

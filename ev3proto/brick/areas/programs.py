@@ -8,14 +8,26 @@ from ev3proto.brick.memory import Place
 from ev3proto.brick.outcomes import Busy, Failure, Leave, Sleep, WildAccess
 from ev3proto.brick.programs import (
     BUSY,
+    CMD_SLOT,
     CURRENT_SLOT,
+    DEBUG_SLOT,
     GUI_SLOT,
     OK,
     RUNNING,
     SLOTS,
     STOPPED,
+    TERM_SLOT,
+    USER_SLOT,
+    WAITING,
     Program,
+    Result,
 )
+from ev3proto.program import ProgramParameter
+from ev3proto.tables.declaration import Direction, Type
+from ev3proto.tables.program import aligned
+
+LOAD_ONLY = 2
+"""Of PROGRAM_START: the program is not to run."""
 
 
 @handles("NOP", "LABEL", "BP_SET", "BP3", "PROBE", "COM_WRITE.REPLY")
@@ -216,7 +228,77 @@ def set_instructions(vm: Machine, slot: int) -> None:  # noqa: ARG001 - turns ar
     vm.int16()
 
 
+# Starting programs
+
+
+@handles("PROGRAM_START")
+def program_start(vm: Machine, slot: int, size: int, address: int, mode: int) -> None:  # noqa: ARG001 - as the firmware
+    """From a direct command only while no user's program and no debugged one runs. Address 0 does nothing."""
+    image = vm.images.get(address)
+    if image is None or mode == LOAD_ONLY or slot not in (USER_SLOT, TERM_SLOT, DEBUG_SLOT):
+        return
+    watched = (USER_SLOT, DEBUG_SLOT) if vm.program.slot == CMD_SLOT else (slot,)
+    if any(other is not None and other.status == RUNNING for other in (vm.program_in(number) for number in watched)):
+        return
+    vm.start_program(slot, image)
+
+
+# Subroutines
+
+
+@handles("CALL", raw=True)
+def call(vm: Machine) -> None:
+    """Copies the inputs into the subroutine's memory and starts it; waits while another object is in it."""
+    callee = vm.program.objects.get(vm.int16())
+    if callee is None:
+        raise WildAccess
+    if callee.status != STOPPED:
+        raise Busy
+    offset = 0
+    results: list[Result] = []
+    # Each input is copied at once: constants stand in one place until the next one is read.
+    for number in range(vm.int8()):
+        place = vm.place()
+        if number >= len(callee.parameters):
+            continue
+        parameter = callee.parameters[number]
+        offset = aligned(offset, parameter.bytes)
+        own = Place(callee.local_memory, offset)
+        if parameter.direction is not Direction.OUT:
+            _copy_input(parameter, place, own)
+        if parameter.direction is not Direction.IN:
+            results.append(Result(parameter, own, place))
+        offset += parameter.bytes
+    vm.object.ip = vm.ip
+    vm.object.status = WAITING
+    callee.reset()
+    callee.status = RUNNING
+    callee.caller = vm.object
+    callee.results = results
+    raise Leave
+
+
+def _copy_input(parameter: ProgramParameter, source: Place, own: Place) -> None:
+    if parameter.type is not Type.STRING:
+        own.write_bytes(source.read_bytes(parameter.bytes))
+    elif parameter.bytes:
+        own.write_text(source.read_text()[: parameter.bytes - 1])
+
+
 @handles("RETURN", raw=True)
-def return_to_caller(_: Machine) -> None:
-    """Nobody has called a direct command: the firmware crashes."""
-    raise Failure
+def return_to_caller(vm: Machine) -> None:
+    """Copies the outputs to where the caller wants them, who goes on. A direct command has no caller: it fails."""
+    callee = vm.object
+    caller = callee.caller
+    if caller is None:
+        raise Failure
+    for parameter, own, place in callee.results:
+        if parameter.type is Type.STRING:
+            vm.write_text(place, own.read_text()[: parameter.bytes])
+        else:
+            place.write_bytes(own.read_bytes(parameter.bytes))
+    callee.caller, callee.results = None, []
+    callee.status = STOPPED
+    callee.reset()
+    caller.status = RUNNING
+    raise Leave

@@ -1,0 +1,93 @@
+"""FILENAME PACK and UNPACK: archives of one file or folder. What is in an archive stays in the folder it is in."""
+
+from __future__ import annotations
+
+import io
+import tarfile
+import zlib
+from collections.abc import Iterator
+
+from ev3proto.brick.storage import MOST_DEPTH, Storage
+
+MOST_MEMBERS = 1000
+"""Files and folders of one archive."""
+
+_HEADS = 2 * MOST_MEMBERS * tarfile.BLOCKSIZE
+"""Bytes of an archive beside the contents of its files."""
+
+_GZIP = 16
+"""For zlib: the data has the head of a gzip file."""
+
+
+def pack(storage: Storage, path: bytes, archive: bytes) -> bool:
+    """Writes an archive of a file or a folder, with all that is in it. False where it cannot be."""
+    buffer = io.BytesIO()
+    folder, _, name = path.rstrip(b"/").rpartition(b"/")
+    with tarfile.open(fileobj=buffer, mode="w:gz") as tar:
+        for member, data in _members(storage, folder + b"/" if folder else b"", name, MOST_DEPTH):
+            entry = tarfile.TarInfo(member.decode("utf-8", "surrogateescape"))
+            if data is None:
+                entry.type = tarfile.DIRTYPE
+                tar.addfile(entry)
+            else:
+                entry.size = len(data)
+                tar.addfile(entry, io.BytesIO(data))
+    return _write(storage, archive, buffer.getvalue())
+
+
+def _members(storage: Storage, folder: bytes, name: bytes, depth: int) -> Iterator[tuple[bytes, bytes | None]]:
+    """Names and contents, None for those of a folder."""
+    if storage.is_folder(folder + name):
+        yield name, None
+        for entry in storage.shown(folder + name) if depth else ():
+            yield from _members(storage, folder, name + b"/" + entry, depth - 1)
+        return
+    data = storage.read(folder + name)
+    if data is not None:
+        yield name, data
+
+
+def unpack(storage: Storage, archive: bytes) -> bool:
+    """Writes what is in an archive beside it. False where it is none, or holds what may not be there.
+
+    Links and special files, and names that lead elsewhere, end it; so does what would not fit.
+    """
+    data = storage.read(archive)
+    if data is None:
+        return False
+    folder = archive.rpartition(b"/")[0]
+    folder = folder + b"/" if folder else b""
+    try:
+        # Never more than there is room for: a small archive can hold terabytes of zeros.
+        whole = zlib.decompressobj(zlib.MAX_WBITS | _GZIP).decompress(data, storage.quota + _HEADS)
+        with tarfile.open(fileobj=io.BytesIO(whole), mode="r:") as tar:
+            for number, entry in enumerate(tar):
+                if number >= MOST_MEMBERS or not _unpack_member(storage, folder, tar, entry):
+                    return False
+    except (tarfile.TarError, OSError, EOFError, zlib.error, ValueError):
+        return False
+    return True
+
+
+def _unpack_member(storage: Storage, folder: bytes, tar: tarfile.TarFile, entry: tarfile.TarInfo) -> bool:
+    name = entry.name.encode("utf-8", "surrogateescape")
+    if name.startswith(b"/") or b".." in name.split(b"/"):
+        return False
+    if entry.isdir():
+        return storage.is_folder(folder + name) or storage.make_folder(folder + name)
+    if not entry.isreg() or entry.size > storage.free:
+        return False
+    file = tar.extractfile(entry)
+    storage.make_folders(folder + name)
+    return file is not None and _write(storage, folder + name, file.read(entry.size))
+
+
+def _write(storage: Storage, path: bytes, data: bytes) -> bool:
+    if len(data) > storage.free:
+        return False
+    file = storage.open_to_write(path)
+    if file is None:
+        return False
+    with file:
+        storage.reserve(len(data))
+        return file.write(data) == len(data)

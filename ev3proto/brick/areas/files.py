@@ -1,0 +1,346 @@
+"""FILE: opening, reading, writing, folders, the list of recent files, program images."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ev3proto.brick import filenames
+from ev3proto.brick.conversions import wrap8
+from ev3proto.brick.files import OpenFile
+from ev3proto.brick.formatting import fixed, read_number
+from ev3proto.brick.handlers import handles, handles_unknown
+from ev3proto.brick.machine import Machine
+from ev3proto.brick.memory import Place
+from ev3proto.brick.outcomes import Busy, Failure
+from ev3proto.brick.programs import CURRENT_SLOT, RUNNING
+from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.declaration import Type
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.enumerations import DEL
+
+_CHARACTERS = {
+    "DEL_NONE": b"",
+    "DEL_TAB": b"\t",
+    "DEL_SPACE": b" ",
+    "DEL_RETURN": b"\r",
+    "DEL_COLON": b":",
+    "DEL_COMMA": b",",
+    "DEL_LINEFEED": b"\n",
+    "DEL_CRLF": b"\r\n",
+}
+DELIMITERS = {DEL.members[name]: text for name, text in _CHARACTERS.items()}
+"""What stands between two values, by its number; none for any other number."""
+
+IMAGE_EXTENSION = str(CONSTANTS["EXT_BYTECODE"]).encode(STRING_CODING)
+
+_MOST_NUMBER = 64
+"""Bytes of a number's text."""
+
+
+def checked_name(vm: Machine, place: Place) -> bytes | None:
+    """A file's name from memory, in the program's own folder where it has none; None where it is not allowed.
+
+    The error is logged unless it stands in the log already. Forbidden characters are replaced in memory.
+    """
+    if not filenames.check(place):
+        log_once(vm, "FILE_NAME_ERROR")
+        return None
+    return in_own_folder(vm, place.read_text())
+
+
+def log_once(vm: Machine, name: str) -> None:
+    """Logs an error unless it stands in the log already."""
+    settings = vm.brick.settings
+    if not settings.has_error(name):
+        settings.log_error(name)
+
+
+def in_own_folder(vm: Machine, name: bytes) -> bytes:
+    """A name without a folder is looked up in the program's own one."""
+    return name if b"/" in name else vm.program.folder.encode(STRING_CODING) + name
+
+
+@handles_unknown("FILE")
+def unknown(_: Machine) -> None:
+    """Fails."""
+    raise Failure
+
+
+@handles("FILE.GET_IMAGE", raw=True)
+def get_image(_: Machine) -> None:
+    """The firmware of 2013 has no code for it."""
+    raise Failure
+
+
+# Opening and closing
+
+
+def _opened(vm: Machine, place: Place) -> bytes:
+    """The name of a file to open. One that is not allowed is tried again, with its characters replaced by then."""
+    name = checked_name(vm, place)
+    if name is None:
+        raise Busy
+    return name
+
+
+def _add(vm: Machine, file: OpenFile, handle: Place) -> None:
+    number = vm.program.handles.add(file)
+    if number is None:
+        file.close()
+        raise Failure
+    handle.write16(number)
+
+
+@handles("FILE.OPEN_READ", places=("NAME",))
+def open_read(vm: Machine, place: Place, handle: Place, size: Place) -> None:
+    """Without such a file handle and size are 0, and nothing fails."""
+    name = _opened(vm, place)
+    files = vm.brick.files
+    file, found = files.open_to_read(name), files.locate(name)
+    if file is None or found is None:
+        handle.write16(0)
+        size.write32(0)
+        return
+    _add(vm, OpenFile(files, found, file, False), handle)
+    size.write32(files.totals(name).size)
+
+
+def _open_to_write(append: bool) -> Callable[[Machine, Place, Place], None]:
+    def open_to_write(vm: Machine, place: Place, handle: Place) -> None:
+        name = _opened(vm, place)
+        files = vm.brick.files
+        file, found = files.open_to_write(name, append=append), files.locate(name)
+        if file is None or found is None:
+            vm.brick.settings.log_error("FILE_OPEN_ERROR")
+            raise Failure
+        _add(vm, OpenFile(files, found, file, True), handle)
+
+    return open_to_write
+
+
+handles("FILE.OPEN_WRITE", places=("NAME",))(_open_to_write(False))
+handles("FILE.OPEN_APPEND", places=("NAME",))(_open_to_write(True))
+
+
+@handles("FILE.CLOSE")
+def close(vm: Machine, handle: int) -> None:
+    """Of arrays, too."""
+    if not vm.release(vm.program, handle):
+        vm.brick.settings.log_error("FILE_CLOSE_ERROR")
+        raise Failure
+
+
+@handles("FILE.GET_HANDLE", places=("NAME",))
+def get_handle(vm: Machine, place: Place, handle: Place, for_writing: Place) -> None:
+    """-1 where it is not open."""
+    name = checked_name(vm, place)
+    found = None if name is None else vm.brick.files.locate(name)
+    for number, entry in vm.program.handles.items():
+        if isinstance(entry, OpenFile) and entry.place == found:
+            handle.write16(number)
+            for_writing.write8(entry.for_writing)
+            return
+    handle.write16(-1)
+    for_writing.write8(0)
+
+
+# Reading and writing
+
+
+def _file(vm: Machine, handle: int, for_writing: bool) -> OpenFile:
+    """An open file; Failure where there is none, or it was opened for the other direction."""
+    file = vm.program.handles.get(handle, OpenFile)
+    if file is None or file.for_writing is not for_writing:
+        vm.brick.settings.log_error("FILE_WRITE_ERROR" if for_writing else "FILE_READ_ERROR")
+        raise Failure
+    return file
+
+
+def _write(vm: Machine, handle: int, data: bytes) -> None:
+    if not _file(vm, handle, True).write(data):
+        vm.brick.settings.log_error("FILE_WRITE_ERROR")
+        raise Failure
+
+
+@handles("FILE.READ_TEXT")
+def read_text(vm: Machine, handle: int, delimiter: int, length: int, destination: Place) -> None:
+    """A zero follows where there is room for one. The length counts as 8 bits."""
+    length = max(0, wrap8(length))
+    text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), length)
+    if vm.resize(destination, length):
+        destination.write_bytes(text + b"\0" * (len(text) < length))
+
+
+@handles("FILE.READ_VALUE")
+def read_value(vm: Machine, handle: int, delimiter: int, value: Place) -> None:
+    """0 where the text is no number."""
+    text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), _MOST_NUMBER)
+    value.write_float(read_number(text) or 0.0)
+
+
+@handles("FILE.READ_BYTES")
+def read_bytes(vm: Machine, handle: int, count: int, destination: Place) -> None:
+    """A zero follows where the file ended before."""
+    file = _file(vm, handle, False)
+    if count > 0 and vm.resize(destination, count):
+        destination.check(count)
+        data = file.read(count)
+        destination.write_bytes(data + b"\0" * (len(data) < count))
+
+
+@handles("FILE.WRITE_TEXT")
+def write_text(vm: Machine, handle: int, delimiter: int, text: bytes) -> None:
+    """And the delimiter."""
+    _write(vm, handle, text + DELIMITERS.get(delimiter, b""))
+
+
+@handles("FILE.WRITE_VALUE")
+def write_value(vm: Machine, handle: int, delimiter: int, value: float, figures: int, decimals: int) -> None:
+    """As text, and the delimiter."""
+    text = fixed(value, decimals)
+    text = text.rjust(figures) if figures >= 0 else text.ljust(-figures)
+    _write(vm, handle, text.encode(STRING_CODING) + DELIMITERS.get(delimiter, b""))
+
+
+@handles("FILE.WRITE_BYTES")
+def write_bytes(vm: Machine, handle: int, count: int, source: Place) -> None:
+    """As they are."""
+    _write(vm, handle, source.read_bytes(count))
+
+
+# Folders
+
+
+@handles("FILE.REMOVE", places=("NAME",))
+def remove(vm: Machine, place: Place) -> None:
+    """A file, or a folder with the files in it."""
+    name = checked_name(vm, place)
+    if name is not None:
+        vm.brick.files.remove(name)
+
+
+@handles("FILE.MAKE_FOLDER")
+def make_folder(vm: Machine, path: bytes, success: Place) -> None:
+    """One slash may follow; no failure where it is there."""
+    files = vm.brick.files
+    path = path.removesuffix(b"/")
+    success.write8(files.is_folder(path) or files.make_folder(path))
+
+
+@handles("FILE.MOVE", places=("SOURCE", "DEST"))
+def move(vm: Machine, source: Place, target: Place) -> None:
+    """Copies: the source stays."""
+    names = checked_name(vm, source), checked_name(vm, target)
+    if names[0] is not None and names[1] is not None:
+        vm.brick.files.copy(names[0], names[1])
+
+
+def _entry(vm: Machine, folder: bytes, item: int) -> bytes | None:
+    """The name of an entry of a folder, counted from 1; None where there is none."""
+    names = vm.brick.files.shown(folder)
+    return names[item - 1] if 1 <= item <= len(names) else None
+
+
+@handles("FILE.GET_FOLDERS")
+def count_entries(vm: Machine, folder: bytes, items: Place) -> None:
+    """Those that are shown."""
+    items.write8(min(len(vm.brick.files.shown(folder)), int(CONSTANTS["DIR_DEEPT"])))
+
+
+@handles("FILE.GET_SUBFOLDER_NAME")
+def entry_name(vm: Machine, folder: bytes, item: int, length: int, destination: Place) -> None:
+    """Without its extension; empty where there is no such entry."""
+    name = _entry(vm, folder, item) or b""
+    vm.write_limited(destination, name.partition(b".")[0], length)
+
+
+@handles("FILE.GET_ITEM")
+def find_entry(vm: Machine, folder: bytes, name: bytes, item: Place) -> None:
+    """0 where there is none."""
+    names = [entry.partition(b".")[0] for entry in vm.brick.files.shown(folder)]
+    item.write8(names.index(name) + 1 if name in names else 0)
+
+
+@handles("FILE.DEL_SUBFOLDER")
+def delete_entry(vm: Machine, folder: bytes, item: int) -> None:
+    """With the files in it."""
+    name = _entry(vm, folder, item)
+    if name is not None:
+        vm.brick.files.remove(folder.rstrip(b"/") + b"/" + name)
+
+
+# Recent files
+
+
+@handles("FILE.GET_CACHE_FILES")
+def count_recent(vm: Machine, items: Place) -> None:
+    """At most 10."""
+    items.write8(len(vm.brick.recent.paths))
+
+
+@handles("FILE.PUT_CACHE_FILE", places=("STRING",))
+def put_recent(vm: Machine, place: Place) -> None:
+    """First."""
+    if filenames.check(place):
+        vm.brick.recent.put(place.read_text())
+
+
+@handles("FILE.GET_CACHE_FILE")
+def recent_name(vm: Machine, item: int, length: int, destination: Place) -> None:
+    """Empty where there is none."""
+    paths = vm.brick.recent.paths
+    vm.write_limited(destination, paths[item - 1] if 1 <= item <= len(paths) else b"", length)
+
+
+@handles("FILE.DEL_CACHE_FILE")
+def delete_recent(vm: Machine, path: bytes) -> None:
+    """Nothing where it is not there."""
+    vm.brick.recent.forget(path)
+
+
+# Programs and memory
+
+
+@handles("FILE.LOAD_IMAGE", places=("NAME",))
+def load_image(vm: Machine, slot: int, place: Place, size: Place, address: Place) -> None:
+    """Without such a file size and address are 0; nothing is written where the slot runs a program."""
+    if slot == CURRENT_SLOT:
+        slot = vm.program.slot
+    running = vm.program_in(slot)
+    if running is not None and running.status == RUNNING:
+        return
+    name = checked_name(vm, place)
+    parts = filenames.split(name or b"")
+    image = None if name is None else vm.brick.files.read(name if parts.extension else name + IMAGE_EXTENSION)
+    if image is None:
+        size.write32(0)
+        address.write32(0)
+        return
+    size.write32(len(image))
+    address.write32(vm.images.add(image, parts.folder.decode(STRING_CODING)))
+
+
+@handles("FILE.GET_POOL")
+def get_pool(vm: Machine, size: int, handle: Place, address: Place) -> None:
+    """Memory with an address, though nothing here reaches it by that."""
+    number = vm.create_array(Type.DATA8, size) if size >= 0 else None
+    if number is None:
+        raise Failure
+    handle.write16(number)
+    address.write32(vm.images.add(b"", ""))
+
+
+# What data logs are lined up by
+
+
+@handles("FILE.SET_LOG_SYNC_TIME")
+def set_log_sync_time(vm: Machine, time: int, tick: int) -> None:
+    """Kept as they are."""
+    vm.brick.log_sync = (time, tick)
+
+
+@handles("FILE.GET_LOG_SYNC_TIME")
+def get_log_sync_time(vm: Machine, time: Place, tick: Place) -> None:
+    """As they were set."""
+    time.write32(vm.brick.log_sync[0])
+    tick.write32(vm.brick.log_sync[1])

@@ -1,0 +1,68 @@
+"""Files that programs have opened by FILE, and the list of the files that were run last."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+from ev3proto.brick.handles import Closable
+from ev3proto.brick.storage import Storage
+
+MOST_RECENT = 10
+"""Files in the list of those run last."""
+
+
+class OpenFile(Closable):
+    """A file that a program has opened.
+
+    place        of the file, for comparing
+    for_writing  whether it was opened to write or to append
+    """
+
+    def __init__(self, storage: Storage, place: Path, file: io.FileIO, for_writing: bool) -> None:
+        self.place = place
+        self.for_writing = for_writing
+        self._storage = storage
+        self._file = file
+
+    def read(self, most: int) -> bytes:
+        """So many bytes, fewer at the end of the file."""
+        return self._file.read(max(0, most)) or b""
+
+    def read_until(self, delimiter: bytes, most: int) -> bytes:
+        """What stands up to a delimiter, which is taken out too, or so many bytes; an empty delimiter never comes."""
+        begin = self._file.tell()
+        data = self.read(most + len(delimiter))
+        at = data.find(delimiter) if delimiter else -1
+        text = data[: min(most, at) if at >= 0 else most]
+        is_delimited = 0 <= at < most
+        self._file.seek(begin + len(text) + (len(delimiter) if is_delimited else 0))
+        return text
+
+    def write(self, data: bytes) -> bool:
+        """Writes behind what was written before. False where there is no room."""
+        if not self._storage.reserve(len(data)):
+            return False
+        try:
+            return self._file.write(data) == len(data)
+        except OSError:
+            return False
+
+    def close(self) -> None:
+        """Closes it."""
+        self._file.close()
+
+
+class RecentFiles:
+    """The files that were run last, the latest first, each once."""
+
+    def __init__(self) -> None:
+        self.paths: list[bytes] = []
+
+    def put(self, path: bytes) -> None:
+        """Puts a file first."""
+        self.paths = [path, *(other for other in self.paths if other != path)][:MOST_RECENT]
+
+    def forget(self, path: bytes) -> None:
+        """Takes a file off."""
+        self.paths = [other for other in self.paths if other != path]

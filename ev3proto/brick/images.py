@@ -1,0 +1,101 @@
+"""Program images in the brick's memory: what LOAD_IMAGE loads, and the programs that PROGRAM_START makes of it.
+
+Addresses mean nothing here but to find the image again.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from typing import NamedTuple
+
+from ev3proto.brick.handles import ROOM
+from ev3proto.brick.programs import RUNNING, Program, ProgramObject
+from ev3proto.errors import DecodeError
+from ev3proto.program import parse
+from ev3proto.tables.program import kind_of
+
+FIRST_ADDRESS = 0x40000000
+STEP = 0x01000000
+MOST_IMAGES = 64
+"""Images that are kept; the oldest is forgotten."""
+
+_ZEROS = bytes(8)
+"""What is read behind an image, by an operation that is cut short."""
+
+
+class Image(NamedTuple):
+    """An image in memory.
+
+    data    its bytes
+    folder  where it was loaded from, with its closing slash
+    """
+
+    data: bytes
+    folder: str
+
+
+class Images:
+    """What is in memory, by its address."""
+
+    def __init__(self) -> None:
+        self._images: OrderedDict[int, Image] = OrderedDict()
+        self._next = FIRST_ADDRESS
+
+    def add(self, data: bytes, folder: str) -> int:
+        """Puts an image in memory and returns its address."""
+        address = self._next
+        self._next = FIRST_ADDRESS if address + 2 * STEP > 0x7FFFFFFF else address + STEP
+        self._images.pop(address, None)
+        self._images[address] = Image(data, folder)
+        if len(self._images) > MOST_IMAGES:
+            self._images.popitem(last=False)
+        return address
+
+    def get(self, address: int) -> Image | None:
+        """The image at an address."""
+        return self._images.get(address)
+
+
+def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
+    """A program made of an image, with its first object ready to run; None where the image is damaged or too large.
+
+    started  of the clock, in microseconds
+    """
+    try:
+        parsed = parse(image.data, dialect=dialect)
+    except DecodeError:
+        return None
+    needed = parsed.global_size + sum(part.local_size for part in parsed.objects)
+    if needed > ROOM or not parsed.objects:
+        return None
+    objects: dict[int, ProgramObject] = {}
+    for part in parsed.objects:
+        objects[part.number] = ProgramObject(
+            part.number,
+            part.operations[0].offset if part.operations else part.offset,
+            bytearray(part.local_size),
+            part.local_size,
+            kind=kind_of(part.owner, part.triggers),
+            triggers=part.triggers,
+            parameters=part.parameters,
+        )
+    for part in parsed.objects:
+        if part.owner in objects:
+            # A block runs in the memory of its owner.
+            objects[part.number].local_memory = objects[part.owner].local_memory
+    for entry in objects.values():
+        entry.reset()
+    objects[1].status = RUNNING
+    code = bytearray(image.data)
+    end = len(code)
+    code += _ZEROS
+    return Program(
+        slot,
+        code,
+        end,
+        bytearray(parsed.global_size),
+        parsed.global_size,
+        objects,
+        started=started,
+        folder=image.folder,
+    )

@@ -1,0 +1,65 @@
+"""Mailboxes: where messages from other bricks and from computers arrive for programs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+BOXES = 30
+"""Numbered from 0."""
+
+MOST_NAME = 49
+"""Bytes of a name; longer ones are cut."""
+
+MOST_CONTENT = 250
+"""Bytes of a message; what is longer is cut, where the firmware writes over what lies behind."""
+
+
+@dataclass
+class Mailbox:
+    """One mailbox.
+
+    name     what senders call it
+    type     one of DATA_FORMAT: of its values
+    is_open  whether a program has opened it
+    content  the message that came last; there is no queue
+    written  messages that came since it was opened
+    read     how often one of them was read
+    """
+
+    name: bytes = b""
+    type: int = 0
+    is_open: bool = False
+    content: bytes = b""
+    written: int = 0
+    read: int = 0
+
+    @property
+    def has_news(self) -> bool:
+        """Whether there is a message that nobody has read."""
+        return self.written != self.read
+
+
+class Mailboxes:
+    """All of them."""
+
+    def __init__(self) -> None:
+        self.boxes = [Mailbox() for _ in range(BOXES)]
+
+    def open(self, number: int, name: bytes, type: int) -> bool:
+        """Opens a box, which is empty then. False where it is open already."""
+        if self.boxes[number].is_open:
+            return False
+        self.boxes[number] = Mailbox(name[:MOST_NAME], type, True)
+        return True
+
+    def deliver(self, name: bytes, content: bytes) -> None:
+        """A message has come: the first box of that name gets it, open or closed; without one it is dropped."""
+        for box in self.boxes:
+            if box.name == name:
+                box.content = content[:MOST_CONTENT]
+                box.written += 1
+                return
+
+    def close_all(self) -> None:
+        """Closes all boxes and forgets their names, as the end of a user's program does."""
+        self.boxes = [Mailbox() for _ in range(BOXES)]

@@ -1,0 +1,351 @@
+"""The brick's files: a folder of this computer that stands for /home/root/lms2012, and nothing outside of it.
+
+Paths are bytes, as on the brick. A relative one starts in `sys`. One that leads out of the folder leads nowhere.
+Symbolic links, pipes and whatever else is neither file nor folder are never opened; they can be listed and deleted.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+import shutil
+import stat
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+HOME = (b"home", b"root", b"lms2012")
+"""What the folder stands for."""
+
+CURRENT = (*HOME, b"sys")
+"""Where relative paths start."""
+
+FOLDERS = ("apps", "prjs", "sys", "tools")
+"""Folders of a brick that nobody used yet."""
+
+QUOTA = 6000 * 1024
+"""Bytes that files may take, as much as the real brick has for its user."""
+
+MOST_ENTRIES = 10_000
+"""Files and folders that may be made; a full folder keeps what is there."""
+
+MOST_DEPTH = 32
+"""Folders within folders that copying, counting and packing follow."""
+
+_HIDDEN = (b".", b"CVS")
+"""How the names begin that the firmware does not show."""
+
+_OPEN_FLAGS = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+
+
+class Totals(NamedTuple):
+    """What a folder holds.
+
+    entries  as the directory has them, with . and ..; 0 for a file
+    size     bytes of the files
+    """
+
+    entries: int
+    size: int
+
+
+class Storage:
+    """The files.
+
+    root   the folder; None: there are no files. The firmware's folders are made in it.
+    quota  bytes that all files may take
+    """
+
+    def __init__(self, root: str | os.PathLike[str] | None, quota: int = QUOTA) -> None:
+        self.root = None if root is None else Path(root).resolve()
+        self.quota = quota
+        self.used = 0
+        self._entries = 0
+        if self.root is not None:
+            for name in FOLDERS:
+                (self.root / name).mkdir(parents=True, exist_ok=True)
+            for status in _walk(self.root, MOST_DEPTH):
+                self._entries += 1
+                if stat.S_ISREG(status.st_mode):
+                    self.used += status.st_size
+
+    # Places
+
+    def locate(self, path: bytes) -> Path | None:
+        """The path on this computer; None for one that leads outside or through something that is no folder."""
+        if self.root is None or not path or b"\0" in path:
+            return None
+        parts = [] if path.startswith(b"/") else list(CURRENT)
+        for part in path.split(b"/"):
+            if part == b"..":
+                del parts[-1:]
+            elif part not in (b"", b"."):
+                parts.append(part)
+        if tuple(parts[: len(HOME)]) != HOME:
+            return None
+        place = self.root
+        for part in parts[len(HOME) :]:
+            if place != self.root and not _is_folder(place):
+                return None
+            # A name of the brick is one name here, too: no separator or drive of another system.
+            name = os.fsdecode(part)
+            if Path(name).name != name:
+                return None
+            place = place / name
+        return place
+
+    def is_file(self, path: bytes) -> bool:
+        """Whether there is a file."""
+        place = self.locate(path)
+        return place is not None and _is_file(place)
+
+    def is_folder(self, path: bytes) -> bool:
+        """Whether there is a folder."""
+        place = self.locate(path)
+        return place is not None and _is_folder(place)
+
+    # Reading
+
+    def open_to_read(self, path: bytes) -> io.FileIO | None:
+        """A file to read; None where there is none."""
+        place = self.locate(path)
+        if place is None or not _is_file(place):
+            return None
+        return self._open(place, os.O_RDONLY, "rb")
+
+    def read(self, path: bytes) -> bytes | None:
+        """All that is in a file; None where there is none."""
+        file = self.open_to_read(path)
+        if file is None:
+            return None
+        with file:
+            return file.readall()
+
+    def listing(self, path: bytes) -> bytes | None:
+        """A folder as LIST_FILES shows it: in the reverse of its own order, every line for one entry.
+
+        None where there is no such folder. What is neither file nor folder nor link is left out.
+        """
+        place = self.locate(path)
+        if place is None or not _is_folder(place):
+            return None
+        lines = []
+        for name, status in _entries(place):
+            if stat.S_ISDIR(status.st_mode) or stat.S_ISLNK(status.st_mode):
+                lines.append(os.fsencode(name) + b"/\n")
+            elif stat.S_ISREG(status.st_mode):
+                digest = self._digest(place / name)
+                lines.append(b"%s %08X %s\n" % (digest, status.st_size & 0xFFFFFFFF, os.fsencode(name)))
+        # The folder itself and the one above come first in a folder, so they come last here.
+        return b"".join((*reversed(lines), b"../\n", b"./\n"))
+
+    def _digest(self, place: Path) -> bytes:
+        """MD5 in upper case; of a file that cannot be read that of an empty one."""
+        digest = hashlib.md5(usedforsecurity=False)
+        file = self._open(place, os.O_RDONLY, "rb")
+        if file is not None:
+            with file:
+                while chunk := file.read(1 << 16):
+                    digest.update(chunk)
+        return digest.hexdigest().upper().encode("ascii")
+
+    def shown(self, path: bytes) -> list[bytes]:
+        """The entries of a folder that the firmware shows, sorted by extension, then by name; none for no folder."""
+        place = self.locate(path)
+        if place is None or not _is_folder(place):
+            return []
+        names = [os.fsencode(name) for name, _ in _entries(place)]
+        names = [name for name in names if not name.startswith(_HIDDEN)]
+        return sorted(names, key=lambda name: (name.partition(b".")[2], name.partition(b".")[0]))
+
+    def totals(self, path: bytes) -> Totals:
+        """What a folder or file holds; nothing where there is none."""
+        place = self.locate(path)
+        if place is None:
+            return Totals(0, 0)
+        if not _is_folder(place):
+            return Totals(0, place.lstat().st_size if _is_file(place) else 0)
+        sizes = [status.st_size for _, status in _entries(place) if stat.S_ISREG(status.st_mode)]
+        return Totals(len(list(_entries(place))) + 2, sum(sizes))
+
+    # Writing
+
+    def open_to_write(self, path: bytes, *, append: bool = False) -> io.FileIO | None:
+        """A file to write, made where there is none, emptied unless `append`; None where that cannot be.
+
+        Whoever writes to it asks `reserve` before.
+        """
+        place = self.locate(path)
+        if place is None or path.endswith(b"/"):
+            return None
+        there = _status(place)
+        if there is None:
+            if not self._may_make():
+                return None
+        elif not stat.S_ISREG(there.st_mode):
+            return None
+        flags = os.O_WRONLY | os.O_CREAT | (os.O_APPEND if append else os.O_TRUNC)
+        file = self._open(place, flags, "ab" if append else "wb")
+        if file is not None:
+            if there is None:
+                self._entries += 1
+            elif not append:
+                self.used -= there.st_size
+        return file
+
+    def reserve(self, size: int) -> bool:
+        """Takes so many bytes from the quota for what is going to be written; False where they are not there."""
+        if self.used + size > self.quota:
+            return False
+        self.used += size
+        return True
+
+    @property
+    def free(self) -> int:
+        """Bytes that are left."""
+        return max(0, self.quota - self.used)
+
+    def make_folder(self, path: bytes) -> bool:
+        """Makes one folder in one that is there; False where it exists already or cannot be."""
+        place = self.locate(path)
+        if place is None or _status(place) is not None or not self._may_make():
+            return False
+        try:
+            place.mkdir()
+        except OSError:
+            return False
+        self._entries += 1
+        return True
+
+    def make_folders(self, path: bytes) -> None:
+        """Makes the missing folders of a path that ends in a slash or in a file's name."""
+        at = path.find(b"/", 1)
+        while at > 0:
+            self.make_folder(path[:at])
+            at = path.find(b"/", at + 1)
+
+    def delete(self, path: bytes) -> bool:
+        """Deletes a file, a link or an empty folder; False where there is none or it cannot be."""
+        place = self.locate(path)
+        status = None if place is None else _status(place)
+        if place is None or status is None or place == self.root:
+            return False
+        try:
+            if stat.S_ISDIR(status.st_mode):
+                place.rmdir()
+            else:
+                place.unlink()
+        except OSError:
+            return False
+        self._entries -= 1
+        if stat.S_ISREG(status.st_mode):
+            self.used -= status.st_size
+        return True
+
+    def remove(self, path: bytes) -> bool:
+        """Deletes a file, or a folder and the files in it; folders in it stay, and so does the folder then."""
+        path = path.rstrip(b"/")
+        place = self.locate(path)
+        if place is not None and _is_folder(place):
+            for name, status in list(_entries(place)):
+                if not stat.S_ISDIR(status.st_mode):
+                    self.delete(path + b"/" + os.fsencode(name))
+        return self.delete(path)
+
+    def copy(self, source: bytes, target: bytes, depth: int = MOST_DEPTH) -> bool:
+        """Copies a file, or a folder and all that is in it, over what is at the target. False where it cannot be."""
+        source, target = source.rstrip(b"/"), target.rstrip(b"/")
+        origin, goal = self.locate(source), self.locate(target)
+        if origin is None or goal is None or goal.is_relative_to(origin):
+            return False
+        if _is_file(origin):
+            return self._copy_file(source, target)
+        if not _is_folder(origin) or depth == 0 or origin.is_relative_to(goal):
+            return False
+        self._delete_tree(target, depth)
+        if not self.make_folder(target):
+            return False
+        is_whole = True
+        for name, _ in list(_entries(origin)):
+            below = b"/" + os.fsencode(name)
+            is_whole = self.copy(source + below, target + below, depth - 1) and is_whole
+        return is_whole
+
+    def _copy_file(self, source: bytes, target: bytes) -> bool:
+        reader = self.open_to_read(source)
+        if reader is None:
+            return False
+        with reader:
+            size = os.fstat(reader.fileno()).st_size
+            goal = self.locate(target)
+            if goal is not None and _is_folder(goal):
+                self._delete_tree(target, MOST_DEPTH)
+            if size > self.free:
+                return False
+            writer = self.open_to_write(target)
+            if writer is None:
+                return False
+            with writer:
+                self.reserve(size)
+                shutil.copyfileobj(reader, writer)
+        return True
+
+    def _delete_tree(self, path: bytes, depth: int) -> None:
+        place = self.locate(path)
+        if place is not None and _is_folder(place) and depth:
+            for name, _ in list(_entries(place)):
+                self._delete_tree(path + b"/" + os.fsencode(name), depth - 1)
+        self.delete(path)
+
+    def _may_make(self) -> bool:
+        return self._entries < MOST_ENTRIES
+
+    @staticmethod
+    def _open(place: Path, flags: int, mode: str) -> io.FileIO | None:
+        """Opens a regular file; None for anything else, however it came there."""
+        try:
+            descriptor = os.open(place, flags | _OPEN_FLAGS, 0o644)
+        except OSError:
+            return None
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            os.close(descriptor)
+            return None
+        return io.FileIO(descriptor, mode)
+
+
+def _walk(place: Path, depth: int) -> Iterator[os.stat_result]:
+    """All that is in a folder and in the folders in it."""
+    for name, status in _entries(place):
+        yield status
+        if stat.S_ISDIR(status.st_mode) and depth:
+            yield from _walk(place / name, depth - 1)
+
+
+def _entries(place: Path) -> Iterator[tuple[str, os.stat_result]]:
+    """The entries of a folder in its own order, links as what they are; nothing where it cannot be read."""
+    try:
+        entries = list(place.iterdir())
+    except OSError:
+        return
+    for entry in entries:
+        status = _status(entry)
+        if status is not None:
+            yield entry.name, status
+
+
+def _status(place: Path) -> os.stat_result | None:
+    try:
+        return place.lstat()
+    except (OSError, ValueError):
+        return None
+
+
+def _is_file(place: Path) -> bool:
+    status = _status(place)
+    return status is not None and stat.S_ISREG(status.st_mode)
+
+
+def _is_folder(place: Path) -> bool:
+    status = _status(place)
+    return status is not None and stat.S_ISDIR(status.st_mode)

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ev3proto.brick.filenames import is_allowed
 from ev3proto.brick.files import OpenFile
 from ev3proto.brick.programs import USER_SLOT
-from ev3proto.schema.frame import HEADER_SIZE, REPLIES, REQUESTS
+from ev3proto.schema.fields import REPLIES, REQUESTS
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME

@@ -160,7 +160,7 @@ def _unread(used: list[Footprint]) -> Footprint | None:
     """The first result that no operation reads."""
     read = [found for found in used if found.is_read]
     for found in used:
-        if found.is_written and not any(_have_common(found, other) for other in read):
+        if found.is_written and found.size and not any(_have_common(found, other) for other in read):
             return found
     return None
 

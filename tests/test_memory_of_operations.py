@@ -1,0 +1,171 @@
+"""Every operation of every dialect: what composes, what checks and what reads replies agree about its memory.
+
+Where `command` or the assembler chooses places or sizes, a check has nothing to say about memory, and a dialogue reads
+each output where it was placed. Variables given by hand are aligned and apart from each other here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from random import Random
+from typing import Any
+
+import pytest
+from support.effort import effort
+
+import ev3proto
+from ev3proto import GV, DirectCommand, Global, Local, Variable, check, command
+from ev3proto.compose.drafts import Draft
+from ev3proto.semantics.footprint import footprints
+from ev3proto.tables import operations
+from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Effect, Parameter, Type
+from ev3proto.text.assembly import assemble, operation_line
+
+ABOUT_MEMORY = {"E205", "E401", "E402", "W401", "W402", "W403", "W404", "W405", "H401"}
+
+APART = 64
+"""Bytes between variables given by hand: more than any array here has."""
+
+NUMBERS = {Type.DATA8: 1, Type.DATA16: 2, Type.DATA32: 3, Type.DATAF: 0.5, Type.HANDLE: 0}
+
+
+def _home() -> Iterator[tuple[str, Declaration]]:
+    """Each entry once, with the first dialect that has it."""
+    seen: set[int] = set()
+    for dialect in DIALECTS:
+        for name, declaration in operations(dialect).items():
+            entry = id(declaration.command or declaration.opcode)
+            if entry not in seen and name != "ERROR" and Effect.ENDS not in declaration.effects:
+                seen.add(entry)
+                yield dialect, declaration
+
+
+HOME = {f"{dialect}-{declaration.name}": (dialect, declaration) for dialect, declaration in _home()}
+
+
+class Values:
+    """One value for each parameter of an operation."""
+
+    def __init__(self, declaration: Declaration, random: Random) -> None:
+        self._declaration = declaration
+        self._random = random
+        self._next = 0
+        parameters = declaration.parameters
+        self._tellers = {parameter.length or parameter.indexed_by for parameter in parameters}
+        self._types = {parameter.element for parameter in parameters if isinstance(parameter.element, str)}
+
+    def all(self) -> list[Any]:
+        parameters = self._declaration.parameters
+        return [self._value(parameter) for parameter in parameters if not self._is_counted(parameter)]
+
+    def _is_counted(self, parameter: Parameter) -> bool:
+        """Whether it is the number of the values after it, which is worked out."""
+        last = self._declaration.parameters[-1]
+        return last.type is Type.VALUES and parameter is self._declaration.parameters[-2]
+
+    def by_hand(self) -> Variable:
+        self._next += APART
+        return GV(self._next - APART)
+
+    def _one_of(self, *choices: Callable[[], Any]) -> Any:
+        return self._random.choice(choices)()
+
+    def _value(self, parameter: Parameter) -> Any:
+        if parameter.type is Type.COUNT and parameter.elements is Direction.OUT:
+            return self._one_of(lambda: None, lambda: 3, lambda: [None, self.by_hand(), Local()])
+        if parameter.type in (Type.COUNT, Type.VALUES):
+            return self._one_of(list, lambda: [1, 2], lambda: [self.by_hand(), Global()])
+        is_text = parameter.type is Type.STRING
+        is_told = not isinstance(parameter.length, str) or not self._is_result(parameter.length)
+        is_open = is_text and parameter.length is None
+        if parameter.direction is Direction.OUT and is_told and not is_open:
+            return self._one_of(lambda: None, Local, Global, self.by_hand)
+        if parameter.direction is not Direction.IN:
+            return Global(None if is_told and not is_open else 16)
+        if parameter.name in self._tellers:
+            numbers = parameter.range or (0, 5)
+            return self._random.choice((max(numbers[0], 0), 1, 5))
+        if parameter.name in self._types:
+            return "DATA_32"
+        if parameter.length is not None:
+            return self._one_of(Global, lambda: "x" * APART, self.by_hand)
+        if parameter.indexed_by is not None:
+            return self._one_of(Global, self.by_hand)
+        return self._one_of(
+            lambda: self._constant(parameter),
+            lambda: self._constant(parameter),
+            lambda: Global(8) if is_text else Local(),
+            lambda: Local().as_handle(),
+            lambda: Local().as_address(),
+            # Of a text nobody knows how long it is, so nothing has a safe place after one that is given by hand.
+            (lambda: Global(8)) if is_text else self.by_hand,
+        )
+
+    def _is_result(self, name: str) -> bool:
+        return any(parameter.name == name and parameter.is_output for parameter in self._declaration.parameters)
+
+    def _constant(self, parameter: Parameter) -> Any:
+        if parameter.type is Type.STRING:
+            return "ab"
+        if parameter.enum is not None and parameter.range is None:
+            return next(iter(parameter.enum.members))
+        return parameter.range[0] if parameter.range is not None else NUMBERS.get(parameter.type, 0)
+
+
+def _function(declaration: Declaration, dialect: str) -> Callable[..., Draft]:
+    import ev3proto.ops.compat
+    import ev3proto.ops.xtended
+
+    found: Any = ev3proto.ops if dialect == "official" else vars(ev3proto.ops)[dialect]
+    for part in declaration.name.lower().split("."):
+        found = getattr(found, f"{part}_" if part in ("break", "return") else part)
+    return found  # type: ignore[no-any-return]
+
+
+def _composed(declaration: Declaration, dialect: str, random: Random) -> DirectCommand:
+    """Two operations in one command, so that their places must be apart."""
+    function = _function(declaration, dialect)
+    parameters = declaration.parameters
+    values = Values(declaration, random)
+    drafts = []
+    for _ in range(2):
+        given = values.all()
+        if parameters and parameters[-1].type is Type.VALUES:
+            given.insert(len(parameters) - 2, None)
+        drafts.append(function(*given))
+    return command(*drafts, counter=7)
+
+
+def _about_memory(message: ev3proto.Message, dialect: str) -> list[str]:
+    found = check(message.build(), dialect=dialect).findings
+    return [f"{finding.code}: {finding.message}" for finding in found if finding.code in ABOUT_MEMORY]
+
+
+@pytest.mark.parametrize("name", HOME)
+def test_everybody_agrees_about_the_memory_of_an_operation(name: str) -> None:
+    dialect, declaration = HOME[name]
+    for round_ in range(effort(4, 50)):
+        message = _composed(declaration, dialect, Random(f"{name} {round_}"))
+        assert _about_memory(message, dialect) == [], message.operations
+        _assert_read_where_it_is(message)
+        text = "\n".join(operation_line(operation) for operation in message.operations)
+        (assembled,) = assemble(text, dialect=dialect)
+        assert _about_memory(assembled, dialect) == [], text
+
+
+def _assert_read_where_it_is(message: DirectCommand) -> None:
+    """A dialogue reads every output of a command at the place that its footprint says."""
+    used = [found for operation in message.operations for found in footprints(operation)]
+    expected = {
+        (found.argument.name, 5 + found.start)
+        for found in used
+        if found.argument.parameter.is_output
+        and found.argument.kind == "global"
+        and not found.argument.form.address
+        and found.size
+    }
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(message)
+    values = dialogue.feed(ev3proto.direct_reply(b"\x01" * message.global_size, counter=7))
+    assert bool(expected) <= message.wants_reply
+    assert {(value.name, value.offset) for value in values if value.length} == expected

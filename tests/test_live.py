@@ -21,6 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from support.cli import run_ev3proto_text
 from support.wireshark import Tshark
 
 ROOT = Path(__file__).parent.parent
@@ -119,7 +120,7 @@ def listening(*options: str) -> Iterator[Listening]:
 
 def refused(*options: str) -> tuple[int, str]:
     """Exit status and complaint of a call that does not come as far as capturing."""
-    done = subprocess.run(words(*options), capture_output=True, text=True, cwd=ROOT, timeout=WITHIN, check=False)
+    done = run_ev3proto_text("live", *options)
     assert done.stdout == ""
     return done.returncode, done.stderr
 
@@ -131,7 +132,7 @@ def group(number: int) -> list[str]:
     return [row[2] for row in rows if row[0] == str(number) and not row[1].startswith("Z")]
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def capturing(tshark: Tshark) -> str | None:
     """A tshark that may capture. Where there is none, None, after a look at the complaint: nothing is left to test."""
     program = str(tshark.program)

@@ -363,7 +363,9 @@ class DirectCommand(Message):
     operations: tuple[Operation, ...] = ()
 
     def _body(self) -> bytes:
-        return write_memory(self.global_size, self.local_size) + b"".join([each.raw for each in self.operations])
+        return write_memory(self.global_size, self.local_size) + b"".join(
+            [data[start:end] for _, data, start, end in self.operations]
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,8 +6,12 @@ from ev3proto.compose.drafts import Draft, draft_of
 from ev3proto.compose.layout import LIMITS, layout
 from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, Operation
-from ev3proto.schema.constructors import direct_command
+from ev3proto.schema.frame import new_direct_command
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
 from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.frame import MessageType
+
+_WITH_REPLY, _WITHOUT_REPLY = MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY
 
 
 def command(
@@ -36,19 +40,22 @@ def command(
     Raises:
         BuildError: No frame can carry it, or a size given by hand is less than the operations use.
     """
-    drafts = [_drafted(operation) for operation in operations]
+    drafts = [each if type(each) is Draft else _drafted(each) for each in operations]
     if not drafts:
         raise BuildError("a command needs an operation: the brick refuses an empty one")
-    encoded, sizes, writes_globals = layout(drafts, LOCAL if reply is False else GLOBAL)
+    encoded, globals_used, locals_used, writes_globals = layout(drafts, LOCAL if reply is False else GLOBAL)
     if reply is None:
         reply = writes_globals or bool(global_size)
-    return direct_command(
-        *[Operation((draft.schema, raw, 0, len(raw))) for draft, raw in zip(drafts, encoded, strict=True)],
-        counter=counter,
-        reply=reply,
-        global_size=_size(GLOBAL, sizes[GLOBAL], global_size),
-        local_size=_size(LOCAL, sizes[LOCAL], local_size),
-    )
+    kind = _WITH_REPLY if reply else _WITHOUT_REPLY
+    global_size = _size(GLOBAL, globals_used, global_size)
+    local_size = _size(LOCAL, locals_used, local_size)
+    frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(encoded))
+    end = COMMAND_HEADER_SIZE
+    placed = []
+    for draft, raw in zip(drafts, encoded, strict=True):
+        start, end = end, end + len(raw)
+        placed.append(Operation((draft.schema, frame, start, end)))
+    return new_direct_command(kind, counter, global_size, local_size, tuple(placed))
 
 
 def _drafted(operation: Draft | Operation) -> Draft:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import cache
-from typing import NamedTuple
 
 from ev3proto.compose.drafts import STAND_IN, Draft
 from ev3proto.compose.memory import Memory, Need, aligned, joined
@@ -21,18 +20,9 @@ LIMITS = {LOCAL: MAX_LOCALS, GLOBAL: MAX_FRAME - HEADER_SIZE}
 """Bytes of each memory: the header has no room for more locals, a reply none for more globals."""
 
 
-class Layout(NamedTuple):
-    """A command's memory.
-
-    Attributes:
-        encoded: The bytes of each operation, every variable in its place.
-        sizes: Bytes that the operations use of each memory, by its name.
-        writes_globals: Whether an operation stores anything in global memory.
-    """
-
-    encoded: list[bytes]
-    sizes: dict[str, int]
-    writes_globals: bool
+Layout = tuple[list[bytes], int, int, bool]
+"""The bytes of each operation, every variable in its place; how many bytes of global and of local memory the operations
+use; whether one of them stores anything in global memory."""
 
 
 def layout(drafts: Sequence[Draft], omitted: str) -> Layout:
@@ -69,7 +59,7 @@ def _layout_of_omitted(drafts: Sequence[Draft], omitted: str) -> Layout | None:
                 return None
             pieces.append(_variable(omitted, start))
         encoded.append(b"".join(pieces))
-    return Layout(encoded, {GLOBAL: 0, LOCAL: 0, omitted: size}, size > 0 and omitted == GLOBAL)
+    return (encoded, size, 0, size > 0) if omitted == GLOBAL else (encoded, 0, size, False)
 
 
 @cache
@@ -106,8 +96,7 @@ class _LayoutOfAll:
     def layout(self) -> Layout:
         """All of it."""
         encoded = [self._placed(draft, found) for draft, found in self._drafts]
-        sizes = {scope: memory.size for scope, memory in self._memories.items()}
-        return Layout(encoded, sizes, self._writes_globals)
+        return encoded, self._memories[GLOBAL].size, self._memories[LOCAL].size, self._writes_globals
 
     def _placed(self, draft: Draft, found: Iterable[Footprint]) -> bytes:
         variables: dict[int, Variable] = {}

@@ -10,6 +10,8 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memor
 from ev3proto.tables import system
 from ev3proto.tables.frame import MessageType
 
+_WITH_REPLY, _WITHOUT_REPLY = MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY
+
 
 def direct_command(
     *operations: Operation,
@@ -37,14 +39,14 @@ def direct_command(
     for operation in operations:
         if not isinstance(operation, Operation):
             raise BuildError(f"{operation!r} is no operation: ev3proto.operation makes one")
-    kind = MessageType.DIRECT_COMMAND_REPLY if reply else MessageType.DIRECT_COMMAND_NO_REPLY
-    memory = write_memory(global_size, local_size)
-    frame = build_frame(kind, counter, memory + b"".join([operation.raw for operation in operations]))
+    kind = _WITH_REPLY if reply else _WITHOUT_REPLY
+    pieces = [data[start:end] for _, data, start, end in operations]
+    frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(pieces))
     at = COMMAND_HEADER_SIZE
     placed = []
-    for operation in operations:
+    for operation, piece in zip(operations, pieces, strict=True):
         placed.append(operation.placed(frame, at))
-        at += operation.length
+        at += len(piece)
     return new_direct_command(kind, counter, global_size, local_size, tuple(placed))
 
 

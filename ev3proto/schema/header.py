@@ -125,9 +125,10 @@ def write_memory(global_size: int, local_size: int) -> bytes:
         BuildError: A size is outside its range.
 
     """
-    for name, value, most in (("global_size", global_size, MAX_GLOBALS), ("local_size", local_size, MAX_LOCALS)):
-        if not isinstance(value, int) or not 0 <= value <= most:
-            raise BuildError(f"{name} cannot be {value!r}: a header can ask for 0 to {most} bytes")
+    if not isinstance(global_size, int) or not 0 <= global_size <= MAX_GLOBALS:
+        raise BuildError(f"global_size cannot be {global_size!r}: a header can ask for 0 to {MAX_GLOBALS} bytes")
+    if not isinstance(local_size, int) or not 0 <= local_size <= MAX_LOCALS:
+        raise BuildError(f"local_size cannot be {local_size!r}: a header can ask for 0 to {MAX_LOCALS} bytes")
     return _memory.pack(local_size << GLOBAL_BITS | global_size)
 
 

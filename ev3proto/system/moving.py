@@ -22,17 +22,22 @@ def download(
 ) -> Iterator[SystemCommand]:
     """The commands that write a file to the brick: BEGIN_DOWNLOAD, then a CONTINUE_DOWNLOAD for each piece of it.
 
-    The brick's reply to the first tells the handle. A brick without open files gives 0; where it gives another, send
+    The brick's reply to the first has the handle. A brick without open files gives 0. Where it gives another, send
     what `pieces` makes with that one.
 
-    path     where the file goes, absolute or relative to /home/root/lms2012/sys
-    data     its contents
-    handle   what the brick is expected to give, 0 to 255
-    counter  of the first message, 0 to 65535; the others count up from it
-    reply    whether the brick is to answer each
-    piece    bytes of the file in one command, 1 to 1017
+    Args:
+        path: Where the file goes, absolute or relative to /home/root/lms2012/sys.
+        data: Its contents.
+        handle: What the brick is expected to give, 0 to 255.
+        counter: Of the first message, 0 to 65535; the others count up from it.
+        reply: Whether the brick is to answer each.
+        piece: Bytes of the file in one command, 1 to 1017.
 
-    Raises BuildError at once where a command cannot be built.
+    Returns:
+        The commands, in order.
+
+    Raises:
+        BuildError: A command cannot be built; raised at once.
     """
     if not isinstance(data, bytes):
         raise BuildError(f"data takes bytes, not {data!r:.60}")
@@ -44,15 +49,20 @@ def download(
 def pieces(
     handle: int, data: bytes, *, counter: int = 0, reply: bool = True, piece: int = PIECE
 ) -> Iterator[SystemCommand]:
-    """The CONTINUE_DOWNLOAD commands for a file's contents, once the brick has told its handle.
+    """The CONTINUE_DOWNLOAD commands for a file's contents, once the brick has given its handle.
 
-    handle   as the brick's reply to BEGIN_DOWNLOAD gave it, 0 to 255
-    data     the contents
-    counter  of the first message, 0 to 65535; the others count up from it
-    reply    whether the brick is to answer each
-    piece    bytes of the file in one command, 1 to 1017
+    Args:
+        handle: As the brick's reply to BEGIN_DOWNLOAD gave it, 0 to 255.
+        data: The contents.
+        counter: Of the first message, 0 to 65535; the others count up from it.
+        reply: Whether the brick is to answer each.
+        piece: Bytes of the file in one command, 1 to 1017.
 
-    Raises BuildError at once where a command cannot be built.
+    Returns:
+        The commands, in order.
+
+    Raises:
+        BuildError: A command cannot be built; raised at once.
     """
     if not isinstance(data, bytes):
         raise BuildError(f"data takes bytes, not {data!r:.60}")

@@ -18,6 +18,10 @@ NANOSECONDS = 1_000_000_000
 """In a second."""
 
 
+HOST = "host"
+"""The computer's end of a route, where nothing gives its address."""
+
+
 class CaptureError(ValueError):
     """What is wrong with a capture as a whole, as a sentence. Everything readable was given before it is raised."""
 

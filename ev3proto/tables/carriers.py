@@ -39,12 +39,14 @@ class CarrierFacts:
 
     label      how people write its name
     links      link types of captures that have it
+    protocols  what Wireshark calls the protocols that hold its frames
     export     the link type in which captures of it are written
     interface  name of an interface on which such captures are made
     """
 
     label: str
     links: tuple[Link, ...]
+    protocols: tuple[str, ...]
     export: Link
     interface: str
 
@@ -67,6 +69,7 @@ class Carrier(StrEnum):
         CarrierFacts(
             label="USB",
             links=(Link.USBMON, Link.USBMON_PADDED, Link.USBPCAP),
+            protocols=("usb",),
             export=Link.USBMON_PADDED,
             interface="usbmon1",
         ),
@@ -76,6 +79,7 @@ class Carrier(StrEnum):
         CarrierFacts(
             label="Bluetooth",
             links=(Link.HCI, Link.HCI_WITH_DIRECTION, Link.BLUETOOTH_MONITOR),
+            protocols=("btrfcomm",),
             export=Link.HCI_WITH_DIRECTION,
             interface="bluetooth0",
         ),
@@ -96,6 +100,7 @@ class Carrier(StrEnum):
                 Link.IPV4,
                 Link.IPV6,
             ),
+            protocols=("tcp", "udp"),
             export=Link.ETHERNET,
             interface="wlan0",
         ),

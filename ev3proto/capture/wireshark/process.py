@@ -13,8 +13,9 @@ from collections.abc import Callable, Iterator, Sequence
 from threading import Thread
 from typing import IO
 
+from ev3proto.capture.wireshark.events import FIELDS
 from ev3proto.capture.wireshark.program import EngineError, Program
-from ev3proto.capture.wireshark.row import FIELDS, Row
+from ev3proto.capture.wireshark.row import Row
 
 PATIENCE = 10
 """Seconds that tshark gets to end by itself, once it was asked to or its output has ended."""

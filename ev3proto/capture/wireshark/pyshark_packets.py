@@ -7,8 +7,8 @@ from typing import Any
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Event
-from ev3proto.capture.wireshark.events import Events
-from ev3proto.capture.wireshark.row import FIELDS, Row
+from ev3proto.capture.wireshark.events import FIELDS, Events
+from ev3proto.capture.wireshark.row import Row
 
 _LOOSE = "DATA"
 """What pyshark calls a layer of fields that stand beside the tree of their protocol, such as those of reassembly."""

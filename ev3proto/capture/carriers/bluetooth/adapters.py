@@ -13,6 +13,7 @@ from typing import NamedTuple
 from construct import Int8ul, Int16ub, Int16ul, Int32ub, Struct
 
 from ev3proto.capture.packets import Packet
+from ev3proto.capture.record import HOST
 from ev3proto.schema.packed import packed
 from ev3proto.tables.carriers import Link
 
@@ -236,7 +237,7 @@ class Bluetooth:
             connection.parts[side] = part
             return
         serial = self._channel(connection, is_from_host, part.data[: part.size])
-        ends = Ports(self._own.get(adapter, "host"), connection.address or f"handle 0x{handle:04x}")
+        ends = Ports(self._own.get(adapter, HOST), connection.address or f"handle 0x{handle:04x}")
         yield Told(ends, (adapter, handle, connection.generation), serial, part.weight)
 
     def _channel(self, connection: _Connection, is_from_host: bool | None, data: bytes) -> Serial | None:

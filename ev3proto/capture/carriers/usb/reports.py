@@ -9,15 +9,13 @@ from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.carriers.usb.requests import IN, INTERRUPT, Urb, urb
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.packets import Packet
-from ev3proto.capture.record import Direction, Event, Route, Skipped
+from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables import operations, system
 from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
 from ev3proto.tables.daisy import MOST_LAYERS
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES, MessageType
-
-HOST = "host"
 
 MOST_DEVICES = 4096
 """Devices of which something is remembered: more than any computer has."""

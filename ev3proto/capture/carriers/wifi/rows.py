@@ -1,0 +1,122 @@
+"""WiFi in the rows of tshark: TCP streams that Wireshark has put in order, beacons and the answers to them."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator
+from dataclasses import dataclass, field
+
+from ev3proto.bounded import Bounded
+from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
+from ev3proto.capture.wireshark.common import MOST_CONNECTIONS, Common, parsed
+from ev3proto.capture.wireshark.row import Row
+from ev3proto.capture.wireshark.segments import MOST_WAITING, Segments
+from ev3proto.errors import counted
+from ev3proto.schema.discovery import Beacon
+from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.discovery import BEACON_LINES
+
+FIELDS = (
+    "ip.src",
+    "ip.dst",
+    "ipv6.src",
+    "ipv6.dst",
+    "udp.srcport",
+    "udp.dstport",
+    "tcp.srcport",
+    "tcp.dstport",
+    "tcp.stream",
+    "tcp.seq",
+    "tcp.len",
+    "tcp.segment",
+    "tcp.segment.count",
+    "tcp.reassembled.length",
+)
+"""What tshark prints of its packets."""
+
+_BEACON_START = f"{next(iter(BEACON_LINES.values()))}: ".encode()
+_MOST_NAMED = 5
+_QUOTING = {"icmp", "icmpv6"}
+
+
+@dataclass(slots=True)
+class _Half:
+    """One direction of a TCP connection."""
+
+    route: Route
+    segments: Segments = field(default_factory=Segments)
+
+
+class Rows:
+    """Makes events of the rows of WiFi."""
+
+    def __init__(self, common: Common) -> None:
+        self._common = common
+        self._halves: Bounded[Hashable, _Half] = Bounded(MOST_CONNECTIONS)
+
+    def events(self, row: Row) -> Iterator[Event]:
+        """The events that are complete with a packet."""
+        if _QUOTING.intersection(row.protocols):
+            return
+        if "tcp" in row.protocols:
+            yield from self._tcp(row)
+        else:
+            yield from self._udp(row)
+
+    def end(self) -> Iterator[Event]:
+        """What was waiting for more."""
+        for half in self._halves.values():
+            yield from self._lost(half)
+        self._halves.clear()
+
+    def _tcp(self, row: Row) -> Iterator[Event]:
+        source_port, target_port = row.number("tcp.srcport"), row.number("tcp.dstport")
+        found = row.bytes("ev3.bytes")
+        is_ours = source_port in self._common.ports or target_port in self._common.ports
+        if not (found or (is_ours and row.number("tcp.len"))):
+            return
+        is_from_host = target_port in self._common.ports
+        key = row.number("tcp.stream"), source_port, row.text("ip.src") or row.text("ipv6.src")
+        half, oldest = self._halves.use(key, lambda: _Half(self._wifi_route(row, "tcp", is_from_host)))
+        if oldest is not None:
+            yield from self._lost(oldest)
+        if half.route.interface != row.interface:
+            half.route = self._wifi_route(row, "tcp", is_from_host)
+        route = half.route
+        talk = self._common.conversation(frozenset((route.source, route.target)))
+        origins = half.segments.origins(row, [len(data) for data in found])
+        for data, origin in zip(found, origins, strict=True):
+            yield from self._common.piece(row, data, origin, route, talk)
+        if len(half.segments.waiting) > MOST_WAITING:
+            yield from self._lost(half)
+
+    def _lost(self, half: _Half) -> Iterator[Event]:
+        size, numbers, time_ns = half.segments.lost()
+        half.segments.waiting.clear()
+        if not size:
+            return
+        self._common.move("skipped", size)
+        named = ", ".join(map(str, numbers[:_MOST_NAMED])) + ", ..." * (len(numbers) > _MOST_NAMED)
+        reason = (
+            f"{counted(size, 'byte')} in packet{'s' * (len(numbers) != 1)} {named} are in no frame: the rest of a"
+            " frame is missing, or what came before them"
+        )
+        yield Skipped(b"", 0, reason, numbers[0], time_ns, half.route)
+
+    def _udp(self, row: Row) -> Iterator[Event]:
+        for data in row.bytes("ev3.bytes"):
+            self._common.move("texts", len(data))
+            is_beacon = data.startswith(_BEACON_START)
+            route = self._wifi_route(row, "udp", is_from_host=not is_beacon)
+            said = Said.BEACON if is_beacon else Said.ANSWER
+            beacon = parsed(Beacon.parse, data) if is_beacon else None
+            yield Announcement(said, data, beacon, (row.packet,), row.time_ns, route)
+
+    def _wifi_route(self, row: Row, transport: str, is_from_host: bool) -> Route:
+        version = next((name for name in reversed(row.protocols) if name in ("ip", "ipv6")), "ip")
+        source = _place(row.text(f"{version}.src"), row.text(f"{transport}.srcport"))
+        target = _place(row.text(f"{version}.dst"), row.text(f"{transport}.dstport"))
+        return self._common.route(Carrier.WIFI, source, target, is_from_host, row.interface)
+
+
+def _place(address: str | None, port: str | None) -> str:
+    return f"[{address}]:{port}" if address and ":" in address else f"{address}:{port}"

@@ -5419,21 +5419,34 @@ local function conversation_key(pinfo)
     return from < to and from .. " " .. to or to .. " " .. from
 end
 
+-- Carriers ----------------------------------------------------------------------------------------------------------
+--
+-- Each carrier is a part of its own further below, which adds itself here.
+
+local carriers, carrier_dissectors = {}, {}
+
+-- It has `dissectors`, by what Wireshark calls the kind of a packet's ports, and `register`, which says where packets
+-- of the carrier are found. Some have `forget`, for what they know of the last capture, and `prefs_changed`.
+local function add_carrier(carrier)
+    carriers[#carriers + 1] = carrier
+    for kind, dissect in pairs(carrier.dissectors) do
+        carrier_dissectors[kind] = dissect
+    end
+end
+
+local function each_carrier(task)
+    for _, carrier in ipairs(carriers) do
+        if carrier[task] then carrier[task]() end
+    end
+end
+
 -- Streams -----------------------------------------------------------------------------------------------------------
 --
--- WiFi: the beacon in UDP datagrams, then the byte stream of a TCP connection, in which frames may be split over
--- segments and share them, after a text from each side. RFCOMM is such a stream, too.
+-- The byte stream of a TCP connection or of RFCOMM, in which frames may be split over packets and share them, after a
+-- text from each side.
 
-local dissect_stream, dissect_no_frame, dissect_tcp, dissect_udp, guess_udp, forget_bricks
+local dissect_stream, dissect_no_frame
 do
-    -- Where beacons came from, and the packets that were sent back there.
-    local bricks, answers
-
-    function forget_bricks()
-        bricks, answers = {}, {}
-    end
-    forget_bricks()
-
     -- The text by which a host unlocks the brick's port: the offset behind it, and the serial number.
     local function match_unlock(text, at)
         local serial, newline, behind = text:match(UNLOCK_PATTERN, at + 1)
@@ -5565,72 +5578,12 @@ do
         end
         return at, 0, all
     end
-
-    function dissect_tcp(tvb, pinfo, tree)
-        local captured, reported = tvb:len(), tvb:reported_len()
-        local is_last = pinfo.can_desegment == 0 or captured < reported
-        local behind, wanted, said = dissect_stream(tvb, tvb:raw(), reported, conversation_key, pinfo, tree, is_last)
-        if behind < captured then
-            pinfo.desegment_offset = behind
-            pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
-        end
-        if said then show(pinfo, tvb, said) end
-        return captured
-    end
-
-    local function dissect_beacon(tvb, text, tree)
-        local item = has_tree(tree) and add_item(tree, tvb())
-        local at, values = 0, {}
-        for _, line in ipairs(BEACON_LINES) do
-            local head = line.label .. ": "
-            local stop = find(text, "\r\n", at + 1, true)
-            if not stop or sub(text, at + 1, at + #head) ~= head then
-                complain(item or tree, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
-                break
-            end
-            local value = sub(text, at + #head + 1, stop - 1)
-            values[#values + 1] = on_one_line(value)
-            local range = tvb(at + #head, #value)
-            if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
-            at = stop + 1
-        end
-        local said = "beacon: " .. concat(values, " ")
-        if item then item:set_text("EV3: " .. said) end
-        return said
-    end
-
-    -- A beacon that a brick broadcasts, or whatever a host answers to it.
-    function dissect_udp(tvb, pinfo, tree)
-        local text = tvb:raw()
-        local head = BEACON_LINES[1].label .. ": "
-        if sub(text, 1, #head) == head then
-            if not pinfo.visited then bricks[tostring(pinfo.src) .. " " .. pinfo.src_port] = true end
-            show(pinfo, tvb, dissect_beacon(tvb, text, tree))
-            return tvb:len()
-        end
-        if has_tree(tree) then
-            add_item(tree, tvb()):set_text("EV3: answer to a beacon"):add(field.beacon_answer, tvb())
-        end
-        show(pinfo, tvb, "answer to a beacon")
-        return tvb:len()
-    end
-
-    -- An answer goes to the port that the beacon came from, which is known by nothing else.
-    function guess_udp(tvb, pinfo, tree)
-        if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-            answers[pinfo.number] = true
-        end
-        if not answers[pinfo.number] then return false end
-        dissect_udp(tvb, pinfo, tree)
-        return true
-    end
 end
 
 -- USB ---------------------------------------------------------------------------------------------------------------
 --
 -- Each report has one frame at its start, the rest is padding.
 
-local dissect_usb, guess_usb
 do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
@@ -5684,7 +5637,7 @@ do
     end
 
     -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
-    function dissect_usb(tvb, pinfo, tree)
+    local function dissect_usb(tvb, pinfo, tree)
         if is_control(pinfo) or tvb:len() < HEADER_SIZE then return 0 end
         local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
         if is_length(low, high) then return dissect_report(tvb, pinfo, tree) end
@@ -5716,7 +5669,7 @@ do
 
     -- Reports of a device whose product is not in the capture, as in most captures that began after plugging in. Other
     -- devices have reports, too: only what fits in every respect is taken.
-    function guess_usb(tvb, pinfo, tree)
+    local function guess_usb(tvb, pinfo, tree)
         local sort = REPORT_SIZES[tvb:reported_len()]
         if not sort or not starts_like_frame(tvb) then return false end
         local low, high, _, _, code = byte(tvb:raw(0, HEADER_SIZE), 1, HEADER_SIZE)
@@ -5729,6 +5682,16 @@ do
         dissect_report(tvb, pinfo, tree)
         return true
     end
+
+    local function register()
+        local products = DissectorTable.get("usb.product")
+        for _, product in ipairs(USB_PRODUCTS) do
+            products:add(product, ev3)
+        end
+        ev3:register_heuristic("usb.interrupt", guess_usb)
+    end
+
+    add_carrier({ dissectors = { [8] = dissect_usb }, register = register })
 end
 
 -- Bluetooth ---------------------------------------------------------------------------------------------------------
@@ -5736,11 +5699,10 @@ end
 -- RFCOMM hands over one piece of the stream after the other, and nobody but us joins them: a frame that is not whole
 -- waits here for its rest. The first pass remembers, packet by packet, what was waiting before it.
 
-local dissect_rfcomm, forget_streams
 do
     local streams, packets
 
-    function forget_streams()
+    local function forget_streams()
         streams, packets = {}, {}
     end
     forget_streams()
@@ -5823,7 +5785,7 @@ do
         if packet.complete_in then item:add(field.fragment_of, packet.complete_in):set_generated() end
     end
 
-    function dissect_rfcomm(tvb, pinfo, tree)
+    local function dissect_rfcomm(tvb, pinfo, tree)
         if tvb:len() == 0 then return 0 end
         local number, piece = pinfo.number, tvb:raw()
         local is_cut = tvb:len() < tvb:reported_len()
@@ -5846,6 +5808,112 @@ do
         show(pinfo, tvb, said)
         return tvb:len()
     end
+
+    -- The channel of the serial port profile, whichever side opened it.
+    local function register()
+        local channels = DissectorTable.get("btrfcomm.dlci")
+        channels:add(2 * RFCOMM_CHANNEL, ev3)
+        channels:add(2 * RFCOMM_CHANNEL + 1, ev3)
+    end
+
+    add_carrier({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })
+end
+
+-- WiFi --------------------------------------------------------------------------------------------------------------
+--
+-- The beacon in UDP datagrams, then the byte stream of a TCP connection.
+
+do
+    -- Where beacons came from, and the packets that were sent back there.
+    local bricks, answers
+
+    local function forget_bricks()
+        bricks, answers = {}, {}
+    end
+    forget_bricks()
+
+    local function dissect_tcp(tvb, pinfo, tree)
+        local captured, reported = tvb:len(), tvb:reported_len()
+        local is_last = pinfo.can_desegment == 0 or captured < reported
+        local behind, wanted, said = dissect_stream(tvb, tvb:raw(), reported, conversation_key, pinfo, tree, is_last)
+        if behind < captured then
+            pinfo.desegment_offset = behind
+            pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
+        end
+        if said then show(pinfo, tvb, said) end
+        return captured
+    end
+
+    local function dissect_beacon(tvb, text, tree)
+        local item = has_tree(tree) and add_item(tree, tvb())
+        local at, values = 0, {}
+        for _, line in ipairs(BEACON_LINES) do
+            local head = line.label .. ": "
+            local stop = find(text, "\r\n", at + 1, true)
+            if not stop or sub(text, at + 1, at + #head) ~= head then
+                complain(item or tree, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
+                break
+            end
+            local value = sub(text, at + #head + 1, stop - 1)
+            values[#values + 1] = on_one_line(value)
+            local range = tvb(at + #head, #value)
+            if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
+            at = stop + 1
+        end
+        local said = "beacon: " .. concat(values, " ")
+        if item then item:set_text("EV3: " .. said) end
+        return said
+    end
+
+    -- A beacon that a brick broadcasts, or whatever a host answers to it.
+    local function dissect_udp(tvb, pinfo, tree)
+        local text = tvb:raw()
+        local head = BEACON_LINES[1].label .. ": "
+        if sub(text, 1, #head) == head then
+            if not pinfo.visited then bricks[tostring(pinfo.src) .. " " .. pinfo.src_port] = true end
+            show(pinfo, tvb, dissect_beacon(tvb, text, tree))
+            return tvb:len()
+        end
+        if has_tree(tree) then
+            add_item(tree, tvb()):set_text("EV3: answer to a beacon"):add(field.beacon_answer, tvb())
+        end
+        show(pinfo, tvb, "answer to a beacon")
+        return tvb:len()
+    end
+
+    -- An answer goes to the port that the beacon came from, which is known by nothing else.
+    local function guess_udp(tvb, pinfo, tree)
+        if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
+            answers[pinfo.number] = true
+        end
+        if not answers[pinfo.number] then return false end
+        dissect_udp(tvb, pinfo, tree)
+        return true
+    end
+
+    local tcp_ports = DissectorTable.get("tcp.port")
+    local listened = tostring(TCP_PORT)
+
+    local function follow_ports()
+        if listened == ev3.prefs.tcp_ports then return end
+        if listened ~= "" then tcp_ports:remove(listened, ev3) end
+        listened = ev3.prefs.tcp_ports
+        if listened ~= "" then tcp_ports:add(listened, ev3) end
+    end
+
+    local function register()
+        ev3.prefs.tcp_ports = Pref.range("TCP ports", listened, "TCP ports on which bricks listen", 65535)
+        tcp_ports:add(listened, ev3)
+        DissectorTable.get("udp.port"):add(BEACON_PORT, ev3)
+        ev3:register_heuristic("udp", guess_udp)
+    end
+
+    add_carrier({
+        dissectors = { [2] = dissect_tcp, [3] = dissect_udp },
+        forget = forget_bricks,
+        prefs_changed = follow_ports,
+        register = register,
+    })
 end
 
 -- Registration ------------------------------------------------------------------------------------------------------
@@ -5858,58 +5926,33 @@ for _, declared in pairs(experts) do
 end
 ev3.experts = expert_list
 
--- The carriers by what Wireshark calls the kind of a packet's ports. One protocol serves all of them, so that "Decode
--- As" offers it everywhere by one name.
-local CARRIERS = { [2] = dissect_tcp, [3] = dissect_udp, [8] = dissect_usb, [11] = dissect_rfcomm }
-
+-- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
 function ev3.dissector(tvb, pinfo, tree)
-    local dissect = CARRIERS[pinfo.port_type]
+    local dissect = carrier_dissectors[pinfo.port_type]
     return dissect and dissect(tvb, pinfo, tree) or 0
 end
 
 function ev3.init()
     forget_dialogues()
-    forget_streams()
-    forget_bricks()
+    each_carrier("forget")
 end
+
+each_carrier("register")
 
 local dialect_choices = {}
 for number, name in ipairs(DIALECTS) do
     dialect_choices[number] = { number, name, number }
 end
 
-ev3.prefs.tcp_ports = Pref.range("TCP ports", tostring(TCP_PORT), "TCP ports on which bricks listen", 65535)
 ev3.prefs.firmware = Pref.enum("Firmware", 1, "The firmware whose instruction set to read by", dialect_choices, false)
 ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
 
-local tcp_ports = DissectorTable.get("tcp.port")
-local listened = tostring(TCP_PORT)
-tcp_ports:add(listened, ev3)
-
 function ev3.prefs_changed()
-    if listened ~= ev3.prefs.tcp_ports then
-        if listened ~= "" then tcp_ports:remove(listened, ev3) end
-        listened = ev3.prefs.tcp_ports
-        if listened ~= "" then tcp_ports:add(listened, ev3) end
-    end
+    each_carrier("prefs_changed")
     gives_bytes = ev3.prefs.bytes
     dialect = DIALECTS[ev3.prefs.firmware]
     instructions = INSTRUCTION_SETS[dialect]
 end
-
-DissectorTable.get("udp.port"):add(BEACON_PORT, ev3)
-ev3:register_heuristic("udp", guess_udp)
-
-local usb_products = DissectorTable.get("usb.product")
-for _, product in ipairs(USB_PRODUCTS) do
-    usb_products:add(product, ev3)
-end
-ev3:register_heuristic("usb.interrupt", guess_usb)
-
--- The channel of the serial port profile, whichever side opened it.
-local rfcomm_channels = DissectorTable.get("btrfcomm.dlci")
-rfcomm_channels:add(2 * RFCOMM_CHANNEL, ev3)
-rfcomm_channels:add(2 * RFCOMM_CHANNEL + 1, ev3)
 
 -- Every item of a tree is an object that Lua must clean up. Doing that sooner, and all at once, keeps memory small and
 -- warm: full output of a busy capture takes a third less time, as `pytest benchmarks -k dissector` shows.

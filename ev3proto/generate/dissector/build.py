@@ -5,6 +5,7 @@ from __future__ import annotations
 from importlib import resources
 
 from ev3proto.generate.dissector.tables import data
+from ev3proto.tables.carriers import CARRIERS
 from ev3proto.version import VERSION
 
 FILE_NAME = "ev3.lua"
@@ -18,12 +19,15 @@ RUNTIME = (
     "phrases",
     "message",
     "frames",
+    "carriers",
     "streams",
-    "usb",
-    "bluetooth",
+    *CARRIERS,
     "registration",
 )
-"""The parts written by hand, in the order in which they stand in the file: each uses only what stands before it."""
+"""The parts written by hand, in the order in which they stand in the file: each uses only what stands before it.
+
+Each carrier has one, with its name.
+"""
 
 HEAD = f"""\
 -- LEGO MINDSTORMS EV3 dissector for Wireshark 4.0 and later (Lua 5.2 and 5.4). Licence: MIT.

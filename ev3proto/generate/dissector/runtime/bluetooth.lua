@@ -3,11 +3,10 @@
 -- RFCOMM hands over one piece of the stream after the other, and nobody but us joins them: a frame that is not whole
 -- waits here for its rest. The first pass remembers, packet by packet, what was waiting before it.
 
-local dissect_rfcomm, forget_streams
 do
     local streams, packets
 
-    function forget_streams()
+    local function forget_streams()
         streams, packets = {}, {}
     end
     forget_streams()
@@ -90,7 +89,7 @@ do
         if packet.complete_in then item:add(field.fragment_of, packet.complete_in):set_generated() end
     end
 
-    function dissect_rfcomm(tvb, pinfo, tree)
+    local function dissect_rfcomm(tvb, pinfo, tree)
         if tvb:len() == 0 then return 0 end
         local number, piece = pinfo.number, tvb:raw()
         local is_cut = tvb:len() < tvb:reported_len()
@@ -113,4 +112,13 @@ do
         show(pinfo, tvb, said)
         return tvb:len()
     end
+
+    -- The channel of the serial port profile, whichever side opened it.
+    local function register()
+        local channels = DissectorTable.get("btrfcomm.dlci")
+        channels:add(2 * RFCOMM_CHANNEL, ev3)
+        channels:add(2 * RFCOMM_CHANNEL + 1, ev3)
+    end
+
+    add_carrier({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })
 end

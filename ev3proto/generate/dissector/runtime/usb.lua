@@ -2,7 +2,6 @@
 --
 -- Each report has one frame at its start, the rest is padding.
 
-local dissect_usb, guess_usb
 do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
@@ -56,7 +55,7 @@ do
     end
 
     -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
-    function dissect_usb(tvb, pinfo, tree)
+    local function dissect_usb(tvb, pinfo, tree)
         if is_control(pinfo) or tvb:len() < HEADER_SIZE then return 0 end
         local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
         if is_length(low, high) then return dissect_report(tvb, pinfo, tree) end
@@ -88,7 +87,7 @@ do
 
     -- Reports of a device whose product is not in the capture, as in most captures that began after plugging in. Other
     -- devices have reports, too: only what fits in every respect is taken.
-    function guess_usb(tvb, pinfo, tree)
+    local function guess_usb(tvb, pinfo, tree)
         local sort = REPORT_SIZES[tvb:reported_len()]
         if not sort or not starts_like_frame(tvb) then return false end
         local low, high, _, _, code = byte(tvb:raw(0, HEADER_SIZE), 1, HEADER_SIZE)
@@ -101,4 +100,14 @@ do
         dissect_report(tvb, pinfo, tree)
         return true
     end
+
+    local function register()
+        local products = DissectorTable.get("usb.product")
+        for _, product in ipairs(USB_PRODUCTS) do
+            products:add(product, ev3)
+        end
+        ev3:register_heuristic("usb.interrupt", guess_usb)
+    end
+
+    add_carrier({ dissectors = { [8] = dissect_usb }, register = register })
 end

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from importlib import import_module
-from typing import Protocol
+from typing import Any, Protocol
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Event
-from ev3proto.capture.wireshark import row as rows
 from ev3proto.capture.wireshark.common import Common
-from ev3proto.capture.wireshark.row import Row
+from ev3proto.capture.wireshark.row import FIELDS, Row
 from ev3proto.tables.carriers import Carrier
 
 
@@ -24,11 +23,17 @@ class CarrierRows(Protocol):
         """The events that are left once there are no more packets."""
 
 
-_MODULES = {carrier: import_module(f"ev3proto.capture.carriers.{carrier}.rows") for carrier in Carrier}
 _CARRIERS = {protocol: carrier for carrier in Carrier for protocol in carrier.facts.protocols}
 
-FIELDS = tuple(dict.fromkeys((*rows.FIELDS, *(field for module in _MODULES.values() for field in module.FIELDS))))
-"""tshark makes only these, and prints nothing else: five times as fast as all of what it knows of a packet."""
+
+def _module(carrier: Carrier) -> Any:
+    # Imported late: those modules use this package, too.
+    return import_module(f"ev3proto.capture.carriers.{carrier}.rows")
+
+
+def fields() -> tuple[str, ...]:
+    """The fields that tshark is to make and print: five times as fast as all of what it knows of a packet."""
+    return tuple(dict.fromkeys((*FIELDS, *(field for carrier in Carrier for field in _module(carrier).FIELDS))))
 
 
 class Events:
@@ -37,9 +42,7 @@ class Events:
     def __init__(self, account: Account, dialect: str, ports: Collection[int]) -> None:
         common = Common(account, dialect, ports)
         self._account = account
-        self._carriers: dict[Carrier, CarrierRows] = {
-            carrier: module.Rows(common) for carrier, module in _MODULES.items()
-        }
+        self._carriers: dict[Carrier, CarrierRows] = {carrier: _module(carrier).Rows(common) for carrier in Carrier}
 
     def events(self, row: Row) -> Iterator[Event]:
         """The events that are complete with a packet."""

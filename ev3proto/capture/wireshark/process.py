@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Sequence
 from threading import Thread
 from typing import IO
 
-from ev3proto.capture.wireshark.events import FIELDS
+from ev3proto.capture.wireshark.events import fields
 from ev3proto.capture.wireshark.program import EngineError, Program
 from ev3proto.capture.wireshark.row import Row
 
@@ -45,7 +45,7 @@ class Process:
         self.said = b""
         self._program = program
         self._words = [program.path, "-n", "-T", "ek", *words]
-        for field in FIELDS:
+        for field in fields():
             self._words += ["-e", field]
         self._on_said = on_said
         self._process: subprocess.Popen[bytes] | None = None

@@ -7,7 +7,7 @@ from typing import Any
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Event
-from ev3proto.capture.wireshark.events import FIELDS, Events
+from ev3proto.capture.wireshark.events import Events, fields
 from ev3proto.capture.wireshark.row import Row
 
 _LOOSE = "DATA"
@@ -19,15 +19,16 @@ def pyshark_events(
 ) -> Iterator[Event]:
     """Everything in the packets of a capture of pyshark; `from_pyshark` says what is needed for that."""
     making = Events(account, dialect, ports)
+    names = fields()
     for packet in packets:
-        yield from making.events(_row(packet))
+        yield from making.events(_row(packet, names))
     yield from making.end()
 
 
-def _row(packet: Any) -> Row:
+def _row(packet: Any, names: Iterable[str]) -> Row:
     values: dict[str, list[str]] = {}
     for layer in (packet.frame_info, *packet.layers):
-        for field in FIELDS:
+        for field in names:
             is_here = layer.layer_name in (field.partition(".")[0], _LOOSE)
             found = layer.get_field(field) if is_here else None
             if found is not None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import struct
 from collections import deque
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping, Sequence
 from pathlib import Path
 from random import Random
 from typing import NamedTuple
@@ -25,8 +25,10 @@ from ev3proto.brick.clock import (
 )
 from ev3proto.brick.display import Display
 from ev3proto.brick.files import RecentFiles
+from ev3proto.brick.inputs import Inputs
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.mailboxes import Mailboxes
+from ev3proto.brick.outputs import Outputs
 from ev3proto.brick.panel import Panel
 from ev3proto.brick.parts import Part
 from ev3proto.brick.programs import CMD_SLOT, FAIL, OK, RUNNING, STOP, STOPPED, USER_SLOT, Program, ProgramObject
@@ -93,7 +95,9 @@ class Brick:
         self.panel = Panel()
         self.console = Terminal()
         self.sound = Sound()
-        self.parts: list[Part] = [self.display, self.buttons, self.panel, self.sound]
+        self.outputs = Outputs()
+        self.inputs = Inputs(self.outputs)
+        self.parts: list[Part] = [self.display, self.buttons, self.panel, self.sound, self.outputs, self.inputs]
         self._global_memory = bytearray(GRANTED_GLOBALS)
         self._waiting: deque[Incoming] = deque()
         self._replies: list[Outgoing] = []
@@ -115,6 +119,34 @@ class Brick:
     def terminal(self) -> bytes:
         """What UI_WRITE's text buffer has gathered since it was flushed."""
         return bytes(self.console.text)
+
+    def plug(
+        self,
+        port: int | str,
+        type: int,
+        readings: Mapping[int, Sequence[float]] | None = None,
+        *,
+        tacho: int | None = None,
+        count: int | None = None,
+        speed: int | None = None,
+    ) -> None:
+        """Plugs a sensor or a motor in, or gives the one that is there other readings.
+
+        Args:
+            port: 1 to 4 for sensors, "A" to "D" for motors.
+            type: type of the device; TYPE_NONE unplugs what is there.
+            readings: raw readings of a sensor by mode, one for each dataset.
+            tacho: degrees that OUTPUT_READ returns. With any of these three the motor is held until a command moves it.
+            count: degrees that OUTPUT_GET_COUNT returns.
+            speed: percent.
+
+        Raises:
+            ValueError: there is no such port, or the type has no such mode.
+        """
+        self.inputs.plug(port, type, readings)
+        if isinstance(port, str):
+            is_held = any(value is not None for value in (tacho, count, speed))
+            self.outputs.plug(port, type, tacho or 0, count or 0, speed or 0, is_held=is_held)
 
     def press(self, button: str) -> None:
         """Presses a button by hand: up, enter, down, right, left or back. ValueError for any other name."""

@@ -1,0 +1,224 @@
+"""Types of sensors and motors with their modes: what raw values mean, how they are shown, what they are called.
+
+The firmware has this as a table of its own (type data); EV3 sensors also send theirs when they are plugged in.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import NamedTuple
+
+from ev3proto.tables.enumerations import CONN, DATA_FORMAT, TYPE
+
+
+class Range(NamedTuple):
+    """Two ends that belong to those of another range; the raw range of an inverted sensor begins with the larger."""
+
+    least: float
+    most: float
+
+
+_PERCENT = Range(0, 100)
+
+
+@dataclass(frozen=True)
+class Mode:
+    """One mode of a device.
+
+    name      the firmware's name
+    datasets  values at a time
+    format    of a raw value: 0 8-bit, 1 16-bit, 2 32-bit, 3 float, as DATA_FORMAT has it
+    figures   characters that the firmware shows, point included
+    decimals  of them after the point
+    raw       raw values that become `si` and `percent`
+    si        values in the unit
+    percent   values in percent
+    symbol    the unit
+    """
+
+    name: str
+    datasets: int
+    format: int
+    figures: int
+    decimals: int
+    raw: Range
+    si: Range
+    symbol: str = ""
+    percent: Range = _PERCENT
+
+
+@dataclass(frozen=True)
+class DeviceType:
+    """A type of sensor or motor.
+
+    number      its number, see TYPE
+    connection  how it is connected, see CONN
+    views       modes, from the first on, that the brick's own menus show
+    modes       by number
+    """
+
+    number: int
+    connection: int
+    views: int
+    modes: tuple[Mode, ...]
+
+
+_BITS8, _BITS16, _BITS32 = (DATA_FORMAT.members[name] for name in ("DATA_8", "DATA_16", "DATA_32"))
+_INVERSE_TOUCH = Range(2000, 1000)
+_NOTHING = Range(0, 0)
+
+
+def _mode(
+    name: str,
+    format: int,
+    shown: str,
+    raw: tuple[float, float],
+    symbol: str = "",
+    *,
+    si: tuple[float, float] | None = None,
+    datasets: int = 1,
+    percent: Range = _PERCENT,
+) -> Mode:
+    """A mode whose unit's range is the raw one unless it is given; `shown` is figures and decimals, as in 5.1."""
+    figures, decimals = map(int, shown.split("."))
+    return Mode(name, datasets, format, figures, decimals, Range(*raw), Range(*(si or raw)), symbol, percent)
+
+
+def _device(type: str, connection: str, views: int, *modes: Mode) -> DeviceType:
+    return DeviceType(TYPE.members[type], CONN.members[connection], views, modes)
+
+
+def _motor(type: str, name: str) -> DeviceType:
+    return _device(
+        type,
+        "CONN_OUTPUT_TACHO",
+        2,
+        _mode(f"{name}-DEG", _BITS32, "4.0", (-180, 180), "deg"),
+        _mode(f"{name}-ROT", _BITS32, "4.0", (-36000, 36000), "rot", si=(-100, 100)),
+        _mode(f"{name}-SPD", _BITS8, "3.0", (-100, 100), "pct", percent=Range(-100, 100)),
+    )
+
+
+_DEVICES = (
+    _device(
+        "TYPE_NXT_TOUCH",
+        "CONN_NXT_DUMB",
+        1,
+        _mode("NXT-TOUCH", _BITS16, "1.0", _INVERSE_TOUCH, si=(0, 1)),
+        _mode("NXT-BUMPS", _BITS32, "5.0", (0, 100), "cnt"),
+    ),
+    _device(
+        "TYPE_NXT_LIGHT",
+        "CONN_NXT_DUMB",
+        2,
+        _mode("NXT-REFLECT", _BITS16, "3.0", (3372, 445), "pct", si=(0, 100)),
+        _mode("NXT-AMBIENT", _BITS16, "3.0", (3411, 633), "pct", si=(0, 100)),
+    ),
+    _device(
+        "TYPE_NXT_SOUND",
+        "CONN_NXT_DUMB",
+        2,
+        _mode("NXT-SND-DB", _BITS16, "3.0", (4095, 0), "pct", si=(0, 100)),
+        _mode("NXT-SND-DBA", _BITS16, "3.0", (4095, 0), "pct", si=(0, 100)),
+    ),
+    _device(
+        "TYPE_NXT_COLOR",
+        "CONN_NXT_COLOR",
+        5,
+        _mode("NXT-COL-REF", _BITS32, "5.0", (200, 1500), "pct", si=(0, 100)),
+        _mode("NXT-COL-AMB", _BITS32, "5.0", (200, 2900), "pct", si=(0, 100)),
+        _mode("NXT-COL-COL", _BITS8, "2.0", (0, 8), "col"),
+        _mode("NXT-COL-GRN", _BITS32, "5.0", (200, 1500), "pct", si=(0, 100)),
+        _mode("NXT-COL-BLU", _BITS32, "5.0", (200, 1500), "pct", si=(0, 100)),
+        _mode("NXT-COL-RAW", _BITS32, "5.0", (0, 10000), datasets=4),
+    ),
+    _device(
+        "TYPE_NXT_ULTRASONIC",
+        "CONN_NXT_IIC",
+        2,
+        _mode("NXT-US-CM", _BITS16, "5.0", (0, 255), "cm"),
+        _mode("NXT-US-IN", _BITS16, "5.0", (0, 255), "inch", si=(0, 100)),
+    ),
+    _device(
+        "TYPE_NXT_TEMPERATURE",
+        "CONN_NXT_IIC",
+        2,
+        _mode("NXT-TEMP-C", _BITS16, "5.1", (-14080, 32767), "c", si=(-55, 128)),
+        _mode("NXT-TEMP-F", _BITS16, "5.1", (-14080, 32767), "f", si=(-67, 262.4)),
+    ),
+    _motor("TYPE_TACHO", "L-MOTOR"),
+    _motor("TYPE_MINITACHO", "M-MOTOR"),
+    _device(
+        "TYPE_TOUCH",
+        "CONN_INPUT_DUMB",
+        1,
+        _mode("TOUCH", _BITS16, "1.0", (1000, 2000), si=(0, 1)),
+        _mode("BUMPS", _BITS32, "5.0", (0, 1), "cnt"),
+    ),
+    _device(
+        "TYPE_COLOR",
+        "CONN_INPUT_UART",
+        3,
+        _mode("COL-REFLECT", _BITS8, "3.0", (0, 100), "pct"),
+        _mode("COL-AMBIENT", _BITS8, "3.0", (0, 100), "pct"),
+        _mode("COL-COLOR", _BITS8, "2.0", (0, 8), "col"),
+        _mode("REF-RAW", _BITS16, "4.0", (0, 1020.2), datasets=2),
+        _mode("RGB-RAW", _BITS16, "4.0", (0, 1020.2), datasets=3),
+        _mode("COL-CAL", _BITS16, "5.0", (0, 65535), datasets=4),
+    ),
+    _device(
+        "TYPE_ULTRASONIC",
+        "CONN_INPUT_UART",
+        3,
+        _mode("US-DIST-CM", _BITS16, "5.1", (0, 2550), "cm", si=(0, 255)),
+        _mode("US-DIST-IN", _BITS16, "5.1", (0, 1000), "inch", si=(0, 100)),
+        _mode("US-LISTEN", _BITS8, "1.0", (0, 1)),
+        _mode("US-SI-CM", _BITS16, "5.1", (0, 2550), "cm", si=(0, 255)),
+        _mode("US-SI-IN", _BITS16, "5.1", (0, 1000), "inch", si=(0, 100)),
+        _mode("US-DC-CM", _BITS16, "5.1", (0, 2550), "cm", si=(0, 255)),
+        _mode("US-DC-IN", _BITS16, "5.1", (0, 1000), "inch", si=(0, 100)),
+    ),
+    _device(
+        "TYPE_GYRO",
+        "CONN_INPUT_UART",
+        2,
+        _mode("GYRO-ANG", _BITS16, "4.0", (-180, 180), "deg"),
+        _mode("GYRO-RATE", _BITS16, "3.0", (-440, 440), "d/s"),
+        _mode("GYRO-FAS", _BITS16, "4.0", (-2000, 2000)),
+        _mode("GYRO-G&A", _BITS16, "5.0", (-180, 180), datasets=2),
+        _mode("GYRO-CAL", _BITS16, "5.0", (0, 65535), datasets=4),
+    ),
+    _device(
+        "TYPE_IR",
+        "CONN_INPUT_UART",
+        3,
+        _mode("IR-PROX", _BITS8, "3.0", (0, 100), "pct"),
+        _mode("IR-SEEK", _BITS8, "3.0", (-100, 100), "pct", datasets=8),
+        _mode("IR-REMOTE", _BITS8, "3.0", (0, 10), "btn", datasets=4),
+        _mode("IR-REM-A", _BITS16, "6.0", (0, 65535)),
+        _mode("IR-S-ALT", _BITS8, "3.0", (0, 100), "pct", datasets=4),
+        _mode("IR-CAL", _BITS16, "5.0", (0, 65535), datasets=2),
+    ),
+    _device(
+        "TYPE_ENERGYMETER",
+        "CONN_NXT_IIC",
+        7,
+        _mode("ES-IN-VOLT", _BITS16, "4.1", (0, 10000), "V", si=(0, 10)),
+        _mode("ES-IN-AMP", _BITS16, "5.3", (0, 10000), "A", si=(0, 10)),
+        _mode("ES-OUT-VOLT", _BITS16, "4.1", (0, 10000), "V", si=(0, 10)),
+        _mode("ES-OUT-AMP", _BITS16, "5.3", (0, 10000), "A", si=(0, 10)),
+        _mode("ES-JOULE", _BITS16, "3.0", (0, 100), "J"),
+        _mode("ES-IN-WATT", _BITS16, "3.0", (0, 100), "W"),
+        _mode("ES-OUT-WATT", _BITS16, "3.0", (0, 100), "W"),
+        _mode("ES-ALL", _BITS16, "3.0", (0, 100), datasets=7),
+    ),
+    _device("TYPE_UNKNOWN", "CONN_UNKNOWN", 1, _mode("UNKNOWN", _BITS16, "4.0", (0, 1023))),
+    _device("TYPE_NONE", "CONN_NONE", 1, Mode("NONE", 0, _BITS8, 4, 0, _NOTHING, _NOTHING, "", _NOTHING)),
+)
+
+DEVICE_TYPES = MappingProxyType({device.number: device for device in _DEVICES})
+"""The types by number."""
+
+NO_DEVICE = DEVICE_TYPES[TYPE.members["TYPE_NONE"]]
+"""What an empty port reports."""

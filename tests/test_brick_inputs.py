@@ -1,0 +1,210 @@
+"""The virtual brick's sensors: what programs read of them, and how long they take to change their mode."""
+
+import pytest
+from support.brick import RefusedError, answer, ask
+
+from ev3proto.brick import Brick
+from ev3proto.tables.devices import DEVICE_TYPES
+
+
+@pytest.fixture
+def brick() -> Brick:
+    """Touch, colour, infrared and ultrasonic sensors on ports 1 to 4, a motor on A."""
+    brick = Brick()
+    brick.plug(1, 16, {0: (1900,)})
+    brick.plug(2, 29, {0: (30,), 2: (5,), 4: (10, 20, 30)})
+    brick.plug(3, 33, {0: (55,), 1: (-10, 40, 0, -128, 0, -128, 0, -128)})
+    brick.plug(4, 30, {0: (1234,), 1: (486,)})
+    brick.plug("A", 8, count=90)
+    return brick
+
+
+PERCENT = "DATA8 p INPUT_READ(0, {}, 0, {}, p)"
+SI = "DATAF v INPUT_READSI(0, {}, 0, {}, v)"
+NAN = "00 00 c0 7f"
+
+
+class TestValues:
+    @pytest.mark.parametrize(
+        ("read", "memory"),
+        [
+            (PERCENT.format(0, -1), "5a"),
+            (SI.format(0, -1), "66 66 66 3f"),
+            (PERCENT.format(1, 0), "1e"),
+            (SI.format(3, 0), "cd cc f6 42"),
+            (PERCENT.format(3, 0), "30"),
+            (SI.format(16, 0), "00 00 b4 42"),
+            ("DATA32 r INPUT_DEVICE(GET_RAW, 0, 0, r)", "6c 07 00 00"),
+            ("DATA32 r INPUT_DEVICE(GET_RAW, 0, 17, r)", "00 00 00 80"),
+            ("DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 1, t, m)", "1d 00"),
+            ("DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 17, t, m)", "7e 00"),
+            ("DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 1, 1, t, m)", "7e 00"),
+            ("DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 32, t, m)", "80 80"),
+            ("DATA8 c INPUT_DEVICE(GET_CONNECTION, 0, 0, c)", "79"),
+            ("DATA8 c INPUT_DEVICE(GET_CONNECTION, 0, 1, c)", "7a"),
+            ("DATA8 c INPUT_DEVICE(GET_CONNECTION, 0, 16, c)", "7d"),
+            ("DATA8 c INPUT_DEVICE(GET_CONNECTION, 0, 18, c)", "7e"),
+            ("DATA8 a DATA8 b DATA8 c DATA8 d INPUT_DEVICE(GET_FORMAT, 0, 1, a, b, c, d)", "01 00 06 03"),
+            ("DATA8 a DATA8 b DATA8 c DATA8 d INPUT_DEVICE(GET_FORMAT, 0, 16, a, b, c, d)", "01 02 03 02"),
+            ("DATA8 a DATA8 b DATA8 c DATA8 d INPUT_DEVICE(GET_FORMAT, 0, 18, a, b, c, d)", "00 00 01 01"),
+            ("DATA8 f DATA8 d INPUT_DEVICE(GET_FIGURES, 0, 3, f, d)", "05 01"),
+            ("DATAF a DATAF b INPUT_DEVICE(GET_MINMAX, 0, 3, a, b)", "00 00 00 00 00 00 7f 43"),
+            ("DATA8 busy INPUT_TEST(0, 0, busy)", "00"),
+            ("DATA8 busy INPUT_TEST(0, 18, busy)", "01"),
+            (SI.format(18, 0), NAN),
+            (PERCENT.format(18, 0), "80"),
+            ("DATAF a DATAF b INPUT_DEVICE(READY_SI, 0, 1, 0, 0, 2, a, b)", f"00 00 f0 41 {NAN}"),
+            ("DATA32 a DATA32 b INPUT_DEVICE(READY_RAW, 0, 3, 30, -1, 2, a, b)", "d2 04 00 00 00 00 00 80"),
+            ("DATA8 a DATA8 b INPUT_DEVICE(READY_PCT, 0, 18, 0, 0, 2, a, b)", "80 80"),
+            ("DATA8 a INPUT_READEXT(0, 1, 0, -1, DATA_PCT, 1, a)", "1e"),
+            ("DATA32 a INPUT_READEXT(0, 1, 0, -1, DATA_RAW, 1, a)", "1e 00 00 00"),
+            ("DATAF a INPUT_READEXT(0, 1, 0, -1, DATA_SI, 1, a)", "00 00 f0 41"),
+            ("DATA8 a DATA8 b INPUT_READEXT(0, 1, 0, -1, DATA_8, 2, a, b)", "80 80"),
+            (
+                "DATAF c DATAF b INPUT_DEVICE(GET_CHANGES, 0, 0, c) INPUT_DEVICE(GET_BUMPS, 0, 0, b)",
+                "00 00 00 00 00 00 80 3f",
+            ),
+            ("DATAF c INPUT_DEVICE(GET_CHANGES, 0, 1, c)", "00 00 00 00"),
+        ],
+    )
+    def test_what_is_read(self, brick: Brick, read: str, memory: str) -> None:
+        assert ask(brick, read) == memory
+
+    @pytest.mark.parametrize(
+        ("read", "text"),
+        [
+            ("INPUT_DEVICE(GET_NAME, 0, 1, 16, text)", b"COL-REFLECT    \0"),
+            ("INPUT_DEVICE(GET_NAME, 0, 1, 4, text)", b"COL\0"),
+            ("INPUT_DEVICE(GET_NAME, 0, 18, 8, text)", b"NONE   \0"),
+            ("INPUT_DEVICE(GET_SYMBOL, 0, 3, 5, text)", b"cm  \0"),
+            ("INPUT_DEVICE(GET_MODENAME, 0, 1, 4, 8, text)", b"RGB-RAW\0"),
+            ("INPUT_DEVICE(GET_MODENAME, 0, 1, 6, 8, text)", b"\0"),
+        ],
+    )
+    def test_names_are_filled_with_blanks(self, brick: Brick, read: str, text: bytes) -> None:
+        assert bytes.fromhex(ask(brick, f"DATAS text 16 {read}")) == text.ljust(16, b"\0")
+
+    def test_the_types_on_all_ports(self, brick: Brick) -> None:
+        assert ask(brick, "DATA8 changed ARRAY8 list 6 INPUT_DEVICE_LIST(5, list, changed)") == "05 10 1d 21 1e 7e 00"
+        assert ask(brick, "DATA8 changed ARRAY8 list 6 INPUT_DEVICE_LIST(5, list, changed)")[:2] == "00"
+
+    def test_edges_of_a_touch_sensor(self, brick: Brick) -> None:
+        read = "DATAF c DATAF b INPUT_DEVICE(GET_CHANGES, 0, 0, c) INPUT_DEVICE(GET_BUMPS, 0, 0, b)"
+        for raw in (1100, 1900, 1500, 1100):
+            brick.plug(1, 16, {0: (raw,)})
+        assert ask(brick, read) == "00 00 80 3f 00 00 00 40"
+        ask(brick, "INPUT_DEVICE(CLR_CHANGES, 0, 0)")
+        assert ask(brick, read) == "00 00 00 00 00 00 00 00"
+
+    @pytest.mark.parametrize(
+        ("type", "raw", "si", "percent"),
+        [
+            (1, 2000, 0.0, 0),
+            (1, 1000, 1.0, 100),
+            (1, 0, 1.0, 100),
+            (2, 445, 100.0, 100),
+            (2, 4000, 0.0, 0),
+            (6, -14080, -55.0, 0),
+            (32, -200, -200.0, 0),
+            (16, 900, 0.0, 0),
+        ],
+    )
+    def test_values_in_units(self, brick: Brick, type: int, raw: int, si: float, percent: int) -> None:
+        """Not clamped, except those of analog sensors that have no unit or percent."""
+        brick.plug(1, type, {0: (raw,)})
+        device = brick.inputs.device(0, 0)
+        assert device is not None
+        assert brick.inputs.si(device, 0) == si
+        assert brick.inputs.percent(device, 0) == percent
+
+    def test_calibration(self, brick: Brick) -> None:
+        ask(brick, "INPUT_DEVICE(CAL_MINMAX, 29, 0, 20, 40)")
+        assert ask(brick, PERCENT.format(1, 0)) == "32"
+        ask(brick, "INPUT_DEVICE(CAL_MAX, 29, 0, 30)")
+        assert ask(brick, PERCENT.format(1, 0)) == "64"
+        ask(brick, "INPUT_DEVICE(CAL_DEFAULT, 29, 0)")
+        assert ask(brick, PERCENT.format(1, 0)) == "1e"
+
+
+class TestModes:
+    @pytest.mark.parametrize(
+        ("port", "mode", "least", "most"),
+        [(1, 2, 0.02, 0.025), (2, 1, 1.09, 1.11), (0, 1, 0.004, 0.015), (16, 2, 0.004, 0.015)],
+    )
+    def test_a_change_takes_its_time(self, brick: Brick, port: int, mode: int, least: float, most: float) -> None:
+        read = f"DATAF v INPUT_DEVICE(READY_SI, 0, {port}, 0, {mode}, 1, v)"
+        assert ask(brick, read, seconds=least - 0.001) == "busy"
+        assert answer(brick.advance(most - least + 0.001)) != "busy"
+        assert ask(brick, read) != "busy"
+
+    def test_reading_does_not_wait_for_it(self, brick: Brick) -> None:
+        assert ask(brick, SI.format(1, 2)) == NAN
+        assert ask(brick, "DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 1, t, m)") == "1d 02"
+        assert ask(brick, "DATA8 busy INPUT_TEST(0, 1, busy)") == "01"
+        brick.advance(0.03)
+        assert ask(brick, SI.format(1, 2)) == "00 00 a0 40"
+
+    def test_waiting_for_a_device(self, brick: Brick) -> None:
+        assert ask(brick, "INPUT_READY(0, 0)") == ""
+        ask(brick, PERCENT.format(1, 4))
+        assert ask(brick, "INPUT_READY(0, 1)", seconds=0.03) == ""
+
+    def test_an_empty_port_is_never_ready(self, brick: Brick) -> None:
+        assert ask(brick, "INPUT_READY(0, 17)", seconds=60) == "busy"
+
+    def test_several_values(self, brick: Brick) -> None:
+        read = "DATAF r DATAF g DATAF b INPUT_DEVICE(READY_SI, 0, 1, 29, 4, 3, r, g, b)"
+        assert ask(brick, read, seconds=0.03) == "00 00 20 41 00 00 a0 41 00 00 f0 41"
+
+    def test_presses_are_counted_in_a_mode_of_their_own(self, brick: Brick) -> None:
+        for raw in (1100, 1900, 1100):
+            brick.plug(1, 16, {0: (raw,)})
+        assert ask(brick, "DATA32 n INPUT_DEVICE(READY_RAW, 0, 0, 16, 1, 1, n)", seconds=0.02) == "02 00 00 00"
+
+
+class TestWriting:
+    @pytest.mark.parametrize(
+        ("write", "busy"), [("INPUT_WRITE(0, 1, 1, data)", "01"), ("INPUT_WRITE(0, 0, 1, data)", "00")]
+    )
+    def test_a_sensor_that_takes_bytes_is_busy_then(self, brick: Brick, write: str, busy: str) -> None:
+        port = write[15]
+        assert ask(brick, f"DATA8 busy local DATA8 data {write} INPUT_TEST(0, {port}, busy)") == busy
+
+    @pytest.mark.parametrize(
+        "write", ["INPUT_WRITE(0, 16, 1, data)", "INPUT_WRITE(0, 1, 33, data)", "INPUT_WRITE(0, 1, 0, data)"]
+    )
+    def test_what_fails(self, brick: Brick, write: str) -> None:
+        with pytest.raises(RefusedError):
+            ask(brick, f"DATA8 data {write}")
+
+    def test_an_analog_value_is_set(self, brick: Brick) -> None:
+        ask(brick, "INPUT_DEVICE(SET_RAW, 0, 0, 16, 1200)")
+        assert ask(brick, PERCENT.format(0, 0)) == "14"
+
+
+class TestPlugging:
+    @pytest.mark.parametrize(
+        ("port", "type", "readings", "message"),
+        [
+            (5, 16, None, "no port 5; it must be one of 1, 2, 3, 4, A, B, C, D"),
+            ("E", 7, None, "no port 'E'"),
+            (1, 16, {2: (1,)}, "type 16 has no mode 2; it must be 0 to 1"),
+        ],
+    )
+    def test_what_cannot_be(
+        self, port: int | str, type: int, readings: dict[int, tuple[int]] | None, message: str
+    ) -> None:
+        with pytest.raises(ValueError, match=message):
+            Brick().plug(port, type, readings)
+
+    def test_unplugging(self, brick: Brick) -> None:
+        brick.plug(1, 126)
+        assert ask(brick, PERCENT.format(0, 0)) == "80"
+
+    def test_the_table_of_types(self) -> None:
+        """As many modes and views as the firmware's table has."""
+        found = {number: (len(device.modes), device.views) for number, device in DEVICE_TYPES.items()}
+        assert found == {
+            1: (2, 1), 2: (2, 2), 3: (2, 2), 4: (6, 5), 5: (2, 2), 6: (2, 2), 7: (3, 2), 8: (3, 2), 16: (2, 1),
+            29: (6, 3), 30: (7, 3), 32: (5, 2), 33: (6, 3), 99: (8, 7), 125: (1, 1), 126: (1, 1),
+        }  # fmt: skip

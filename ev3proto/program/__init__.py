@@ -15,6 +15,7 @@ from ev3proto.program.header import HEADER
 from ev3proto.program.image import IMAGE, build, parse
 from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects, Program
 from ev3proto.program.parameters import ProgramParameter
+from ev3proto.program.source.source import Assembled, SourceDialect, assemble
 from ev3proto.tables.program import DEFAULT_VERSION, ObjectKind
 
 __all__ = [
@@ -22,11 +23,14 @@ __all__ = [
     "HEADER",
     "IMAGE",
     "NO_DEFECTS",
+    "Assembled",
     "CodeObject",
     "Defects",
     "ObjectKind",
     "Program",
     "ProgramParameter",
+    "SourceDialect",
+    "assemble",
     "build",
     "parse",
 ]

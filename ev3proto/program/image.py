@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from construct import Int16ul, Int32ul
@@ -29,6 +29,8 @@ _COUNT_AT = len(SIGN) + Int32ul.sizeof() + Int16ul.sizeof()
 """Offset of the number of objects."""
 
 _OBJECT_END = "OBJECT_END"
+_JUMPS = "JR"
+"""What the names of jumps start with."""
 
 
 class _Code(NamedTuple):
@@ -69,7 +71,7 @@ class _Reader:
         first = starts[0] if starts else end
         gaps = ((table_end, self.image[table_end:first]),) if first > table_end else ()
         offsets = tuple(offset for offset, *_ in entries)
-        regular = tuple(_regular_offsets(objects))
+        regular = tuple(regular_offsets([_entry(part) for part in objects]))
         defects = Defects(
             tuple(self.faults),
             size if size != end else None,
@@ -160,38 +162,67 @@ class _Reader:
                 return _Code(flaw=Flaw(error.fault, self.image[start:end], headless=True))
         found, fault = self._instructions.scan(self.image, at, end)
         operations = tuple(found)
+        count = _own_operations(operations)
+        if count is not None:
+            operations = operations[:count]
+            rest = self.image[_end_of(operations, at) : end]
+            return _Code(parameters, operations, Flaw(rest=rest) if rest else NO_FLAW)
         if fault is None:
             return _Code(parameters, operations)
-        last = _last_end(operations)
-        if last is not None:
-            # Nothing behind the end of an object is run, so what cannot be read there is no code.
-            operations = operations[: last + 1]
-            return _Code(parameters, operations, Flaw(rest=self.image[_end_of(operations, at) : end]))
         return _Code(parameters, operations, Flaw(fault.fault, self.image[_end_of(operations, at) : end]))
 
 
-def _last_end(operations: tuple[Operation, ...]) -> int | None:
-    """The place of the last OBJECT_END, None where there is none."""
-    found = (place for place in range(len(operations) - 1, -1, -1) if operations[place].name == _OBJECT_END)
-    return next(found, None)
+def _own_operations(operations: tuple[Operation, ...]) -> int | None:
+    """How many operations there are up to the first OBJECT_END behind which no jump leads; None without one.
+
+    What follows it is never run: code that belongs to no object, or no code at all.
+    """
+    furthest = 0
+    for place, operation in enumerate(operations):
+        schema, _, _, end = operation
+        name = schema.declaration.name
+        if name == _OBJECT_END:
+            if furthest <= operation.offset:
+                return place + 1
+        elif name.startswith(_JUMPS):
+            arguments = operation.arguments
+            target = arguments[-1].value if arguments else None
+            if isinstance(target, int) and not arguments[-1].is_variable:
+                furthest = max(furthest, end + target)
+    return None
 
 
 def _end_of(operations: tuple[Operation, ...], start: int) -> int:
     return operations[-1].offset + operations[-1].length if operations else start
 
 
-def _regular_offsets(objects: list[CodeObject] | tuple[CodeObject, ...]) -> Iterator[int]:
+class Entry(NamedTuple):
+    """An object as it is written: its header, its code, or the number of the earlier object whose code it uses."""
+
+    owner: int
+    triggers: int
+    local_size: int
+    code: bytes
+    shares: int | None = None
+
+
+def regular_offsets(entries: Sequence[Entry]) -> Iterator[int]:
     """Where the codes start as every writer puts them: in their order, without gaps, shared code once."""
-    at = IMAGE_HEADER_SIZE + len(objects) * OBJECT_HEADER_SIZE
+    at = IMAGE_HEADER_SIZE + len(entries) * OBJECT_HEADER_SIZE
     offsets: list[int] = []
-    for part in objects:
-        if part.shares is not None and 0 < part.shares <= len(offsets):
-            offset = offsets[part.shares - 1]
+    for entry in entries:
+        if entry.shares is not None and 0 < entry.shares <= len(offsets):
+            offset = offsets[entry.shares - 1]
         else:
             offset = at
-            at += len(part.code)
+            at += len(entry.code)
         offsets.append(offset)
         yield offset
+
+
+def _entry(part: CodeObject) -> Entry:
+    code = b"" if part.shares is not None else part.code
+    return Entry(part.owner, part.triggers, part.local_size, code, part.shares)
 
 
 class ImageSchema(Bytewise):
@@ -258,36 +289,51 @@ def build(program: Program) -> bytes:
 
     Raises BuildError, which names the field, for what no image can carry.
     """
-    defects = program.defects
-    objects = program.objects
-    if len(objects) > MAX_OBJECTS:
-        raise BuildError(f"a program cannot have {len(objects)} objects: at most {MAX_OBJECTS}")
-    offsets = tuple(_regular_offsets(objects)) if defects.offsets is None else defects.offsets
-    if len(offsets) != len(objects):
-        raise BuildError(f"the program has {len(objects)} objects, and its defects name {len(offsets)} offsets")
-    body = b"".join(piece for _, piece in _pieces(objects, offsets, defects))
-    size = IMAGE_HEADER_SIZE + len(objects) * OBJECT_HEADER_SIZE + len(body)
+    return image_of(program.version, program.global_size, [_entry(part) for part in program.objects], program.defects)
+
+
+def image_of(
+    version: int,
+    global_size: int,
+    entries: Sequence[Entry],
+    defects: Defects = NO_DEFECTS,
+    headers: Sequence[int] | None = None,
+) -> bytes:
+    """The image of objects.
+
+    defects  where the codes stand, if not in their order without gaps
+    headers  the offsets that the headers tell, where they are not those of the codes
+
+    Raises BuildError.
+    """
+    if len(entries) > MAX_OBJECTS:
+        raise BuildError(f"a program cannot have {len(entries)} objects: at most {MAX_OBJECTS}")
+    offsets = tuple(regular_offsets(entries)) if defects.offsets is None else defects.offsets
+    if len(offsets) != len(entries):
+        raise BuildError(f"the program has {len(entries)} objects, and its defects name {len(offsets)} offsets")
+    body = b"".join(piece for _, piece in _pieces(entries, offsets, defects))
+    size = IMAGE_HEADER_SIZE + len(entries) * OBJECT_HEADER_SIZE + len(body)
     head = SIGN + PACKED_HEADER.pack(
         _field("the size", size if defects.stated_size is None else defects.stated_size, MAX_MEMORY),
-        _field("version", program.version, 0xFFFF),
-        len(objects) if defects.stated_count is None else defects.stated_count,
-        _field("global_size", program.global_size, MAX_MEMORY),
+        _field("version", version, 0xFFFF),
+        len(entries) if defects.stated_count is None else defects.stated_count,
+        _field("global_size", global_size, MAX_MEMORY),
     )
     table = b"".join(
         PACKED_OBJECT.pack(
             _field("the offset", offset, MAX_MEMORY),
-            _field("owner", part.owner, MAX_OBJECTS),
-            _field("triggers", part.triggers, 0xFFFF),
-            _field("local_size", part.local_size, MAX_MEMORY),
+            _field("owner", entry.owner, MAX_OBJECTS),
+            _field("triggers", entry.triggers, 0xFFFF),
+            _field("local_size", entry.local_size, MAX_MEMORY),
         )
-        for part, offset in zip(objects, offsets, strict=True)
+        for entry, offset in zip(entries, offsets if headers is None else headers, strict=True)
     )
     return head + table + body
 
 
-def _pieces(objects: tuple[CodeObject, ...], offsets: tuple[int, ...], defects: Defects) -> list[tuple[int, bytes]]:
+def _pieces(entries: Sequence[Entry], offsets: Sequence[int], defects: Defects) -> list[tuple[int, bytes]]:
     """The codes and what lies between them, in the order of the image."""
-    own = [(offset, part.code) for part, offset in zip(objects, offsets, strict=True) if part.shares is None]
+    own = [(offset, entry.code) for entry, offset in zip(entries, offsets, strict=True) if entry.shares is None]
     return sorted([*defects.gaps, *own], key=lambda piece: piece[0]) if defects.offsets is not None else own
 
 

@@ -1,0 +1,61 @@
+"""The words of program sources (.lms): types, parameters, objects, and the escapes in strings."""
+
+from __future__ import annotations
+
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, HANDLE, STRING, Direction, Type
+
+VARIABLE_WORDS: dict[str, Type] = {
+    "DATA8": DATA8,
+    "DATA16": DATA16,
+    "DATA32": DATA32,
+    "DATAF": DATAF,
+    "HANDLE": HANDLE,
+    "DATAS": STRING,
+    "ARRAY8": DATA8,
+    "ARRAY16": DATA16,
+    "ARRAY32": DATA32,
+    "ARRAYF": DATAF,
+}
+"""The words that declare a variable, and the type of one element."""
+
+SIZED_WORDS = ("DATAS", "ARRAY8", "ARRAY16", "ARRAY32", "ARRAYF")
+"""Those behind whose name a number of elements stands."""
+
+_SUFFIXES = {"8": DATA8, "16": DATA16, "32": DATA32, "F": DATAF, "S": STRING, "H": HANDLE}
+_PREFIXES = {"IN": Direction.IN, "OUT": Direction.OUT, "IO": Direction.INOUT}
+
+PARAMETER_WORDS: dict[str, tuple[Direction, Type]] = {
+    f"{prefix}_{suffix}": (direction, kind)
+    for prefix, direction in _PREFIXES.items()
+    for suffix, kind in _SUFFIXES.items()
+}
+"""The words that declare a parameter of a subcall. LEGO's assembler does not have those of handles."""
+
+SIZED_PARAMETERS = tuple(word for word, (_, kind) in PARAMETER_WORDS.items() if kind is STRING)
+HANDLE_PARAMETERS = tuple(word for word, (_, kind) in PARAMETER_WORDS.items() if kind is HANDLE)
+
+OLD_WORDS = ("global", "local")
+"""Words of LEGO's assembler that declare so many bytes."""
+
+OBJECT_WORDS = ("vmthread", "subcall", "block")
+"""What begins an object; LEGO's assembler does not have blocks."""
+
+DEFINE = "define"
+
+ESCAPES = ((r"\n", "\n"), (r"\q", "'"), (r"\r", "\r"), (r"\t", "\t"))
+"""Escapes of both dialects. They are replaced one kind after the other, not from the left."""
+
+BACKSLASH = ("\\\\", "\\")
+"""The escape that only the strict dialect has; it is replaced last."""
+
+LEGO_ESCAPES = ((r"\'", "'"), ("''", "'"), (r"\s", " "))
+"""Those that only LEGO's dialect has."""
+
+FORMS = (
+    *("LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCS_OLD", "LAB1", "HND", "ADR"),
+    *("LV0", "LV1", "LV2", "LV4", "GV0", "GV1", "GV2", "GV4"),
+)
+"""Ours, no assembler has them: the words that name the encoding of a value, where it is not the usual one."""
+
+BYTES = "bytes"
+"""Ours: bytes as they are."""

@@ -114,7 +114,7 @@ def test_a_constant_in_both_dialects(dialect: str, written: str, encoded: str) -
         ("((0 - 7) / 2)", "3D"),
         ("'ä'", "80 C3 A4 00"),
         ("!5", "05"),
-        ('"caf\\xe9"', "80 63 61 66 E9 00"),
+        ('"caf\\u00e9"', "80 63 61 66 E9 00"),
         ("LC1(5)", "81 05"),
         ("LC4(-1)", "83 FF FF FF FF"),
         ("LCS('x')", "84 78 00"),
@@ -325,9 +325,8 @@ def test_object_numbers_from_32_on() -> None:
     threads = "".join(f"vmthread T{number}\n{{\n}}\n" for number in range(2, 40))
     source = "vmthread M\n{\nOBJECT_START(T38)\nCALL(T32)\n}\n" + threads
     for dialect in BOTH:
-        assert (
-            programs.parse(assemble(source, dialect=dialect).image).objects[0].code.hex(" ") == "05 81 26 09 81 20 0a"
-        )
+        main = programs.parse(assemble(source, dialect=dialect).image, strict=False).objects[0]
+        assert main.code.hex(" ") == "05 81 26 09 81 20 0a"
 
 
 def test_a_subcall_elsewhere_is_its_number() -> None:

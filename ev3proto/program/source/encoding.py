@@ -30,7 +30,7 @@ def integer(value: int) -> bytes:
 
     value  -2147483648 to 4294967295; from 2147483648 on it is a pattern of 32 bits, LC4
     """
-    if value > _LARGEST:
+    if not -_LARGEST <= value <= _LARGEST:
         return encode_as("LC4", wrapped(value))
     return encode_as("LC1", value) if value == _LOWEST_SHORT else encode_integer(value)
 

@@ -1,11 +1,12 @@
 """The strict dialect: tokens in free form, and the grammar that the public assembler lmsasm has.
 
 Beyond that it takes what a decompiled program needs: the forms that name an encoding, `bytes(...)`, and strings in
-double quotes with the escapes of Python. No other assembler has them, and none takes them for something else.
+double quotes with the escapes of JSON. No other assembler has them, and none takes them for something else.
 """
 
 from __future__ import annotations
 
+import json
 import re
 
 from ev3proto.program.source.errors import SourceError
@@ -40,7 +41,6 @@ from ev3proto.tables.source import (
     VARIABLE_WORDS,
 )
 from ev3proto.text.assembly.errors import MOST_ERRORS
-from ev3proto.text.assembly.lexing import Kind, Token, unescaped
 from ev3proto.text.assembly.symbols import suggestion
 
 MAX_DEPTH = 50
@@ -401,9 +401,10 @@ def _raw(at: int, word: str) -> RawArgument:
 
 
 def _quoted(at: int, word: str) -> Text:
-    body, unknown = unescaped(Token(Kind.TEXT, word, 1, 1, False))
-    if unknown is not None:
-        raise SourceError(at + unknown, "there is no such escape in a string in double quotes")
+    try:
+        body = json.loads(word)
+    except ValueError:
+        raise SourceError(at, r"a string in double quotes has the escapes of JSON: \n, \", \\, \u00e9") from None
     try:
         return Text(at, body.encode(STRING_CODING))
     except UnicodeEncodeError as error:

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from ev3proto.errors import DecodeError, Fault
 from ev3proto.messages import Message
 from ev3proto.schema.frame import frame_schema
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH
+from ev3proto.schema.header import frame_size, impossible_length, is_frame_size
+from ev3proto.tables.frame import LENGTH_FIELD
 
 
 class StreamError(DecodeError):
@@ -56,15 +57,10 @@ class Decoder:
             raise self._lost
         buffer = self._buffer
         while len(buffer) >= LENGTH_FIELD:
-            length = buffer[0] | buffer[1] << 8
-            if not MIN_LENGTH <= length <= MAX_LENGTH:
-                self._lost = StreamError(
-                    self._position,
-                    f"no frame can start here: its length field would say {length}, a frame has {MIN_LENGTH} to"
-                    f" {MAX_LENGTH} bytes behind it",
-                )
+            size = frame_size(buffer)
+            if not is_frame_size(size):
+                self._lost = StreamError(self._position, impossible_length(size - LENGTH_FIELD))
                 raise self._lost
-            size = length + LENGTH_FIELD
             if len(buffer) < size:
                 return
             frame = bytes(buffer[:size])

@@ -7,7 +7,6 @@ in order when it has ended.
 
 from __future__ import annotations
 
-import struct
 from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
 from pathlib import Path
@@ -38,13 +37,17 @@ from ev3proto.brick.storage import Storage
 from ev3proto.brick.system_commands import SystemCommands
 from ev3proto.brick.terminal import Terminal
 from ev3proto.checking.verdict import Reason, verdict
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER, HEADER_SIZE
-from ev3proto.schema.packed import packed
+from ev3proto.schema.header import (
+    COMMAND_HEADER_SIZE,
+    HEADER_SIZE,
+    Header,
+    build_frame,
+    frame_size,
+    read_memory,
+)
 from ev3proto.tables import check_dialect, operations
-from ev3proto.tables.frame import GLOBAL_BITS, GRANTED_GLOBALS, LENGTH_FIELD, MAX_GLOBALS, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MessageType
 
-_HEADER = packed(HEADER)
-_MEMORY = struct.Struct("<H")
 _OBJECT_END = operations()["OBJECT_END"].opcode.number
 
 _DIRECT = {int(member): member.wants_reply for member in MessageType if member.kind == "direct-command"}
@@ -232,8 +235,8 @@ class Brick:
     def _take_up(self, channel: Hashable, frame: bytes) -> None:
         if len(frame) < HEADER_SIZE:
             return
-        length, counter, code = _HEADER.unpack_from(frame)
-        end = length + LENGTH_FIELD
+        _, counter, code = Header.read(frame)
+        end = frame_size(frame)
         if end > len(frame):
             return
         if code in _DIRECT:
@@ -250,12 +253,11 @@ class Brick:
             if wants_reply:
                 self._reply(channel, counter, MessageType.DIRECT_REPLY_ERROR, b"")
             return
-        memory = _MEMORY.unpack_from(frame, HEADER_SIZE)[0]
-        global_size = memory & MAX_GLOBALS
+        global_size, local_size = read_memory(frame)
         code = bytearray(frame[COMMAND_HEADER_SIZE:])
         code += BEHIND
         end = len(frame) - COMMAND_HEADER_SIZE
-        only = ProgramObject(1, 0, bytearray(LOCALS), memory >> GLOBAL_BITS, status=RUNNING)
+        only = ProgramObject(1, 0, bytearray(LOCALS), local_size, status=RUNNING)
         program = Program(CMD_SLOT, code, end, self._global_memory, global_size, {1: only}, started=self.microseconds)
         command = _Command(channel, counter, wants_reply, global_size, program)
         if not found.accepted:
@@ -291,8 +293,9 @@ class Brick:
             self._reply(command.channel, command.counter, kind, bytes(self._global_memory[: command.global_size]))
 
     def _reply(self, channel: Hashable, counter: int, kind: MessageType, contents: bytes) -> None:
-        header = _HEADER.pack(HEADER_SIZE - LENGTH_FIELD + len(contents), counter, kind)
-        self._replies.append(Outgoing(channel, header + contents))
+        # The firmware grants more global memory than a frame of the usual size carries.
+        length = HEADER_SIZE - LENGTH_FIELD + len(contents)
+        self._replies.append(Outgoing(channel, build_frame(kind, counter, contents, length)))
 
     # System commands
 

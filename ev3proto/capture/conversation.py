@@ -5,10 +5,10 @@ from __future__ import annotations
 from ev3proto.capture.record import Record, Route
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameSchema
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, read_memory, unpack_header
 from ev3proto.semantics.pairing import Pairing
 from ev3proto.semantics.transfers import Transfers
-from ev3proto.tables.frame import MAX_GLOBALS, MessageType
+from ev3proto.tables.frame import MessageType
 
 MOST_PENDING = 4096
 """Commands of one conversation whose reply is awaited; a long capture may have a million that nobody answers."""
@@ -39,7 +39,8 @@ class Conversation:
         record = Record(frame, numbers, time_ns, route, self._schema)
         if len(frame) < HEADER_SIZE:
             return record
-        known = _TYPES.get(frame[HEADER_SIZE - 1])
+        _, counter, code = unpack_header(frame)
+        known = _TYPES.get(code)
         if known is None:
             return record
         carries, is_command, wants_reply, is_error = known
@@ -49,10 +50,10 @@ class Conversation:
             if not is_command:
                 size = None if is_error else len(frame) - HEADER_SIZE
             elif len(frame) >= COMMAND_HEADER_SIZE:
-                size = (frame[HEADER_SIZE] | frame[HEADER_SIZE + 1] << 8) & MAX_GLOBALS
+                size, _ = read_memory(frame)
         elif carries == _SYSTEM:
             number = frame[HEADER_SIZE] if len(frame) > HEADER_SIZE else -1
-        key = (carries, frame[2] | frame[3] << 8, number)
+        key = (carries, counter, number)
         if is_command:
             if wants_reply:
                 self._pairing.remember(key, size or 0, record)
@@ -65,7 +66,7 @@ class Conversation:
     def overwritten(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """The record of a reply whose first bytes are those of the command that it answers, its type included."""
         record = Record(frame, numbers, time_ns, route, self._schema)
-        key = (_SYSTEM, frame[2] | frame[3] << 8, frame[HEADER_SIZE])
+        key = (_SYSTEM, Header.read(frame).counter, frame[HEADER_SIZE])
         record.request = self._pairing.answered(key, None)
         return record
 

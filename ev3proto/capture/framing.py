@@ -15,7 +15,7 @@ from typing import NamedTuple
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import FrameSchema
-from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, MessageType
 
@@ -102,7 +102,7 @@ class Cutter:
         size = len(data)
         if self._buffer or not self._in_step or size < HEADER_SIZE or size > MAX_FRAME:
             return False
-        if (data[0] | data[1] << 8) + LENGTH_FIELD != size:
+        if frame_size(data) != size:
             return False
         self._after_text = None
         return True
@@ -138,7 +138,7 @@ class Cutter:
             f"the stream ends inside a {'text' if is_text else 'frame'}, of which {counted(len(buffer), 'byte')} came"
         )
         if self._in_step and self._is_claimed and len(buffer) >= LENGTH_FIELD and not is_text:
-            reason += f" and {(buffer[0] | buffer[1] << 8) + LENGTH_FIELD - len(buffer)} are missing"
+            reason += f" and {frame_size(buffer) - len(buffer)} are missing"
         return found + self._take_all(reason)
 
     def _give_up(self) -> list[StreamPart]:
@@ -199,13 +199,9 @@ class Cutter:
 
     def _lost(self, buffer: bytes, at: int) -> str:
         if self._in_step:
-            length = int.from_bytes(buffer[at : at + LENGTH_FIELD], "little")
             self._in_step = False
             self._reason = _BETWEEN
-            return (
-                f"no frame can start here: its length field would say {length}, a frame has {MIN_LENGTH} to"
-                f" {MAX_LENGTH} bytes behind it"
-            )
+            return impossible_length(frame_size(buffer, at) - LENGTH_FIELD)
         return self._reason
 
     def _next(self, buffer: bytes, at: int) -> tuple[PartKind, int]:
@@ -216,10 +212,10 @@ class Cutter:
             return text
         if len(buffer) - at < LENGTH_FIELD:
             return PartKind.FRAME, more
-        length = buffer[at] | buffer[at + 1] << 8
-        end = at + LENGTH_FIELD + length
+        size = frame_size(buffer, at)
+        end = at + size
         if self._in_step:
-            if not MIN_LENGTH <= length <= MAX_LENGTH:
+            if not is_frame_size(size):
                 return PartKind.LOST, more
             return PartKind.FRAME, end
         if not self._may_start(buffer, at):
@@ -246,7 +242,7 @@ class Cutter:
                 return place, trials
             if not self._may_start(buffer, place):
                 continue
-            end = place + LENGTH_FIELD + (buffer[place] | buffer[place + 1] << 8)
+            end = place + frame_size(buffer, place)
             if any(start == place for start, _ in self._marks):
                 return place, trials
             if end > len(buffer):
@@ -261,7 +257,7 @@ class Cutter:
     def _may_start(self, buffer: bytes, at: int) -> bool:
         """Whether a frame may start here, as far as its header is there."""
         head = buffer[at : at + HEADER_SIZE]
-        if not MIN_LENGTH <= int.from_bytes(head[:LENGTH_FIELD], "little") <= MAX_LENGTH:
+        if len(head) < LENGTH_FIELD or not is_frame_size(frame_size(head)):
             return False
         return len(head) < HEADER_SIZE or head[-1] in _TYPES
 
@@ -336,5 +332,5 @@ class Cutter:
         """Whether a whole frame without a fault stands at an offset."""
         if len(buffer) - at < HEADER_SIZE or not self._may_start(buffer, at):
             return False
-        end = at + LENGTH_FIELD + (buffer[at] | buffer[at + 1] << 8)
+        end = at + frame_size(buffer, at)
         return end <= len(buffer) and self._is_flawless(buffer[at:end])

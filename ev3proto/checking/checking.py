@@ -18,7 +18,7 @@ from ev3proto.checking.rules.values import check_values
 from ev3proto.checking.verdict import verdict
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
 from ev3proto.schema.frame import frame_schema
-from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.frame import LENGTH_FIELD
 
@@ -62,10 +62,10 @@ def _subject(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
     size = end = len(frame)
     content = frame
     if size >= HEADER_SIZE:
-        stated = (frame[0] | frame[1] << 8) + LENGTH_FIELD
+        stated = frame_size(frame)
         if stated != size:
             end = min(max(stated, HEADER_SIZE), size)
-            content = (end - LENGTH_FIELD & 0xFFFF).to_bytes(LENGTH_FIELD, "little") + frame[LENGTH_FIELD:end]
+            content = with_length(frame[LENGTH_FIELD:end])
     message = frame_schema(dialect).read_frame(content, strict=False)
     operations = checked_operations(message.operations) if isinstance(message, DirectCommand) else ()
     return CheckContext(frame, end, message, verdict(frame, dialect), operations, dialect, carrier)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ev3proto.checking.report import Finding, Severity
+from ev3proto.schema.header import with_length
 
 
 class Code(NamedTuple):
@@ -65,8 +66,7 @@ def _frame(text: str) -> bytes:
 
 def _sized(text: str) -> bytes:
     """The same from the counter on; the length field is worked out."""
-    rest = _frame(text)
-    return len(rest).to_bytes(2, "little") + rest
+    return with_length(_frame(text))
 
 
 TONE = _sized("2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03")

@@ -10,9 +10,9 @@ from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Verdict
 from ev3proto.errors import Fault
 from ev3proto.messages import Argument, Message, Operation
-from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE, frame_size
 from ev3proto.tables.declaration import Effect
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPORT_SIZES
+from ev3proto.tables.frame import MAX_FRAME, REPORT_SIZES
 
 
 class CheckedOperation(NamedTuple):
@@ -109,4 +109,4 @@ class CheckContext(NamedTuple):
     def is_length_wrong(self) -> bool:
         """Whether the length field does not say how many bytes follow it, and they are no padding."""
         frame = self.frame
-        return (frame[0] | frame[1] << 8) + LENGTH_FIELD != len(frame) and not self.is_padded
+        return frame_size(frame) != len(frame) and not self.is_padded

@@ -18,11 +18,11 @@ from ev3proto.errors import BuildError
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
 from ev3proto.schema.argument import encode_as, encode_integer, encode_variable
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length, write_memory
 from ev3proto.semantics.footprint import Footprint, footprints
 from ev3proto.tables.declaration import Role
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
-from ev3proto.tables.frame import GLOBAL_BITS, GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
 
 _WIDEST = 4
 """The largest alignment; all others divide it."""
@@ -133,10 +133,10 @@ class _Fixing:
 
     def _length_field(self) -> None:
         size = len(self.frame) - LENGTH_FIELD
-        stated = int.from_bytes(self.frame[:LENGTH_FIELD], "little")
-        if not HEADER_SIZE <= len(self.frame) <= MAX_FRAME or stated == size:
+        if not HEADER_SIZE <= len(self.frame) <= MAX_FRAME or frame_size(self.frame) == len(self.frame):
             return
-        fixed = size.to_bytes(LENGTH_FIELD, "little") + self.frame[LENGTH_FIELD:]
+        stated = frame_size(self.frame) - LENGTH_FIELD
+        fixed = with_length(self.frame[LENGTH_FIELD:])
         whole = self._parsed(fixed)
         what = f"the length field says {stated}, and {size} bytes follow it"
         if whole.type is None or not whole.type.is_command or whole.fault is not None:
@@ -232,8 +232,7 @@ class _Fixing:
                 for place in beyond
                 if place.end > sizes[scope]
             )
-        memory = sizes[LOCAL] << GLOBAL_BITS | sizes[GLOBAL]
-        self._set(HEADER_SIZE, memory.to_bytes(COMMAND_HEADER_SIZE - HEADER_SIZE, "little"))
+        self._set(HEADER_SIZE, write_memory(sizes[GLOBAL], sizes[LOCAL]))
 
     def _cut_to_limit(self, command: DirectCommand, scope: str, sizes: dict[str, int]) -> None:
         """Asks for as much as there is where more was asked for than anything places."""
@@ -469,5 +468,4 @@ def _replaced(frame: bytes, pieces: Mapping[int, tuple[Argument, bytes]]) -> byt
     for offset, (argument, new) in sorted(pieces.items()):
         done += [frame[at:offset], new]
         at = offset + argument.length
-    body = b"".join((*done, frame[at:]))
-    return len(body).to_bytes(LENGTH_FIELD, "little") + body
+    return with_length(b"".join((*done, frame[at:])))

@@ -28,12 +28,12 @@ from enum import Enum
 from functools import cache
 from typing import NamedTuple
 
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, read_memory
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import operations, with_effect
 from ev3proto.tables.declaration import Declaration, Effect, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, HANDLE_BIT, JUMP, RANGES
-from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, MessageType
 from ev3proto.tables.validation import CMD_TABLES, LABELS, SPINNING, TABLE_SIZE
 
 
@@ -352,15 +352,15 @@ def verdict(frame: bytes, dialect: str = "official") -> Verdict:
     size = len(frame)
     if size < HEADER_SIZE or frame[HEADER_SIZE - 1] not in _DIRECT:
         return Verdict(False, min(size, HEADER_SIZE - 1), Reason.NO_COMMAND, min(size, HEADER_SIZE - 1))
-    stated = (frame[0] | frame[1] << 8) + LENGTH_FIELD
+    stated = frame_size(frame)
     if stated > MAX_FRAME:
         return Verdict(False, 0, Reason.TOO_LONG, 0)
     if stated <= COMMAND_HEADER_SIZE:
         at = min(size, COMMAND_HEADER_SIZE)
         return Verdict(False, at, Reason.EMPTY, at)
     if size >= COMMAND_HEADER_SIZE:
-        memory = frame[HEADER_SIZE] | frame[HEADER_SIZE + 1] << 8
-        if memory & MAX_GLOBALS > GRANTED_GLOBALS:
+        global_size, _ = read_memory(frame)
+        if global_size > GRANTED_GLOBALS:
             return Verdict(False, HEADER_SIZE, Reason.GLOBALS, HEADER_SIZE)
         found = validator.scan(frame, COMMAND_HEADER_SIZE, min(size, stated))
         if not found.accepted or size >= stated:

@@ -91,6 +91,14 @@ def frame_size(data: bytes | bytearray, at: int = 0) -> int:
     return length + LENGTH_FIELD
 
 
+def impossible_length(length: int) -> str:
+    """Says why no frame can have this length field, as a sentence."""
+    return (
+        f"no frame can start here: its length field would say {length}, a frame has {MIN_LENGTH} to {MAX_LENGTH} bytes"
+        " behind it"
+    )
+
+
 def is_frame_size(size: int) -> bool:
     """Says whether a frame can have so many bytes, its length field included."""
     return MIN_LENGTH <= size - LENGTH_FIELD <= MAX_LENGTH

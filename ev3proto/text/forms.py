@@ -80,7 +80,7 @@ def _parts(message: Message) -> Iterator[tuple[bytes, str]]:
     if message.type is None:
         yield frame, "no EV3 message"
         return
-    yield frame[:LENGTH_FIELD], f"length {int.from_bytes(frame[:LENGTH_FIELD], 'little')}"
+    yield frame[:LENGTH_FIELD], f"length {message.length}"
     yield frame[LENGTH_FIELD : 2 * LENGTH_FIELD], f"counter {message.counter}"
     yield frame[2 * LENGTH_FIELD : HEADER_SIZE], message.type.name
     at = HEADER_SIZE

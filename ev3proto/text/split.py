@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES
+from ev3proto.schema.header import frame_size, is_frame_size
+from ev3proto.tables.frame import LENGTH_FIELD, REPORT_SIZES
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +38,8 @@ def _ends(data: bytes) -> Iterator[int]:
     """Where the frames end when each starts where the one before ended."""
     at = 0
     while at + LENGTH_FIELD <= len(data):
-        length = int.from_bytes(data[at : at + LENGTH_FIELD], "little")
-        at += LENGTH_FIELD + length
-        if not MIN_LENGTH <= length <= MAX_LENGTH or at > len(data):
+        size = frame_size(data, at)
+        at += size
+        if not is_frame_size(size) or at > len(data):
             return
         yield at

@@ -9,7 +9,7 @@ from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Reason
 from ev3proto.messages import DirectCommand
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MessageType
 
 MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
@@ -57,7 +57,7 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
 
 
 def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]:
-    stated = frame[0] | frame[1] << 8
+    stated = frame_size(frame) - LENGTH_FIELD
     follow = size - LENGTH_FIELD
     if size > MAX_FRAME and (stated == follow or stated > MAX_LENGTH):
         yield codes.TOO_LONG.finding(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple, Protocol
 
 from ev3proto.errors import BuildError
-from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE, frame_size
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
 
 _REPLIES = {member.value for member in MessageType if not member.is_command}
@@ -44,7 +44,7 @@ def goes_to_brick(frame: bytes) -> bool:
 
 def check_frame(frame: bytes) -> None:
     """Raises BuildError for bytes that no receiver could tell from those of the next frame."""
-    length = int.from_bytes(frame[:LENGTH_FIELD], "little")
+    length = frame_size(frame) - LENGTH_FIELD if len(frame) >= LENGTH_FIELD else 0
     if len(frame) < HEADER_SIZE or length + LENGTH_FIELD != len(frame):
         raise BuildError(
             f"it cannot be carried: its length field says that {length} bytes follow,"

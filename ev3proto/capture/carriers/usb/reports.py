@@ -11,7 +11,7 @@ from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
-from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables import operations, system
 from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
 from ev3proto.tables.daisy import MOST_LAYERS
@@ -53,9 +53,9 @@ class Reports:
             self._account.other += len(packet.data)
             return ()
         is_from_host = not found.endpoint & IN
-        size = int.from_bytes(found.data[:LENGTH_FIELD], "little") + LENGTH_FIELD
+        size = frame_size(found.data)
         frame = found.data[:size]
-        is_length = MIN_LENGTH <= size - LENGTH_FIELD <= MAX_LENGTH
+        is_length = is_frame_size(size)
         is_brick = self._products.get(found.device, False)
         if not is_brick and not (is_length and self._looks_right(found, frame, size, is_from_host, packet)):
             self._account.other += len(packet.data)

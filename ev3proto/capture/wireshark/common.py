@@ -14,10 +14,10 @@ from ev3proto.capture.wireshark.segments import Origin
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import frame_schema
-from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import ACCEPT, UNLOCK_REQUEST
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH
+from ev3proto.tables.frame import LENGTH_FIELD
 
 MOST_CONNECTIONS = 1024
 """Connections, and directions of them, that are remembered; those unused for longest are given up."""
@@ -50,7 +50,7 @@ class Common:
                 yield Announcement(Said.ACCEPT, data, None, *origin, route)
             elif data.startswith(_REQUEST):
                 yield Announcement(Said.UNLOCK, data, parsed(Unlock.parse, data), *origin, route)
-        elif has_length(data) and len(data) == stated_size(data):
+        elif has_length(data) and len(data) == frame_size(data):
             self.move("frames", len(data))
             yield talk.record(data, *origin, route)
         else:
@@ -61,13 +61,10 @@ class Common:
         self.move("skipped", len(data))
         missing = 0
         if len(data) < LENGTH_FIELD or has_length(data):
-            missing = max(stated_size(data) - len(data), 0) if len(data) >= LENGTH_FIELD else 0
+            missing = max(frame_size(data) - len(data), 0) if len(data) >= LENGTH_FIELD else 0
             reason = f"a frame is cut off: {counted(len(data), 'byte')} of it were captured"
         else:
-            reason = (
-                f"no frame can start here: its length field would say {stated_size(data) - LENGTH_FIELD}, a frame has"
-                f" {MIN_LENGTH} to {MAX_LENGTH} bytes behind it"
-            )
+            reason = impossible_length(frame_size(data) - LENGTH_FIELD)
         return Skipped(data, missing, reason, row.packet, row.time_ns, route)
 
     def route(
@@ -89,14 +86,9 @@ class Common:
         self.account.other -= size
 
 
-def stated_size(data: bytes) -> int:
-    """Bytes of a frame, by its length field."""
-    return int.from_bytes(data[:LENGTH_FIELD], "little") + LENGTH_FIELD
-
-
 def has_length(data: bytes) -> bool:
     """Whether a frame starts here, by its length field."""
-    return len(data) >= HEADER_SIZE and MIN_LENGTH <= stated_size(data) - LENGTH_FIELD <= MAX_LENGTH
+    return len(data) >= HEADER_SIZE and is_frame_size(frame_size(data))
 
 
 def parsed(parse: Callable[[bytes], V], data: bytes) -> V | None:

@@ -42,7 +42,7 @@ from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.instructions import operation
 from ev3proto.tables import AREAS, area_of, daisy
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
+from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, NAN_FLOAT, RANGES, STRING_CODING, TEXT
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
@@ -81,8 +81,6 @@ MOST_ELEMENTS = 6
 MOST_OPERATIONS = 6
 MOST_TEXT = 12
 """Enough to meet every case, few enough to be quick and to shrink to something readable."""
-
-_LISTS = (Type.COUNT, Type.VALUES)
 
 # Values
 
@@ -141,7 +139,7 @@ def values_for(parameter: Parameter) -> SearchStrategy[OperationValue]:
     Inputs get numbers of the type's range, floats, names of the enumeration's members, texts and variables; outputs
     get variables; lists get a list of these (whole numbers and variables where another argument tells the type).
     """
-    if parameter.type in _LISTS:
+    if parameter.type in LISTS:
         return st.lists(_plain_values(_element_of(parameter)), max_size=MOST_ELEMENTS)
     return _plain_values(parameter)
 
@@ -186,7 +184,7 @@ def _operations(draw: DrawFn, dialect: str, names: Names) -> Operation:
     values: list[OperationValue] = []
     announced: Type | None = None
     for parameter in declaration.parameters:
-        if parameter.type in _LISTS:
+        if parameter.type in LISTS:
             element = _element_of(parameter, announced)
             elements = draw(st.lists(_plain_values(element), max_size=_most(element)))
             if parameter.type is Type.VALUES:
@@ -302,7 +300,7 @@ def _raw_operations(draw: DrawFn, dialect: str, names: Names) -> bytes:
         pieces.append(draw(_forms(CONSTANT, declaration.command.number, signed=True, plain=True)))
     announced: Type | None = None
     for parameter in declaration.parameters:
-        if parameter.type in _LISTS:
+        if parameter.type in LISTS:
             element = _element_of(parameter, announced)
             elements = draw(st.lists(encoded_arguments(element), max_size=_most(element)))
             count = draw(_forms(CONSTANT, len(elements), signed=True, plain=True))

@@ -59,7 +59,7 @@ def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperat
     for parsed in operations:
         operation = checked_operation(parsed)
         found.append(operation)
-        if operation.has(Effect.ENDS_CODE):
+        if operation.facts.ends_code:
             break
     return tuple(found)
 
@@ -90,7 +90,7 @@ class CheckContext(NamedTuple):
 
         None also for one that is too long, or where an OBJECT_END comes before it: that alone is reported then.
         """
-        if self.end > MAX_FRAME or (self.operations and self.operations[-1].has(Effect.ENDS_CODE)):
+        if self.end > MAX_FRAME or (self.operations and self.operations[-1].facts.ends_code):
             return None
         return self.message.flaw.fault
 

@@ -33,6 +33,9 @@ class OperationFacts(NamedTuple):
     effects      what it does besides what its parameters say
     has_cmd      its opcode has CMDs
     is_jump      its last argument says where to
+    has_lists    it takes texts or arrays of which the tables tell how long they are or may be
+    ends_code    the firmware reads nothing after it
+    is_newer     the validator of the release of 2013 does not know it
     """
 
     declaration: Declaration
@@ -41,6 +44,9 @@ class OperationFacts(NamedTuple):
     effects: tuple[Effect, ...]
     has_cmd: bool
     is_jump: bool
+    has_lists: bool
+    ends_code: bool
+    is_newer: bool
 
 
 @cache
@@ -55,7 +61,10 @@ def operation_facts(schema: OperationReader) -> OperationFacts:
         tuple(parameter_facts(parameter) for parameter in fixed),
         declaration.effects,
         declaration.command is not None,
-        bool(parameters) and parameters[-1].role is Role.JUMP,
+        is_jump=bool(parameters) and parameters[-1].role is Role.JUMP,
+        has_lists=any(parameter.length is not None or parameter.most is not None for parameter in parameters),
+        ends_code=Effect.ENDS_CODE in declaration.effects,
+        is_newer=declaration.is_newer,
     )
 
 

@@ -20,8 +20,8 @@ from ev3proto.compose.placeholders import Placeholder
 from ev3proto.errors import BuildError
 from ev3proto.messages import Variable
 from ev3proto.schema.operation import OperationSchema
-from ev3proto.semantics.footprint import LISTS, Footprint, footprints
-from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
+from ev3proto.semantics.footprint import Footprint, footprints
+from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Type
 from ev3proto.tables.encoding import RANGES
 
 _ENUMS = "ev3proto.enums"

@@ -11,7 +11,7 @@ from functools import cache
 from typing import NamedTuple
 
 from ev3proto.messages import Argument, Operation, OperationReader, Variable
-from ev3proto.tables.declaration import Direction, Parameter, Role, Type
+from ev3proto.tables.declaration import LISTS, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 
 UNTYPED_SIZE = 4
@@ -19,9 +19,6 @@ UNTYPED_SIZE = 4
 
 NO_LIMIT = -1
 """The length of a text that stands for as much as there is."""
-
-LISTS = (Type.COUNT, Type.VALUES)
-"""The types of parameters that stand for a list."""
 
 
 class MemoryFacts(NamedTuple):
@@ -33,6 +30,7 @@ class MemoryFacts(NamedTuple):
     fixed_length         how many values there are, where the tables tell
     length               number of the argument that tells how many values there are, None where none does
     indexed_by           number of the argument that tells which element of an array is used, None where none does
+    is_counted           the operation tells how many values or bytes it has
     is_array             it is more than one value, or may be
     is_read              the operation reads it
     is_written           the operation writes it
@@ -50,6 +48,7 @@ class MemoryFacts(NamedTuple):
     fixed_length: int | None
     length: int | None
     indexed_by: int | None
+    is_counted: bool
     is_array: bool
     is_read: bool
     is_written: bool
@@ -59,11 +58,6 @@ class MemoryFacts(NamedTuple):
     validator_alignment: int
     cpu_alignment: int
     alignment: int
-
-    @property
-    def is_counted(self) -> bool:
-        """True for an array or a text of which the operation tells how many values or bytes it has."""
-        return self.fixed_length is not None or self.length is not None or self.indexed_by is not None
 
 
 class Footprint(NamedTuple):
@@ -143,28 +137,39 @@ def footprints(operation: Operation, arguments: Sequence[Argument] | None = None
         arguments = operation.arguments
     schema, *_ = operation
     facts = memory_facts(schema)
+    fixed = len(facts)
     found: list[Footprint] = []
     for number, argument in enumerate(arguments):
         kind = argument.form.kind
         if kind in (LOCAL, GLOBAL):
-            known = facts[number] if number < len(facts) else element_facts(argument.parameter)
+            known = facts[number] if number < fixed else element_facts(argument.parameter)
             found.append(_footprint(operation, number, argument, known, arguments))
+    return found
+
+
+def results(operation: Operation) -> list[Footprint]:
+    """The memory of those arguments alone whose values a reply carries, in their order."""
+    arguments = operation.arguments
+    schema, *_ = operation
+    facts = memory_facts(schema)
+    fixed = len(facts)
+    found: list[Footprint] = []
+    for number, argument in enumerate(arguments):
+        form = argument.form
+        if form.kind == GLOBAL and not form.address:
+            known = facts[number] if number < fixed else element_facts(argument.parameter)
+            if known.is_result:
+                found.append(_footprint(operation, number, argument, known, arguments))
     return found
 
 
 def _footprint(
     operation: Operation, number: int, argument: Argument, known: MemoryFacts, arguments: Sequence[Argument]
 ) -> Footprint:
-    form, start = argument.form, int(argument.value)
+    _, form, start, *_ = argument
+    assert isinstance(start, int)
     if form.handle or form.address:
-        # The variable only says where the value is.
-        size = Type.HANDLE.size if form.handle else Type.DATA32.size
-        noticed = size if form.handle and known.is_validated else known.validator_alignment
-        is_result = known.is_result and not form.address
-        return Footprint(
-            *(operation, number, argument, start, size, size, size, False, True, False, is_result),
-            *(noticed, size, max(noticed, size)),
-        )
+        return _marked(operation, number, argument, known)
     size, most, room, is_array = known.size, known.most, known.room, known.is_array
     if known.is_counted:
         count = _count(known, arguments)
@@ -176,9 +181,43 @@ def _footprint(
             room = None if room is None else room * count
         is_array = count is None or size > known.size or known.indexed_by is not None
     return Footprint(
-        *(operation, number, argument, start, size, most, room, is_array),
-        *(known.is_read, known.is_written, known.is_result),
-        *(known.validator_alignment, known.cpu_alignment, known.alignment),
+        operation,
+        number,
+        argument,
+        start,
+        size,
+        most,
+        room,
+        is_array,
+        known.is_read,
+        known.is_written,
+        known.is_result,
+        known.validator_alignment,
+        known.cpu_alignment,
+        known.alignment,
+    )
+
+
+def _marked(operation: Operation, number: int, argument: Argument, known: MemoryFacts) -> Footprint:
+    """The memory of a variable that only says where the value is: by a handle or an address."""
+    form = argument.form
+    size = Type.HANDLE.size if form.handle else Type.DATA32.size
+    validator_alignment = size if form.handle and known.is_validated else known.validator_alignment
+    return Footprint(
+        operation,
+        number,
+        argument,
+        int(argument.value),
+        size,
+        most=size,
+        room=size,
+        is_array=False,
+        is_read=True,
+        is_written=False,
+        is_result=known.is_result and not form.address,
+        validator_alignment=validator_alignment,
+        cpu_alignment=size,
+        alignment=max(validator_alignment, size),
     )
 
 
@@ -228,6 +267,7 @@ def _element_facts(kind: Type, direction: Direction) -> MemoryFacts:
 def _facts(parameter: Parameter, numbers: dict[str, int], *, is_validated: bool, is_element: bool) -> MemoryFacts:
     kind, direction = parameter.type, parameter.direction
     is_text, is_untyped = kind is Type.STRING, kind is Type.ARRAY_TYPED
+    is_counted = parameter.length is not None or parameter.indexed_by is not None
     size = max(kind.size, 1)
     most: int | None = size
     room: int | None = UNTYPED_SIZE if is_untyped else size
@@ -246,7 +286,8 @@ def _facts(parameter: Parameter, numbers: dict[str, int], *, is_validated: bool,
         fixed_length=parameter.length if isinstance(parameter.length, int) else None,
         length=numbers.get(parameter.length) if isinstance(parameter.length, str) else None,
         indexed_by=None if parameter.indexed_by is None else numbers.get(parameter.indexed_by),
-        is_array=is_text or is_untyped or parameter.length is not None or parameter.indexed_by is not None,
+        is_counted=is_counted,
+        is_array=is_text or is_untyped or is_counted,
         is_read=not parameter.stores and direction is not Direction.OUT,
         is_written=parameter.stores or direction is not Direction.IN,
         is_result=direction is not Direction.IN,

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from ev3proto.messages import DirectCommand, DirectReply, Message, SystemReply
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.semantics.footprint import UNTYPED_SIZE, Footprint, footprints
+from ev3proto.semantics.footprint import UNTYPED_SIZE, Footprint, results
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import RANGES, STRING_CODING
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
@@ -98,14 +98,14 @@ def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
     for operation in command.operations:
         if not operation.has_outputs:
             continue
-        results = [found for found in footprints(operation) if found.is_result and found.is_global]
-        for found in results:
-            value = _read(found, results, reply.memory)
+        outputs = results(operation)
+        for found in outputs:
+            value = _read(found, outputs, reply.memory)
             if value is not None:
                 yield value
 
 
-def _read(found: Footprint, results: list[Footprint], memory: bytes) -> Value | None:
+def _read(found: Footprint, outputs: list[Footprint], memory: bytes) -> Value | None:
     """The value of one output, None where the memory does not hold it."""
     argument, start = found.argument, found.start
     parameter = argument.parameter
@@ -118,7 +118,7 @@ def _read(found: Footprint, results: list[Footprint], memory: bytes) -> Value | 
         piece = memory[start : _end(found, memory)].split(b"\0", 1)[0]
         value, length = piece.decode(STRING_CODING), len(piece)
     elif kind is Type.ARRAY_TYPED:
-        kind = _untyped(results, start, len(memory))
+        kind = _untyped(outputs, start, len(memory))
         length = kind.size
         if start + length > len(memory):
             return None
@@ -158,8 +158,8 @@ def _end(found: Footprint, memory: bytes) -> int:
     return len(memory) if found.is_open else min(found.end, len(memory))
 
 
-def _untyped(results: list[Footprint], start: int, end: int) -> Type:
+def _untyped(outputs: list[Footprint], start: int, end: int) -> Type:
     """The type of an output that has that of the array it comes from: what fits before the next output."""
-    end = min((found.start for found in results if start < found.start < end), default=end)
+    end = min((found.start for found in outputs if start < found.start < end), default=end)
     room = max((size for size in _BY_SIZE if size <= end - start), default=UNTYPED_SIZE)
     return _BY_SIZE[room]

@@ -45,6 +45,10 @@ class Type(Enum):
         return self.label
 
 
+LISTS = (Type.COUNT, Type.VALUES)
+"""The types of parameters that stand for a list."""
+
+
 class Direction(Enum):
     """Which way a parameter carries its value: to the operation, from it, or both."""
 

@@ -24,7 +24,7 @@ def check_flow(context: CheckContext) -> Iterator[Finding]:
     operations = context.operations
     has_jumps = False
     for operation in operations:
-        if operation.has(Effect.ENDS_CODE):
+        if operation.facts.ends_code:
             yield _object_end(operation, context.end)
         elif operation.has(Effect.OF_PROGRAMS):
             yield from _of_programs(operation)
@@ -183,7 +183,7 @@ class _Way:
             while number < len(self._operations) and number not in reached:
                 last = self._operations[number]
                 number += 1
-            if first.has(Effect.ENDS_CODE):
+            if first.facts.ends_code:
                 # It is where the command ends in any case.
                 continue
             yield codes.UNREACHABLE.finding(

@@ -16,9 +16,10 @@ from ev3proto.tables.encoding import CONSTANT, TEXT
 def check_lists(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
     """The texts and arrays that stand in the operations themselves."""
     for operation in operations:
-        yield from _long_texts(operation)
-        for array in inline_arrays(operation.arguments):
-            yield from _array(operation, array)
+        if operation.facts.has_lists:
+            yield from _long_texts(operation)
+            for array in inline_arrays(operation.arguments):
+                yield from _array(operation, array)
 
 
 def _long_texts(operation: CheckedOperation) -> Iterator[Finding]:

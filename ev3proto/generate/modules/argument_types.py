@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.generate.modules.source import MARK, bracketed, docstring, imported, joined
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import DIALECTS, Direction, Enumeration, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, LISTS, Direction, Enumeration, Parameter, Type
 
 _ALIASES = {
     "AnyVariable": "Variable | Placeholder | Argument | bytes",
@@ -32,7 +32,7 @@ def argument_type(parameter: Parameter) -> str:
     """What a call takes for a parameter."""
     if parameter.type is Type.COUNT and parameter.elements is not Direction.IN:
         return "Outputs"
-    if parameter.type in (Type.COUNT, Type.VALUES):
+    if parameter.type in LISTS:
         element = parameter.element
         return f"Sequence[{_SCALARS.get(element, 'Number') if isinstance(element, Type) else 'Untyped'}]"
     if parameter.direction is Direction.OUT:

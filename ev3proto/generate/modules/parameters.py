@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.generate.modules.source import sentence
 from ev3proto.semantics.domain import limits
-from ev3proto.tables.declaration import Direction, Parameter, Type
+from ev3proto.tables.declaration import LISTS, Direction, Parameter, Type
 
 
 def text_of(parameter: Parameter, *, is_optional: bool) -> str:
@@ -36,7 +36,7 @@ def _pieces(parameter: Parameter, *, is_optional: bool) -> Iterator[str]:
 
 def _type(parameter: Parameter) -> str:
     """`DATA16`, or what a list has."""
-    if parameter.type in (Type.COUNT, Type.VALUES):
+    if parameter.type in LISTS:
         element = parameter.element
         if isinstance(element, str):
             return f"a list, of the type that {element.lower()} says"

@@ -1,5 +1,7 @@
 """The virtual brick's operations of display, buttons, light, terminal, battery and sound, sent as direct commands."""
 
+from pathlib import Path
+
 import pytest
 from support.brick import RefusedError, answer, ask
 
@@ -88,6 +90,27 @@ class TestDrawing:
             "011000",
             "010000",
         ]
+
+    def test_pictures_from_files(self, tmp_path: Path) -> None:
+        """Names without a folder are looked up in sys, those without an extension are pictures."""
+        (tmp_path / "sys").mkdir()
+        (tmp_path / "sys" / "mark.rgf").write_bytes(bytes.fromhex("0a02 0102 ff00"))
+        brick = Brick(root=tmp_path)
+        ask(brick, "UI_DRAW(BMPFILE, 1, 1, 0, 'mark') UI_DRAW(BMPFILE, 1, 90, 0, 'none') UI_DRAW(UPDATE)")
+        assert [row[:4] for row in rows(brick, 0, 2)] == ["4020", "7f80"]
+        memory = ask(
+            brick,
+            """
+            DATA32 size
+            local DATA32 address
+            FILE(LOAD_IMAGE, 1, './mark.rgf', size, address)
+            UI_DRAW(CLEAN) UI_DRAW(PICTURE, 0, -8, 0, address) UI_DRAW(UPDATE)
+            """,
+        )
+        assert memory == "06 00 00 00"
+        assert [row[:4] for row in rows(brick, 0, 2)] == ["8000", "c000"]
+        with pytest.raises(RefusedError):
+            ask(brick, "UI_DRAW(PICTURE, 1, 0, 0, 1)")
 
 
 class TestText:
@@ -293,3 +316,16 @@ class TestSound:
     def test_waiting_for_silence(self, brick: Brick) -> None:
         assert ask(brick, "SOUND(TONE, 1, 440, 50) SOUND_READY()", seconds=0.045) == "busy"
         assert answer(brick.advance(0.01)) == ""
+
+    def test_sound_files(self, tmp_path: Path) -> None:
+        """Half a second: 4000 samples, 8000 a second."""
+        (tmp_path / "sys").mkdir()
+        (tmp_path / "sys" / "horn.rsf").write_bytes(bytes.fromhex("0100 0fa0 1f40 0000") + bytes(4000))
+        brick = Brick(root=tmp_path)
+        assert ask(brick, "SOUND(PLAY, 100, './horn') SOUND_READY()", seconds=0.49) == "busy"
+        assert answer(brick.advance(0.02)) == ""
+        ask(brick, "SOUND(REPEAT, 100, 'horn')")
+        brick.advance(60)
+        assert ask(brick, self.TEST) == "01"
+        ask(brick, "SOUND(PLAY, 100, 'none')")
+        assert ask(brick, self.TEST) == "00"

@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from functools import partial
 
+from ev3proto.brick import filenames
+from ev3proto.brick.areas.files import in_own_folder
 from ev3proto.brick.display.graph import Graph, Scale
+from ev3proto.brick.display.pictures import read_picture
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.memory import Place
+from ev3proto.brick.outcomes import WildAccess
+from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DATA16, DATAF
+from ev3proto.tables.encoding import STRING_CODING
+
+_EXTENSION = str(CONSTANTS["EXT_GRAPHICS"]).encode(STRING_CODING)
 
 
 @handles("UI_DRAW.UPDATE")
@@ -156,10 +164,22 @@ def icon(vm: Machine, color: int, x: int, y: int, kind: int, number: int) -> Non
     vm.brick.display.icon(color, x, y, kind, number)
 
 
+@handles("UI_DRAW.BMPFILE")
+def bmpfile(vm: Machine, color: int, x: int, y: int, name: bytes) -> None:
+    """A picture from a file; nothing without such a file."""
+    path = in_own_folder(vm, name)
+    data = vm.brick.files.read(path if filenames.split(path).extension else path + _EXTENSION)
+    if data is not None:
+        vm.brick.display.picture(color, x, y, read_picture(data))
+
+
 @handles("UI_DRAW.PICTURE")
-def picture(vm: Machine, *_: int) -> None:
-    """A picture at an address of the real brick's memory, which means nothing here."""
-    vm.fail()
+def picture(vm: Machine, color: int, x: int, y: int, address: int) -> None:
+    """A picture from memory, where FILE LOAD_IMAGE has put it."""
+    image = vm.images.get(address)
+    if image is None:
+        raise WildAccess
+    vm.brick.display.picture(color, x, y, read_picture(image.data))
 
 
 # Graphs

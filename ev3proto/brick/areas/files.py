@@ -13,23 +13,10 @@ from ev3proto.brick.machine import Machine
 from ev3proto.brick.memory import Place
 from ev3proto.brick.outcomes import Busy, Failure
 from ev3proto.brick.programs import CURRENT_SLOT, RUNNING
+from ev3proto.brick.text_lines import DELIMITERS
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.enumerations import DEL
-
-_CHARACTERS = {
-    "DEL_NONE": b"",
-    "DEL_TAB": b"\t",
-    "DEL_SPACE": b" ",
-    "DEL_RETURN": b"\r",
-    "DEL_COLON": b":",
-    "DEL_COMMA": b",",
-    "DEL_LINEFEED": b"\n",
-    "DEL_CRLF": b"\r\n",
-}
-DELIMITERS = {DEL.members[name]: text for name, text in _CHARACTERS.items()}
-"""What stands between two values, by its number; none for any other number."""
 
 IMAGE_EXTENSION = str(CONSTANTS["EXT_BYTECODE"]).encode(STRING_CODING)
 

@@ -5,6 +5,10 @@ from __future__ import annotations
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.memory import Place
+from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.encoding import STRING_CODING
+
+_EXTENSION = str(CONSTANTS["EXT_SOUND"]).encode(STRING_CODING)
 
 
 @handles("SOUND.BREAK")
@@ -17,6 +21,28 @@ def stop(vm: Machine) -> None:
 def tone(vm: Machine, volume: int, frequency: int, duration: int) -> None:
     """A tone; its duration is read without sign."""
     vm.brick.sound.tone(volume, frequency, duration & 0xFFFF, vm.microseconds)
+
+
+def _play(vm: Machine, volume: int, name: bytes, is_repeated: bool) -> None:
+    """Plays a file; without such a file there is silence."""
+    folder = b"" if name.startswith(b".") else vm.program.folder.encode(STRING_CODING)
+    file = vm.brick.files.read(folder + name + _EXTENSION)
+    if file is None:
+        vm.brick.sound.stop()
+    else:
+        vm.brick.sound.play(volume, file, is_repeated, vm.microseconds)
+
+
+@handles("SOUND.PLAY")
+def play(vm: Machine, volume: int, name: bytes) -> None:
+    """A file, once."""
+    _play(vm, volume, name, False)
+
+
+@handles("SOUND.REPEAT")
+def repeat(vm: Machine, volume: int, name: bytes) -> None:
+    """A file, over and over."""
+    _play(vm, volume, name, True)
 
 
 @handles("SOUND.SERVICE")

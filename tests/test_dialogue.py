@@ -151,6 +151,14 @@ def test_a_counter_used_again() -> None:
     assert [value.name for value in dialogue.feed(answer(b"\x01", counter=5, size=1))] == ["BUSY"]
 
 
+def test_of_commands_of_one_counter_and_one_size_the_newest_is_answered() -> None:
+    dialogue = ev3proto.Dialogue()
+    for name in ("UI_READ.GET_VBATT", "UI_READ.GET_IBATT"):
+        dialogue.feed(ask(ev3proto.operation(name, GV(0)), counter=5, size=4))
+    (value,) = dialogue.feed(answer(struct.pack("<f", 0.25), counter=5, size=4))
+    assert (value.command, value.value) == ("GET_IBATT", 0.25)
+
+
 def test_a_sender_that_never_changes_its_counter() -> None:
     """Two commands on their way at once: the size of the reply tells which one it answers."""
     dialogue = ev3proto.Dialogue()

@@ -46,6 +46,15 @@ def test_a_length_that_no_frame_has() -> None:
     assert len(decoder.pending) == pending
 
 
+@pytest.mark.parametrize("operations", [0, 1, 1017])
+def test_the_shortest_and_the_longest_frame(operations: int) -> None:
+    frame = (5 + operations).to_bytes(2, "little") + bytes.fromhex("01 00 80 00 00") + b"\x01" * operations
+    decoder = ev3proto.Decoder()
+    (message,) = decoder.feed(frame)
+    assert message.build() == frame
+    assert decoder.close() is None
+
+
 @pytest.mark.parametrize("length", [0, 1, 2, 1023, 65535])
 def test_impossible_lengths(length: int) -> None:
     with pytest.raises(ev3proto.StreamError):

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from random import Random
 from typing import Any
 
 import pytest
@@ -34,6 +35,8 @@ from ev3proto import (
 )
 from ev3proto.checking.checking import check as check_frame
 from ev3proto.compose import Placeholder
+from ev3proto.compose.functions import drafts
+from ev3proto.compose.values import draft
 from ev3proto.enums import LED
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables import operations as operations_of
@@ -330,6 +333,34 @@ def call(declaration: Declaration, dialect: str, values: Sequence[Any]) -> Draft
         found = getattr(found, f"{part}_" if part in ("break", "return") else part)
     draft: Draft = found(*values)
     return draft
+
+
+EDGES: list[Any] = [0, 1, -1, 2, 31, 32, -32, 100, 127, -127, -128, 255, 440, 32767, -32768, 65535, 2**31 - 1, 2**31]
+EDGES += [True, False, 1.0, 0.5, float("nan"), float("inf"), "a", "", LED.RED, None, GV(0), GV(3), b"\x01", [1]]
+
+
+@pytest.mark.parametrize("name", sorted(HOME))
+def test_values_that_are_looked_up_are_those_that_are_checked_one_by_one(name: str) -> None:
+    schema = instruction_set(HOME[name])[name]
+    function = drafts(HOME[name])[name]
+    random = Random(name)
+    for _ in range(30):
+        values = [
+            random.choice([*EDGES, *(parameter.enum.members if parameter.enum else ()), *parameter.special])
+            if parameter.direction is Direction.IN
+            else random.choice([None, None, None, *EDGES])
+            for parameter in schema.declaration.parameters
+        ]
+        careful = outcome(draft, schema, values)
+        assert [outcome(function.draft, values, False) for _ in range(2)] == [careful] * 2, values
+
+
+def outcome(make: Callable[..., Draft], *arguments: Any) -> str:
+    try:
+        made = make(*arguments)
+        return f"{made!r} {command(made).build().hex()}"
+    except BuildError as error:
+        return str(error)
 
 
 NEWER = "E212"

@@ -138,6 +138,8 @@ UNCHECKED = "; unchecked=True lets it through"
         ("sound.tone", (1, 249, 1000), f"SOUND.TONE: FREQUENCY must be 250 to 10000 Hz, not 249{UNCHECKED}"),
         ("sound.tone", (500, 440, 1000), "SOUND.TONE: VOLUME must be 0 to 100 %, not 500"),
         ("sound.tone", (1.5, 440, 1000), "VOLUME cannot be 1.5: a DATA8 is a whole number"),
+        ("sound.tone", (float("nan"), 440, 1000), f"SOUND.TONE: VOLUME must be 0 to 100 %, not nan{UNCHECKED}"),
+        ("sound.tone", (float("inf"), 440, 1000), "SOUND.TONE: VOLUME must be 0 to 100 %, not inf"),
         ("sound.tone", ("loud", 440, 1000), "VOLUME takes a number or a variable, not 'loud'"),
         ("input_device.get_raw", (4, 0), f"LAYER must be 0 to 3, not 4{UNCHECKED}"),
         ("input_device.ready_si", (0, 0, 0, 8), f"MODE must be 0 to 7 or -1 (keep the mode), not 8{UNCHECKED}"),
@@ -223,6 +225,20 @@ def test_dialects_have_their_own() -> None:
         called("ui_draw.rectangle")
     with pytest.raises(AttributeError, match=r"the xtended firmware has no operation ui_draw\.rect"):
         called("ui_draw.rect", "xtended")
+
+
+@pytest.mark.parametrize(
+    ("dialect", "made"),
+    [
+        ("xtended", lambda: xtended.sound.tone(1, 440, 1000)),
+        ("xtended", lambda: xtended.ui_draw.rectangle(1, 0, 0, 5, 5)),
+        ("compat", lambda: compat.com_get.list_state("HW_BT", GV(0))),
+        ("compat", lambda: ops.sound.tone(1, 440, 1000)),
+    ],
+)
+def test_an_operation_equals_the_one_that_is_parsed_in_a_dialect(dialect: str, made: Callable[[], Draft]) -> None:
+    message = ev3proto.command(made())
+    assert ev3proto.parse(message.build(), dialect=dialect) == message
 
 
 def test_the_help_of_a_function() -> None:

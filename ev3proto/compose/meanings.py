@@ -5,6 +5,7 @@ A value that means nothing to the brick is refused where it is written down. Who
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 
 from ev3proto.errors import BuildError, near_misses
@@ -78,7 +79,9 @@ def check_arrays(arguments: Sequence[Argument]) -> None:
 def _can_be(parameter: Parameter, value: float) -> bool:
     """Whether there is an encoding for it."""
     limits = RANGES.get(parameter.type)
-    return limits is None or (value == int(value) and (limits.low <= value <= limits.high or value == limits.nan))
+    if limits is None or math.isnan(value) or value == limits.nan:
+        return True
+    return limits.low <= value <= limits.high and value == int(value)
 
 
 def no_variable(parameter: Parameter, value: object) -> BuildError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ev3proto.compose.calls import REQUIRED, MissingValueError
+from ev3proto.calls import REQUIRED, MissingValueError
 from ev3proto.compose.drafts import OMITTED, STAND_IN, Draft, Open
 from ev3proto.compose.meanings import (
     check_arrays,

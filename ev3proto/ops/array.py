@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, overload
 
-from ev3proto.compose.calls import REQUIRED, explained
+from ev3proto.calls import REQUIRED, explained
 from ev3proto.compose.drafts import Draft
 from ev3proto.compose.functions import drafts
 from ev3proto.late import listed

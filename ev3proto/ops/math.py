@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ev3proto.compose.calls import explained
+from ev3proto.calls import explained
 from ev3proto.compose.drafts import Draft
 from ev3proto.compose.functions import drafts
 from ev3proto.late import listed

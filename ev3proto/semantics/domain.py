@@ -6,6 +6,7 @@ these, what the type can hold is legal.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from functools import cache
 
@@ -62,7 +63,7 @@ class Domain:
         """Whether a number is legal."""
         if value in self.singles or any(low <= value <= high for low, high in self.spans):
             return True
-        return bool(self.mask) and not int(value) & ~self.mask
+        return bool(self.mask) and math.isfinite(value) and not int(value) & ~self.mask
 
 
 @cache

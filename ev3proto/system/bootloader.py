@@ -5,7 +5,7 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from typing import TYPE_CHECKING
 
-from ev3proto.compose.calls import explained
+from ev3proto.calls import explained
 from ev3proto.late import listed
 from ev3proto.messages import SystemCommand
 from ev3proto.system.requests import request

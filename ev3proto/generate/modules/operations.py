@@ -223,7 +223,7 @@ def _imports(
     if typing:
         yield f"from typing import {', '.join(typing)}"
     yield ""
-    yield from imported("ev3proto.compose.calls", ["explained", *(["REQUIRED"] if is_overloaded else [])])
+    yield from imported("ev3proto.calls", ["explained", *(["REQUIRED"] if is_overloaded else [])])
     yield "from ev3proto.compose.drafts import Draft"
     yield "from ev3proto.compose.functions import drafts"
     if has_hints:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from ev3proto.tables import AREAS, OPCODES, enumerations, operations
-from ev3proto.tables.declaration import DIALECTS, Declaration, Enumeration, Parameter, Type, declarations
+from ev3proto.tables.declaration import DIALECTS, Declaration, Effect, Enumeration, Parameter, Role, Type, declarations
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.system import SYSTEM, Kind, SystemStatus
 
@@ -129,3 +129,35 @@ def test_end_of_file_is_no_failure() -> None:
     assert SystemStatus(7).name == "FILE_EXITS"
     assert not SystemStatus.END_OF_FILE.is_failure
     assert SystemStatus.ILLEGAL_PATH.is_failure
+
+
+def test_what_harms_a_brick_is_named() -> None:
+    """What stands at the entries, for whoever warns before such a command is sent."""
+    harmful = {Effect.DELETES_FILES, Effect.RENAMES, Effect.RUNS_SHELL, Effect.WRITES_FIRMWARE, Effect.RESTARTS}
+    assert {name for name, entry in operations().items() if harmful & set(entry.effects)} == {
+        "COM_SET.SET_BRICKNAME",
+        "FILE.DEL_SUBFOLDER",
+        "FILE.MOVE",
+        "FILE.REMOVE",
+        "SYSTEM",
+    }
+    assert {entry.number for entry in SYSTEM if harmful & set(entry.effects)} == {
+        *(0x9C, 0xA0),
+        *(0xF0, 0xF1, 0xF2, 0xF3, 0xF4),
+    }
+
+
+def test_every_effect_and_role_is_some_entry_s() -> None:
+    declared = list(declarations(OPCODES))
+    effects = {effect for entry in declared for effect in entry.effects}
+    assert effects | {effect for entry in SYSTEM for effect in entry.effects} == set(Effect)
+    assert {parameter.role for entry in declared for parameter in entry.parameters} == {None, *Role}
+
+
+def test_what_a_parameter_refers_to_is_there() -> None:
+    """Lengths, indices and types are those of other parameters of the same operation."""
+    for entry in declarations(OPCODES):
+        names = {parameter.name for parameter in entry.parameters}
+        for parameter in entry.parameters:
+            for other in (parameter.length, parameter.indexed_by, parameter.element):
+                assert not isinstance(other, str) or other in names, (entry.name, parameter.name)

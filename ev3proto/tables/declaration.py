@@ -79,7 +79,7 @@ class Role(Enum):
 
 
 class Effect(Enum):
-    """What an operation does besides what its parameters say. The value completes the sentence "it ..."."""
+    """What an operation or system command does besides what its parameters say. The value completes "it ..."."""
 
     STARTS_SOUND = "starts a sound and returns at once; a sound that is playing ends"
     ENDS_SOUND = "ends the sound that is playing"
@@ -88,7 +88,7 @@ class Effect(Enum):
     WIPES = "draws over all that was on the canvas, or much of it"
     SHOWS = "shows the canvas"
     DIALOG = "takes the display for itself and shows what is on it"
-    STARTS_MOVE = "starts a move of motors that ends by itself and returns at once; a move of the same motors ends"
+    STARTS_MOVE = "starts a move that ends by itself and returns at once; a move of the same motors ends"
     STOPS_MOTORS = "stops motors"
     AWAITS_MOVE = "waits until the moves of motors have ended"
     RUNS_MOTORS = "makes motors turn"
@@ -104,6 +104,8 @@ class Effect(Enum):
     CHANGES_SETTINGS = "changes a setting of the brick, which stays when the command has ended"
     RENAMES = "gives the brick another name"
     CONTROLS_PROGRAMS = "starts, stops or changes other programs"
+    RESTARTS = "restarts the brick, or ends its firmware"
+    WRITES_FIRMWARE = "erases or writes the memory that the firmware is in"
     RUNS_SHELL = "runs a command on the brick's operating system"
 
 

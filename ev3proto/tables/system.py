@@ -6,6 +6,8 @@ They are no byte code: a number, then fields of fixed kinds. Replies repeat the 
 from enum import Enum, IntEnum
 from typing import NamedTuple
 
+from ev3proto.tables.declaration import Effect
+
 
 class Kind(Enum):
     """How a field stands in the frame."""
@@ -25,8 +27,8 @@ class Field(NamedTuple):
     name      how it is called here, in JSON and in filters
     kind      number, text up to a zero, text with its length in the field before, or all the bytes that are left
     text      one line: what it means
-    counts    for lengths: the field whose bytes they count; left out when building, it is worked out
-    optional  True where senders leave it away
+    counts    for lengths: the field whose bytes they count; omitted when building, it is worked out
+    optional  True where senders omit it
     most      largest number of bytes, where the firmware has a limit
     """
 
@@ -45,6 +47,7 @@ class SystemCommand(NamedTuple):
     bootloader  True for those that only the brick's firmware updater knows (USB only)
     transfer    the part it plays in moving a file: `begin`, `continue` or `close`; None for the others
     usb_only    True for those that the firmware takes by USB only
+    effects     what it does to the brick that outlasts it
     """
 
     number: int
@@ -56,6 +59,7 @@ class SystemCommand(NamedTuple):
     bootloader: bool = False
     transfer: str | None = None
     usb_only: bool = False
+    effects: tuple[Effect, ...] = ()
 
 
 class SystemStatus(IntEnum):
@@ -105,6 +109,7 @@ SYSTEM = (
         (_SIZE, _PATH),
         (_REPLY_HANDLE,),
         transfer="begin",
+        effects=(Effect.WRITES_FILES,),
     ),
     SystemCommand(
         0x93,
@@ -113,6 +118,7 @@ SYSTEM = (
         (_HANDLE, _DATA),
         (_REPLY_HANDLE,),
         transfer="continue",
+        effects=(Effect.WRITES_FILES,),
     ),
     SystemCommand(
         0x94,
@@ -171,8 +177,8 @@ SYSTEM = (
         (_REPLY_HANDLE, _LIST),
         transfer="continue",
     ),
-    SystemCommand(0x9B, "CREATE_DIR", "Makes a folder", (_PATH,)),
-    SystemCommand(0x9C, "DELETE_FILE", "Deletes a file or an empty folder", (_PATH,)),
+    SystemCommand(0x9B, "CREATE_DIR", "Makes a folder", (_PATH,), effects=(Effect.WRITES_FILES,)),
+    SystemCommand(0x9C, "DELETE_FILE", "Deletes a file or an empty folder", (_PATH,), effects=(Effect.DELETES_FILES,)),
     SystemCommand(
         0x9D,
         "LIST_OPEN_HANDLES",
@@ -194,20 +200,34 @@ SYSTEM = (
         answered=False,
     ),
     SystemCommand(
-        0x9F, "BLUETOOTHPIN", "Hands over the PIN for a Bluetooth device (USB only)", _PIN, _PIN, usb_only=True
+        0x9F,
+        "BLUETOOTHPIN",
+        "Hands over the PIN for a Bluetooth device (USB only)",
+        _PIN,
+        _PIN,
+        usb_only=True,
+        effects=(Effect.CHANGES_SETTINGS,),
     ),
-    SystemCommand(0xA0, "ENTERFWUPDATE", "Restarts the brick into its firmware updater", answered=False),
+    SystemCommand(
+        0xA0,
+        "ENTERFWUPDATE",
+        "Restarts the brick into its firmware updater",
+        answered=False,
+        effects=(Effect.RESTARTS,),
+    ),
     SystemCommand(
         0xA1,
         "SETBUNDLEID",
         "Sets the bundle identifier with which the brick shows itself to Apple devices",
         (Field("id", Kind.TEXT, "the identifier", most=24),),
+        effects=(Effect.CHANGES_SETTINGS,),
     ),
     SystemCommand(
         0xA2,
         "SETBUNDLESEEDID",
         "Sets the bundle seed identifier with which the brick shows itself to Apple devices",
         (Field("id", Kind.TEXT, "the identifier", most=11),),
+        effects=(Effect.CHANGES_SETTINGS,),
     ),
     SystemCommand(
         0xF0,
@@ -215,6 +235,7 @@ SYSTEM = (
         "Erases a region of the flash memory and makes ready to write it",
         (_ADDRESS, _IMAGE_SIZE),
         bootloader=True,
+        effects=(Effect.WRITES_FIRMWARE,),
     ),
     SystemCommand(
         0xF1,
@@ -222,6 +243,7 @@ SYSTEM = (
         "Makes ready to write a region of the flash memory that is already erased",
         (_ADDRESS, _IMAGE_SIZE),
         bootloader=True,
+        effects=(Effect.WRITES_FIRMWARE,),
     ),
     SystemCommand(
         0xF2,
@@ -229,9 +251,14 @@ SYSTEM = (
         "Writes the next piece of the image",
         (Field("data", Kind.DATA, "a piece of the image", most=1018),),
         bootloader=True,
+        effects=(Effect.WRITES_FIRMWARE,),
     ),
-    SystemCommand(0xF3, "CHIP_ERASE", "Erases the whole flash memory", bootloader=True),
-    SystemCommand(0xF4, "START_APP", "Leaves the updater and starts the firmware", bootloader=True),
+    SystemCommand(
+        0xF3, "CHIP_ERASE", "Erases the whole flash memory", bootloader=True, effects=(Effect.WRITES_FIRMWARE,)
+    ),
+    SystemCommand(
+        0xF4, "START_APP", "Leaves the updater and starts the firmware", bootloader=True, effects=(Effect.RESTARTS,)
+    ),
     SystemCommand(
         0xF5,
         "GET_CHECKSUM",

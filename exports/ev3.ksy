@@ -1280,13 +1280,13 @@ types:
     seq:
       - id: prgid
         type: argument(false)
-        doc: "program slot to stop (SLOT; 0: all programs; -1: the program that says so)"
+        doc: "program slot to stop (0: all programs; -1: the program that says so; a member of SLOT)"
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_program_start:
     doc: "Starts a loaded program; by direct command only while no user program runs"
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: size, type: argument(false), doc: "size of the image; read and ignored (bytes)"}
       - {id: ip, type: argument(false), doc: "address of the image, as FILE.LOAD_IMAGE returned it"}
       - {id: debug, type: argument(false), doc: "how to run it (0 to 2; 0: run; 1: debug; 2: load, do not run)"}
@@ -1319,42 +1319,42 @@ types:
   op_program_info_obj_stop:
     doc: Stops an object of a running program
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: objid, type: argument(false), doc: "object of the program, counted from 1"}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_program_info_obj_start:
     doc: Starts an object of a running program from its beginning
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: objid, type: argument(false), doc: "object of the program, counted from 1"}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_program_info_get_status:
     doc: Asks whether a program runs
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
-      - {id: data, type: argument(false), doc: state of the program (OBJSTAT)}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
+      - {id: data, type: argument(false), doc: state of the program (a member of OBJSTAT)}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_program_info_get_speed:
     doc: Asks how fast a program runs
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: data, type: argument(false), doc: speed since the program started (instructions/s)}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_program_info_get_prgresult:
     doc: Asks how a program ended
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
-      - {id: data, type: argument(false), doc: "OK, BUSY (still running) or FAIL (RESULT)"}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
+      - {id: data, type: argument(false), doc: "OK, BUSY (still running) or FAIL (a member of RESULT)"}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_program_info_set_instr:
     doc: Sets how many instructions the calling thread may still run in its time slice
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_label:
@@ -1364,7 +1364,7 @@ types:
   op_probe:
     doc: "Prints a program's memory on the brick's debug terminal"
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: objid, type: argument(false), doc: "object whose local memory to print (0: the global memory)"}
       - {id: offset, type: argument(false), doc: where to begin (bytes)}
       - {id: size, type: argument(false), doc: "how much to print (0 to 1024 bytes; 0: all, 1024 at most)"}
@@ -1373,7 +1373,7 @@ types:
   op_do:
     doc: "Runs byte code that is already in memory, ending what the slot ran before"
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: image, type: argument(false), doc: address of the byte code image}
       - {id: global_, type: argument(false), doc: address of the global memory it uses}
     instances:
@@ -1422,7 +1422,7 @@ types:
       - {id: length, type: argument(false), doc: "room for the text, with its zero (bytes; -1: no limit)"}
       - id: destination
         type: argument(false)
-        doc: "name of the error, less than 32 characters (LENGTH tells how long)"
+        doc: "name of the error, less than 32 characters (as many bytes as LENGTH says)"
   op_info_get_volume:
     doc: Reads the volume setting
     seq:
@@ -1496,18 +1496,18 @@ types:
       - {id: value, type: argument(true), doc: number to write}
       - {id: format, type: argument(false), doc: "format, such as %5.2f"}
       - {id: size, type: argument(false), doc: "room for the text, with its zero (bytes)"}
-      - {id: destination, type: argument(false), doc: resulting text (SIZE tells how long)}
+      - {id: destination, type: argument(false), doc: resulting text (as many bytes as SIZE says)}
   op_strings_number_formatted:
     doc: "Writes a whole number as text in a format of C's printf"
     seq:
       - {id: value, type: argument(false), doc: number to write}
       - {id: format, type: argument(false), doc: "format, such as %05d or %X"}
       - {id: size, type: argument(false), doc: "room for the text, with its zero (bytes)"}
-      - {id: destination, type: argument(false), doc: resulting text (SIZE tells how long)}
+      - {id: destination, type: argument(false), doc: resulting text (as many bytes as SIZE says)}
   op_bp_set:
     doc: Sets or removes a breakpoint in a running program
     seq:
-      - {id: prgid, type: argument(false), doc: program slot (SLOT)}
+      - {id: prgid, type: argument(false), doc: program slot (a member of SLOT)}
       - {id: "no", type: argument(false), doc: "number of the breakpoint (0 to 2; 3: pulse on test pin TP4, no stop)"}
       - {id: address, type: argument(false), doc: "where in the image (bytes; 0: remove the breakpoint)"}
     instances:
@@ -1519,7 +1519,9 @@ types:
         type: argument(false)
         doc: "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D (0 to 19)"
       - {id: length, type: argument(false), doc: "how many pins to read, usually 5"}
-      - {id: string_, type: argument(false), doc: "one character per pin: 0 low, 1 high (LENGTH tells how long)"}
+      - id: string_
+        type: argument(false)
+        doc: "one character per pin: 0 low, 1 high (as many values as LENGTH says)"
   op_tst_tst_write_pins:
     doc: Sets the pins of a connector
     seq:
@@ -1529,7 +1531,7 @@ types:
       - {id: length, type: argument(false), doc: "how many pins to set, usually 5"}
       - id: string_
         type: argument(false)
-        doc: "one character per pin: 0 low, 1 high, X floating, - as it is (LENGTH tells how long)"
+        doc: "one character per pin: 0 low, 1 high, X floating, - as it is (as many values as LENGTH says)"
   op_tst_tst_read_adc:
     doc: Reads the analog converter
     seq:
@@ -1542,13 +1544,13 @@ types:
     seq:
       - {id: port, type: argument(false), doc: sensor port less one (0 to 3)}
       - {id: length, type: argument(false), doc: how many bytes to send (0 to 63 bytes)}
-      - {id: string_, type: argument(false), doc: the bytes (LENGTH tells how long)}
+      - {id: string_, type: argument(false), doc: the bytes (as many values as LENGTH says)}
   op_tst_tst_read_uart:
     doc: "Reads bytes that arrived on a sensor port's serial line"
     seq:
       - {id: port, type: argument(false), doc: sensor port less one (0 to 3)}
       - {id: length, type: argument(false), doc: how many bytes to read (0 to 63 bytes)}
-      - {id: string_, type: argument(false), doc: "the bytes, filled up with zeros (LENGTH tells how long)"}
+      - {id: string_, type: argument(false), doc: "the bytes, filled up with zeros (as many values as LENGTH says)"}
   op_tst_tst_enable_uart:
     doc: Switches the serial lines of all sensor ports on
     seq:
@@ -1562,11 +1564,11 @@ types:
   op_tst_tst_poll_mode2:
     doc: "Asks how far the start of Bluetooth's mode 2 is"
     seq:
-      - {id: status, type: argument(false), doc: "OK, BUSY (still starting) or FAIL (0 to 2; RESULT)"}
+      - {id: status, type: argument(false), doc: "OK, BUSY (still starting) or FAIL (0 to 2; a member of RESULT)"}
   op_tst_tst_ram_check:
     doc: Asks how the memory test at power-on went
     seq:
-      - {id: status, type: argument(false), doc: "OK or FAIL (0 to 2; RESULT)"}
+      - {id: status, type: argument(false), doc: "OK or FAIL (0 to 2; a member of RESULT)"}
   op_add8:
     doc: Adds two 8-bit numbers
     seq:
@@ -1855,7 +1857,7 @@ types:
   op_init_bytes:
     doc: Fills consecutive bytes of memory with values given in place
     seq:
-      - {id: destination, type: argument(false), doc: first byte to fill (LENGTH tells how long)}
+      - {id: destination, type: argument(false), doc: first byte to fill (as many values as LENGTH says)}
       - {id: length, type: argument(false), doc: "how many values follow; a negative count hangs the brick (bytes)"}
       - id: source
         type: argument(false)
@@ -2421,7 +2423,7 @@ types:
         doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
       - id: destination
         type: argument(false)
-        doc: "system and kernel release, such as Linux 2.6.33-rc4 (LENGTH tells how long)"
+        doc: "system and kernel release, such as Linux 2.6.33-rc4 (as many bytes as LENGTH says)"
   op_ui_read_get_event:
     doc: "Reads and clears the pending event (used by the brick's own menus)"
     seq:
@@ -2444,35 +2446,35 @@ types:
     doc: Waits for a line typed at the terminal and reads it
     seq:
       - {id: length, type: argument(false), doc: "most bytes to return; the zero comes on top (0 to 127 bytes)"}
-      - {id: destination, type: argument(false), doc: the line (LENGTH tells how long)}
+      - {id: destination, type: argument(false), doc: the line (as many bytes as LENGTH says)}
   op_ui_read_get_hw_vers:
     doc: Reads the hardware version
     seq:
       - id: length
         type: argument(false)
         doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
-      - {id: destination, type: argument(false), doc: "hardware version, such as V0.60 (LENGTH tells how long)"}
+      - {id: destination, type: argument(false), doc: "hardware version, such as V0.60 (as many bytes as LENGTH says)"}
   op_ui_read_get_fw_vers:
     doc: Reads the firmware version
     seq:
       - id: length
         type: argument(false)
         doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
-      - {id: destination, type: argument(false), doc: "firmware version, such as V1.04H (LENGTH tells how long)"}
+      - {id: destination, type: argument(false), doc: "firmware version, such as V1.04H (as many bytes as LENGTH says)"}
   op_ui_read_get_fw_build:
     doc: Reads when the firmware was built
     seq:
       - id: length
         type: argument(false)
         doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
-      - {id: destination, type: argument(false), doc: build time as yymmddhhmm (LENGTH tells how long)}
+      - {id: destination, type: argument(false), doc: build time as yymmddhhmm (as many bytes as LENGTH says)}
   op_ui_read_get_os_build:
     doc: Reads when the operating system was built
     seq:
       - id: length
         type: argument(false)
         doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
-      - {id: destination, type: argument(false), doc: build time as yymmddhhmm (LENGTH tells how long)}
+      - {id: destination, type: argument(false), doc: build time as yymmddhhmm (as many bytes as LENGTH says)}
   op_ui_read_get_address:
     doc: Waits for a decimal number typed at the terminal and reads it (debugging)
     seq:
@@ -2495,7 +2497,7 @@ types:
   op_ui_read_get_warning:
     doc: Reads what the brick warns of
     seq:
-      - {id: warnings, type: argument(false), doc: "one bit for each warning (WARNING; 0: none)"}
+      - {id: warnings, type: argument(false), doc: "one bit for each warning (0: none; a member of WARNING)"}
   op_ui_read_get_lbatt:
     doc: "Reads how full the battery is, derived from its voltage"
     seq:
@@ -2505,14 +2507,14 @@ types:
     seq:
       - {id: text, type: argument(false), doc: "whole text of the box, its lines separated by DEL"}
       - {id: size, type: argument(false), doc: "bytes that the box has for its text, the zero included (bytes)"}
-      - {id: del_, type: argument(false), doc: what separates the lines (DEL)}
+      - {id: del_, type: argument(false), doc: what separates the lines (a member of DEL)}
       - id: length
         type: argument(false)
         doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
       - {id: line, type: argument(false), doc: "which line, counted from 1"}
       - id: destination
         type: argument(false)
-        doc: "the line, empty where there is no such line (LENGTH tells how long)"
+        doc: "the line, empty where there is no such line (as many bytes as LENGTH says)"
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
   op_ui_read_get_version:
@@ -2523,14 +2525,14 @@ types:
         doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
       - id: destination
         type: argument(false)
-        doc: "such as LMS2012 V1.04H(Jul 26 2013 12:00:00) (LENGTH tells how long)"
+        doc: "such as LMS2012 V1.04H(Jul 26 2013 12:00:00) (as many bytes as LENGTH says)"
   op_ui_read_get_ip:
     doc: "Reads the brick's IP address"
     seq:
       - id: length
         type: argument(false)
         doc: "most bytes to return, the zero included (0 to 127 bytes; -1: no limit)"
-      - {id: destination, type: argument(false), doc: address in dotted notation (LENGTH tells how long)}
+      - {id: destination, type: argument(false), doc: address in dotted notation (as many bytes as LENGTH says)}
   op_ui_read_get_power:
     doc: Reads all values of the power supply at once
     seq:
@@ -2606,9 +2608,9 @@ types:
     seq:
       - id: text
         type: argument(false)
-        doc: "whole text of the box, its lines separated by DEL (SIZE tells how long)"
+        doc: "whole text of the box, its lines separated by DEL (as many bytes as SIZE says)"
       - {id: size, type: argument(false), doc: "bytes that the box has for its text, the zero included (bytes)"}
-      - {id: del_, type: argument(false), doc: what separates the lines (DEL)}
+      - {id: del_, type: argument(false), doc: what separates the lines (a member of DEL)}
       - {id: source, type: argument(false), doc: line to append}
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
@@ -2623,7 +2625,7 @@ types:
   op_ui_write_led:
     doc: Sets colour and blinking of the light around the buttons
     seq:
-      - {id: pattern, type: argument(false), doc: colour and rhythm (LEDPATTERN)}
+      - {id: pattern, type: argument(false), doc: colour and rhythm (a member of LEDPATTERN)}
     instances:
       pattern_name: {value: pattern.value, enum: ledpattern, if: pattern.is_number}
   op_ui_write_power:
@@ -2637,27 +2639,27 @@ types:
   op_ui_button_shortpress:
     doc: "Tells whether a button was pressed since last asked, and forgets it"
     seq:
-      - {id: button, type: argument(false), doc: which button (BUTTONTYPE)}
+      - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was pressed (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_longpress:
     doc: "Tells whether a button was held for 3 s since last asked, and forgets it"
     seq:
-      - {id: button, type: argument(false), doc: which button (BUTTONTYPE)}
+      - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was held for 3 s (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_press:
     doc: Presses a button as if by hand and holds it until RELEASE
     seq:
-      - {id: button, type: argument(false), doc: which button (BUTTONTYPE)}
+      - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_release:
     doc: Releases a button that PRESS holds
     seq:
-      - {id: button, type: argument(false), doc: which button (BUTTONTYPE)}
+      - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_get_horz:
@@ -2671,7 +2673,7 @@ types:
   op_ui_button_pressed:
     doc: Tells whether a button is down at the moment
     seq:
-      - {id: button, type: argument(false), doc: which button (BUTTONTYPE)}
+      - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button is down (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
@@ -2690,21 +2692,21 @@ types:
   op_ui_button_testshortpress:
     doc: "Tells like SHORTPRESS whether a button was pressed, without forgetting it"
     seq:
-      - {id: button, type: argument(false), doc: which button (BUTTONTYPE)}
+      - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was pressed (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_testlongpress:
     doc: "Tells like LONGPRESS whether a button was held for 3 s, without forgetting it"
     seq:
-      - {id: button, type: argument(false), doc: which button (BUTTONTYPE)}
+      - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was held for 3 s (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_get_bumbed:
     doc: "Tells whether a button was pressed and let go since last asked, and forgets it"
     seq:
-      - {id: button, type: argument(false), doc: which button (BUTTONTYPE)}
+      - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
       - {id: state, type: argument(false), doc: "whether the button was pressed and let go (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
@@ -2746,7 +2748,7 @@ types:
       - {id: color, type: argument(false), doc: "colour to draw in (0 to 1; 0: white; 1: black)"}
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
-      - {id: type_, type: argument(false), doc: set of icons (ICONTYPE)}
+      - {id: type_, type: argument(false), doc: set of icons (a member of ICONTYPE)}
       - {id: "no", type: argument(false), doc: number of the icon in its set}
     instances:
       type__name: {value: type_.value, enum: icontype, if: type_.is_number}
@@ -2788,9 +2790,9 @@ types:
       - {id: color, type: argument(false), doc: "colour to draw in (0 to 1; 0: white; 1: black)"}
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
-      - {id: icon1, type: argument(false), doc: "first large icon (L_ICON_NO; -1: none)"}
-      - {id: icon2, type: argument(false), doc: "second large icon (L_ICON_NO; -1: none)"}
-      - {id: icon3, type: argument(false), doc: "third large icon (L_ICON_NO; -1: none)"}
+      - {id: icon1, type: argument(false), doc: "first large icon (-1: none; a member of L_ICON_NO)"}
+      - {id: icon2, type: argument(false), doc: "second large icon (-1: none; a member of L_ICON_NO)"}
+      - {id: icon3, type: argument(false), doc: "third large icon (-1: none; a member of L_ICON_NO)"}
       - {id: string_, type: argument(false), doc: "text beside the icons; may be empty"}
       - id: state
         type: argument(false)
@@ -2805,8 +2807,8 @@ types:
       - {id: color, type: argument(false), doc: "colour to draw in (0 to 1; 0: white; 1: black)"}
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
-      - {id: icon1, type: argument(false), doc: "first large icon (L_ICON_NO; -1: none)"}
-      - {id: icon2, type: argument(false), doc: "second large icon (L_ICON_NO; -1: none)"}
+      - {id: icon1, type: argument(false), doc: "first large icon (-1: none; a member of L_ICON_NO)"}
+      - {id: icon2, type: argument(false), doc: "second large icon (-1: none; a member of L_ICON_NO)"}
       - {id: string_, type: argument(false), doc: "text of the question (LEGO's firmware does not show it)"}
       - id: state
         type: argument(false)
@@ -2823,7 +2825,7 @@ types:
       - {id: color, type: argument(false), doc: "colour to draw in (0 to 1; 0: white; 1: black)"}
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
-      - {id: icon, type: argument(false), doc: normal icon before the caption (N_ICON_NO)}
+      - {id: icon, type: argument(false), doc: normal icon before the caption (a member of N_ICON_NO)}
       - {id: length, type: argument(false), doc: "most bytes to return, the zero included (0 to 127 bytes)"}
       - {id: default_, type: argument(false), doc: "caption above the text, not a preset as its name says (0: none)"}
       - id: charset
@@ -2831,22 +2833,24 @@ types:
         doc: "variable with the sum of what may be typed; becomes 0 once the keyboard shows"
       - id: string_
         type: argument(false)
-        doc: "text entered; what the variable holds before is edited, back button empties it (LENGTH tells how long)"
+        doc: "text entered; what the variable holds before is edited, back button empties it (as many bytes as LENGTH says)"
     instances:
       icon_name: {value: icon.value, enum: n_icon_no, if: icon.is_number}
   op_ui_draw_browse:
     doc: Shows files and folders and waits until one is chosen
     seq:
-      - {id: type_, type: argument(false), doc: what is listed (BROWSERTYPE)}
+      - {id: type_, type: argument(false), doc: what is listed (a member of BROWSERTYPE)}
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
       - {id: x1, type: argument(false), doc: width (0 to 178 px)}
       - {id: y1, type: argument(false), doc: height (0 to 128 px)}
       - {id: length, type: argument(false), doc: "most bytes to return, the zero included (0 to 127 bytes)"}
-      - {id: item_type, type: argument(false), doc: "kind of what was chosen; set the variable to 0 before (FILETYPE)"}
+      - id: item_type
+        type: argument(false)
+        doc: "kind of what was chosen; set the variable to 0 before (a member of FILETYPE)"
       - id: string_
         type: argument(false)
-        doc: "path of what was chosen; the variable holds the top folder before (LENGTH tells how long)"
+        doc: "path of what was chosen; the variable holds the top folder before (as many bytes as LENGTH says)"
     instances:
       type__name: {value: type_.value, enum: browsertype, if: type_.is_number}
   op_ui_draw_vertbar:
@@ -2870,7 +2874,7 @@ types:
   op_ui_draw_select_font:
     doc: "Chooses the font for text until UPDATE, CLEAN or FILLWINDOW"
     seq:
-      - {id: type_, type: argument(false), doc: "font (0 to 3; FONTTYPE)"}
+      - {id: type_, type: argument(false), doc: "font (0 to 3; a member of FONTTYPE)"}
     instances:
       type__name: {value: type_.value, enum: fonttype, if: type_.is_number}
   op_ui_draw_topline:
@@ -2962,7 +2966,7 @@ types:
       - {id: y0, type: argument(false), doc: top edge (0 to 127 px)}
       - id: name
         type: argument(false)
-        doc: "file with extension .rgf, absolute or relative to /home/root/lms2012/sys"
+        doc: "file with extension .rgf, absolute or relative to /home/root/lms2012/sys (at most 119 characters)"
   op_ui_draw_popup:
     doc: "Opens a window that only its opener draws on, or closes it and brings back the display"
     seq:
@@ -2973,13 +2977,13 @@ types:
       - {id: x0, type: argument(false), doc: left edge (0 to 177 px)}
       - {id: x1, type: argument(false), doc: width (0 to 178 px)}
       - {id: items, type: argument(false), doc: how many curves (0 to 8)}
-      - {id: offset, type: argument(false), doc: "top edge of each curve (0 to 127 px; ITEMS tells how long)"}
-      - {id: span, type: argument(false), doc: "height of each curve (0 to 128 px; ITEMS tells how long)"}
-      - {id: min, type: argument(true), doc: value at the bottom of each curve (ITEMS tells how long)}
-      - {id: max, type: argument(true), doc: value at the top of each curve (ITEMS tells how long)}
+      - {id: offset, type: argument(false), doc: "top edge of each curve (0 to 127 px; as many values as ITEMS says)"}
+      - {id: span, type: argument(false), doc: "height of each curve (0 to 128 px; as many values as ITEMS says)"}
+      - {id: min, type: argument(true), doc: value at the bottom of each curve (as many values as ITEMS says)}
+      - {id: max, type: argument(true), doc: value at the top of each curve (as many values as ITEMS says)}
       - id: sample
         type: argument(true)
-        doc: "present value of each curve, read anew at each GRAPH_SAMPLE (ITEMS tells how long)"
+        doc: "present value of each curve, read anew at each GRAPH_SAMPLE (as many values as ITEMS says)"
   op_ui_draw_graph_draw:
     doc: Draws the graph and measures the curve it shows
     seq:
@@ -2999,7 +3003,7 @@ types:
       - {id: y1, type: argument(false), doc: height (0 to 128 px)}
       - {id: text, type: argument(false), doc: "whole text of the box, its lines separated by DEL"}
       - {id: size, type: argument(false), doc: "bytes that the box has for its text, the zero included (bytes)"}
-      - {id: del_, type: argument(false), doc: what separates the lines (DEL)}
+      - {id: del_, type: argument(false), doc: what separates the lines (a member of DEL)}
       - id: line
         type: argument(false)
         doc: "variable, set to -1 before; then the line chosen, counted from 1 (-1: start, or left with the back button; 0: being shown)"
@@ -3042,14 +3046,14 @@ types:
       - {id: volume, type: argument(false), doc: "how loud (0 to 100 %; 0: silent)"}
       - id: name
         type: argument(false)
-        doc: "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys"
+        doc: "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys (at most 119 characters)"
   op_sound_repeat:
     doc: Plays a sound file over and over until BREAK and returns at once
     seq:
       - {id: volume, type: argument(false), doc: "how loud (0 to 100 %; 0: silent)"}
       - id: name
         type: argument(false)
-        doc: "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys"
+        doc: "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys (at most 119 characters)"
   op_sound_test:
     doc: Tells whether a sound is playing
     seq:
@@ -3061,25 +3065,29 @@ types:
       - {id: samples, type: argument(false), doc: how many devices the arrays list}
       - id: init
         type: argument(false)
-        doc: "place in the sample buffer of each device, -1 starts it anew (SAMPLES tells how long)"
+        doc: "place in the sample buffer of each device, -1 starts it anew (as many values as SAMPLES says)"
       - id: devices
         type: argument(false)
-        doc: "ports, 0 to 3 for sensors, 4 to 7 for motors A to D (SAMPLES tells how long)"
-      - {id: types, type: argument(false), doc: "type each device shall have (TYPE; SAMPLES tells how long)"}
-      - {id: modes, type: argument(false), doc: mode each device shall have (SAMPLES tells how long)}
+        doc: "ports, 0 to 3 for sensors, 4 to 7 for motors A to D (as many values as SAMPLES says)"
+      - id: types
+        type: argument(false)
+        doc: "type each device shall have (a member of TYPE; as many values as SAMPLES says)"
+      - {id: modes, type: argument(false), doc: mode each device shall have (as many values as SAMPLES says)}
       - id: datasets
         type: argument(false)
-        doc: "which of its values to read from each device, from 0 (SAMPLES tells how long)"
+        doc: "which of its values to read from each device, from 0 (as many values as SAMPLES says)"
       - id: values
         type: argument(true)
-        doc: "one value per device, NaN where there is none (SAMPLES tells how long)"
+        doc: "one value per device, NaN where there is none (as many values as SAMPLES says)"
     instances:
       types_name: {value: types.value, enum: type_, if: types.is_number}
   op_input_device_list:
     doc: "Lists the types of all devices, sensor ports of each layer first, then motor ports"
     seq:
       - {id: length, type: argument(false), doc: "room in the array, 32 takes the whole daisy chain"}
-      - {id: array, type: argument(false), doc: "type of device at each port (TYPE; LENGTH tells how long)"}
+      - id: array
+        type: argument(false)
+        doc: "type of device at each port (a member of TYPE; as many values as LENGTH says)"
       - {id: changed, type: argument(false), doc: "whether devices came or went since the last call (0: no change)"}
   op_input_device_insert_type:
     doc: "Adds a line to the table of device types, for third party types (50 to 98) only"
@@ -3095,13 +3103,13 @@ types:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
       - {id: datasets, type: argument(false), doc: how many values one reading has}
-      - {id: format, type: argument(false), doc: "type of one raw value (0 to 3; DATA_FORMAT)"}
+      - {id: format, type: argument(false), doc: "type of one raw value (0 to 3; a member of DATA_FORMAT)"}
       - {id: modes, type: argument(false), doc: how many modes the device has (1 to 8)}
       - {id: views, type: argument(false), doc: how many of the modes are shown to users (1 to 8)}
   op_input_device_cal_minmax:
     doc: Sets the raw values that scale a type and mode to percent and SI
     seq:
-      - {id: type_, type: argument(false), doc: type of device the calibration is for (TYPE)}
+      - {id: type_, type: argument(false), doc: type of device the calibration is for (a member of TYPE)}
       - {id: mode, type: argument(false), doc: mode the calibration is for (0 to 7)}
       - {id: cal_min, type: argument(false), doc: raw value at the lower end}
       - {id: cal_max, type: argument(false), doc: raw value at full scale}
@@ -3110,7 +3118,7 @@ types:
   op_input_device_cal_default:
     doc: Goes back to the built-in scaling of a type and mode
     seq:
-      - {id: type_, type: argument(false), doc: type of device the calibration is for (TYPE)}
+      - {id: type_, type: argument(false), doc: type of device the calibration is for (a member of TYPE)}
       - {id: mode, type: argument(false), doc: mode the calibration is for (0 to 7)}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
@@ -3119,7 +3127,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: type of the device (TYPE)}
+      - {id: type_, type: argument(false), doc: type of the device (a member of TYPE)}
       - {id: mode, type: argument(false), doc: mode the device is in (0 to 7)}
   op_input_device_get_symbol:
     doc: Reads the symbol of the unit of the present mode
@@ -3129,11 +3137,11 @@ types:
       - id: length
         type: argument(false)
         doc: "room for the text with its zero (bytes; -1: as long as it is (handles only))"
-      - {id: destination, type: argument(false), doc: "symbol, filled up with blanks (LENGTH tells how long)"}
+      - {id: destination, type: argument(false), doc: "symbol, filled up with blanks (as many bytes as LENGTH says)"}
   op_input_device_cal_min:
     doc: Sets the lower end of the scaling of a type and mode
     seq:
-      - {id: type_, type: argument(false), doc: type of device the calibration is for (TYPE)}
+      - {id: type_, type: argument(false), doc: type of device the calibration is for (a member of TYPE)}
       - {id: mode, type: argument(false), doc: mode the calibration is for (0 to 7)}
       - {id: cal_min, type: argument(false), doc: "value at the lower end, in SI units once calibrated"}
     instances:
@@ -3141,7 +3149,7 @@ types:
   op_input_device_cal_max:
     doc: Sets the full scale of a type and mode
     seq:
-      - {id: type_, type: argument(false), doc: type of device the calibration is for (TYPE)}
+      - {id: type_, type: argument(false), doc: type of device the calibration is for (a member of TYPE)}
       - {id: mode, type: argument(false), doc: mode the calibration is for (0 to 7)}
       - {id: cal_max, type: argument(false), doc: "value at full scale, in SI units once calibrated"}
     instances:
@@ -3158,11 +3166,11 @@ types:
       - {id: write_len, type: argument(false), doc: how many bytes to write (0 to 32 bytes)}
       - id: write_data
         type: argument(false)
-        doc: "bytes to write: I2C address, register, data (WRITE_LEN tells how long)"
+        doc: "bytes to write: I2C address, register, data (as many values as WRITE_LEN says)"
       - id: read_len
         type: argument(false)
         doc: "how many bytes to read, negative: in reverse order (-32 to 32 bytes)"
-      - {id: read_data, type: argument(false), doc: bytes read (READ_LEN tells how long)}
+      - {id: read_data, type: argument(false), doc: bytes read (as many values as READ_LEN says)}
   op_input_device_clr_all:
     doc: Clears counters and angles of all devices
     seq:
@@ -3178,7 +3186,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: conn, type: argument(false), doc: kind of connection (CONN)}
+      - {id: conn, type: argument(false), doc: kind of connection (a member of CONN)}
   op_input_device_stop_all:
     doc: "Stops all devices, motors among them"
     seq:
@@ -3186,9 +3194,9 @@ types:
   op_input_device_set_typemode:
     doc: "Renumbers an entry of the table of device types, third party types only"
     seq:
-      - {id: type_, type: argument(false), doc: "type the entry has (50 to 98; TYPE)"}
+      - {id: type_, type: argument(false), doc: "type the entry has (50 to 98; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: mode the entry has (0 to 7)}
-      - {id: newtype, type: argument(false), doc: "type the entry shall have (50 to 98; TYPE)"}
+      - {id: newtype, type: argument(false), doc: "type the entry shall have (50 to 98; a member of TYPE)"}
       - {id: newmode, type: argument(false), doc: mode the entry shall have (0 to 7)}
       - {id: error, type: argument(false), doc: "whether it failed (0 to 1; 0: done; 1: failed or not found)"}
     instances:
@@ -3202,10 +3210,12 @@ types:
         type: argument(false)
         doc: "sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)"
       - {id: wrlng, type: argument(false), doc: how many bytes to write (0 to 32 bytes)}
-      - {id: wrdata, type: argument(false), doc: "bytes to write: I2C address, register, data (WRLNG tells how long)"}
+      - id: wrdata
+        type: argument(false)
+        doc: "bytes to write: I2C address, register, data (as many values as WRLNG says)"
       - {id: rdlng, type: argument(false), doc: "how many bytes to read, negative: in reverse order (-32 to 32 bytes)"}
-      - {id: rddata, type: argument(false), doc: bytes read (RDLNG tells how long)}
-      - {id: result, type: argument(false), doc: how the transfer ended (RESULT)}
+      - {id: rddata, type: argument(false), doc: bytes read (as many values as RDLNG says)}
+      - {id: result, type: argument(false), doc: how the transfer ended (a member of RESULT)}
   op_input_device_get_name:
     doc: "Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT"
     seq:
@@ -3214,7 +3224,7 @@ types:
       - id: length
         type: argument(false)
         doc: "room for the text with its zero (bytes; -1: as long as it is (handles only))"
-      - {id: destination, type: argument(false), doc: "name, filled up with blanks (LENGTH tells how long)"}
+      - {id: destination, type: argument(false), doc: "name, filled up with blanks (as many bytes as LENGTH says)"}
   op_input_device_get_modename:
     doc: Reads the name of any mode of a device
     seq:
@@ -3224,13 +3234,13 @@ types:
       - id: length
         type: argument(false)
         doc: "room for the text with its zero (bytes; -1: as long as it is (handles only))"
-      - {id: destination, type: argument(false), doc: "name, filled up with blanks (LENGTH tells how long)"}
+      - {id: destination, type: argument(false), doc: "name, filled up with blanks (as many bytes as LENGTH says)"}
   op_input_device_set_raw:
     doc: Pretends that a device has read this raw value
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (TYPE; 0: keep the type)"}
+      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
       - {id: value, type: argument(false), doc: raw value to pretend}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
@@ -3257,7 +3267,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (TYPE; 0: keep the type)"}
+      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
       - {id: values_count, type: argument(false), doc: "how many values follow, each in percent (each is DATA8)"}
       - {id: values, type: argument(false), repeat: expr, repeat-expr: values_count.value}
@@ -3268,7 +3278,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (TYPE; 0: keep the type)"}
+      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
       - {id: values_count, type: argument(false), doc: how many raw values follow (each is DATA32)}
       - {id: values, type: argument(false), repeat: expr, repeat-expr: values_count.value}
@@ -3279,7 +3289,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (TYPE; 0: keep the type)"}
+      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
       - {id: values_count, type: argument(false), doc: "how many values follow, each in SI units (each is DATAF)"}
       - {id: values, type: argument(true), repeat: expr, repeat-expr: values_count.value}
@@ -3303,7 +3313,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (TYPE; 0: keep the type)"}
+      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
       - {id: pct, type: argument(false), doc: "value, NaN where there is none (%)"}
     instances:
@@ -3324,7 +3334,7 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (TYPE; 0: keep the type)"}
+      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
       - {id: si, type: argument(true), doc: "value in the mode's unit, NaN where there is none"}
     instances:
@@ -3334,9 +3344,11 @@ types:
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0; 16 to 19 for motors (0 to 19)"}
-      - {id: type_, type: argument(false), doc: "type the device shall have (TYPE; 0: keep the type)"}
+      - {id: type_, type: argument(false), doc: "type the device shall have (0: keep the type; a member of TYPE)"}
       - {id: mode, type: argument(false), doc: "mode the device shall have (0 to 7; -1: keep the mode)"}
-      - {id: format, type: argument(false), doc: "DATA_PCT, DATA_RAW or DATA_SI, others give NaN (DATA_FORMAT)"}
+      - id: format
+        type: argument(false)
+        doc: "DATA_PCT, DATA_RAW or DATA_SI, others give NaN (a member of DATA_FORMAT)"
       - id: values_count
         type: argument(false)
         doc: "how many values follow, each in FORMAT (each is what FORMAT says)"
@@ -3355,13 +3367,13 @@ types:
         type: argument(false)
         doc: "sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)"
       - {id: bytes, type: argument(false), doc: how many bytes to send (1 to 32 bytes)}
-      - {id: data, type: argument(false), doc: bytes to send (BYTES tells how long)}
+      - {id: data, type: argument(false), doc: bytes to send (as many values as BYTES says)}
   op_output_set_type:
     doc: Declares which type of motor is at a port
     seq:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)"}
-      - {id: type_, type: argument(false), doc: type of the motor (TYPE)}
+      - {id: type_, type: argument(false), doc: type of the motor (a member of TYPE)}
     instances:
       type__name: {value: type_.value, enum: type_, if: type_.is_number}
   op_output_reset:
@@ -3494,46 +3506,58 @@ types:
   op_memory_write:
     doc: Writes bytes into the variables of a running program
     seq:
-      - {id: prgid, type: argument(false), doc: "slot of the program, which has to be running (0 to 4; SLOT)"}
+      - id: prgid
+        type: argument(false)
+        doc: "slot of the program, which has to be running (0 to 4; a member of SLOT)"
       - {id: objid, type: argument(false), doc: "object whose local memory is meant (0: the program's global memory)"}
       - {id: offset, type: argument(false), doc: first byte in that memory (0 to 2147483647 bytes)}
       - {id: size, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
       - id: array
         type: argument(false)
-        doc: "the bytes; those beyond the end of the memory are dropped (SIZE tells how long)"
+        doc: "the bytes; those beyond the end of the memory are dropped (as many values as SIZE says)"
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_memory_read:
     doc: Reads bytes from the variables of a running program
     seq:
-      - {id: prgid, type: argument(false), doc: "slot of the program, which has to be running (0 to 4; SLOT)"}
+      - id: prgid
+        type: argument(false)
+        doc: "slot of the program, which has to be running (0 to 4; a member of SLOT)"
       - {id: objid, type: argument(false), doc: "object whose local memory is meant (0: the program's global memory)"}
       - {id: offset, type: argument(false), doc: first byte in that memory (0 to 2147483647 bytes)}
       - {id: size, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
-      - {id: array, type: argument(false), doc: "the bytes, zeros beyond the end of the memory (SIZE tells how long)"}
+      - id: array
+        type: argument(false)
+        doc: "the bytes, zeros beyond the end of the memory (as many values as SIZE says)"
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_file_open_append:
     doc: "Opens a file to write at its end, creates it where there is none"
     seq:
-      - {id: name, type: argument(false), doc: "path of the file; a bare name is taken from the program's own folder"}
+      - id: name
+        type: argument(false)
+        doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
       - {id: handle, type: argument(false), doc: what names the file from now on}
   op_file_open_read:
     doc: Opens a file to read
     seq:
-      - {id: name, type: argument(false), doc: "path of the file; a bare name is taken from the program's own folder"}
+      - id: name
+        type: argument(false)
+        doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
       - {id: handle, type: argument(false), doc: what names the file from now on}
       - {id: size, type: argument(false), doc: "size of the file (bytes; 0: not found)"}
   op_file_open_write:
     doc: "Creates a file or empties the one there is, and opens it to write"
     seq:
-      - {id: name, type: argument(false), doc: "path of the file; a bare name is taken from the program's own folder"}
+      - id: name
+        type: argument(false)
+        doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
       - {id: handle, type: argument(false), doc: what names the file from now on}
   op_file_read_value:
     doc: Reads the text up to the next delimiter and turns it into a number
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: del_, type: argument(false), doc: what stands between two values in the file (DEL)}
+      - {id: del_, type: argument(false), doc: what stands between two values in the file (a member of DEL)}
       - {id: value, type: argument(true), doc: "the number, 0 where the text is none"}
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
@@ -3541,7 +3565,7 @@ types:
     doc: "Writes a number as text, and a delimiter after it"
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: del_, type: argument(false), doc: what stands between two values in the file (DEL)}
+      - {id: del_, type: argument(false), doc: what stands between two values in the file (a member of DEL)}
       - {id: value, type: argument(true), doc: the number}
       - {id: figures, type: argument(false), doc: "least width in characters, the decimal point included"}
       - {id: decimals, type: argument(false), doc: digits after the decimal point}
@@ -3551,20 +3575,20 @@ types:
     doc: Reads text up to the next delimiter
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: del_, type: argument(false), doc: what stands between two values in the file (DEL)}
+      - {id: del_, type: argument(false), doc: what stands between two values in the file (a member of DEL)}
       - id: length
         type: argument(false)
         doc: "most bytes to read; LEGO's firmware keeps the low 8 bits, so 127 (bytes)"
       - id: text
         type: argument(false)
-        doc: "the text, without a zero at its end when it fills all the room (LENGTH tells how long)"
+        doc: "the text, without a zero at its end when it fills all the room (as many bytes as LENGTH says)"
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
   op_file_write_text:
     doc: "Writes text without its zero, and a delimiter after it"
     seq:
       - {id: handle, type: argument(false), doc: the open file}
-      - {id: del_, type: argument(false), doc: what stands between two values in the file (DEL)}
+      - {id: del_, type: argument(false), doc: what stands between two values in the file (a member of DEL)}
       - {id: text, type: argument(false), doc: the text}
     instances:
       del__name: {value: del_.value, enum: del_, if: del_.is_number}
@@ -3575,10 +3599,10 @@ types:
   op_file_load_image:
     doc: "Loads a program file into a stopped slot, for PROGRAM_START to run"
     seq:
-      - {id: prgid, type: argument(false), doc: "slot to load it into (0 to 4; SLOT)"}
+      - {id: prgid, type: argument(false), doc: "slot to load it into (0 to 4; a member of SLOT)"}
       - id: name
         type: argument(false)
-        doc: "path of the program, relative to /home/root/lms2012/sys; .rbf may be left out"
+        doc: "path of the program, relative to /home/root/lms2012/sys; .rbf may be left out (at most 119 characters)"
       - {id: size, type: argument(false), doc: "size of the program (bytes; 0: not loaded)"}
       - {id: ip, type: argument(false), doc: "where it was loaded, to be handed to PROGRAM_START (0: not loaded)"}
     instances:
@@ -3586,13 +3610,17 @@ types:
   op_file_get_handle:
     doc: Finds the handle of a file that is already open
     seq:
-      - {id: name, type: argument(false), doc: "path of the file; a bare name is taken from the program's own folder"}
+      - id: name
+        type: argument(false)
+        doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
       - {id: handle, type: argument(false), doc: "the open file (-1: not open)"}
       - {id: write, type: argument(false), doc: "whether it is open to write or append (0: no; 1: yes)"}
   op_file_make_folder:
     doc: Creates a folder unless it is there
     seq:
-      - {id: name, type: argument(false), doc: "path of the folder, relative to /home/root/lms2012/sys"}
+      - id: name
+        type: argument(false)
+        doc: "path of the folder, relative to /home/root/lms2012/sys (at most 119 characters)"
       - {id: success, type: argument(false), doc: "whether the folder is there now (0: no; 1: yes)"}
   op_file_get_pool:
     doc: Reserves a block of memory for the program
@@ -3608,7 +3636,9 @@ types:
   op_file_get_folders:
     doc: "Counts the entries of a folder, hidden ones left out"
     seq:
-      - {id: name, type: argument(false), doc: "path of the folder with its closing slash, such as ../prjs/"}
+      - id: name
+        type: argument(false)
+        doc: "path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)"
       - {id: items, type: argument(false), doc: how many entries there are}
   op_file_get_log_sync_time:
     doc: Tells the time and tick by which data logs are lined up
@@ -3618,19 +3648,21 @@ types:
   op_file_get_subfolder_name:
     doc: Tells the name of one entry of a folder
     seq:
-      - {id: name, type: argument(false), doc: "path of the folder with its closing slash, such as ../prjs/"}
+      - id: name
+        type: argument(false)
+        doc: "path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)"
       - {id: item, type: argument(false), doc: "which entry of the folder, the first is 1 (1 to 127)"}
       - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
       - id: string_
         type: argument(false)
-        doc: "its name without extension, empty where there is no such entry (LENGTH tells how long)"
+        doc: "its name without extension, empty where there is no such entry (as many bytes as LENGTH says)"
   op_file_write_log:
     doc: Adds one row of samples to a data log
     seq:
       - {id: handle, type: argument(false), doc: the open data log}
       - {id: time, type: argument(false), doc: time of the samples since the log began (ms)}
       - {id: items, type: argument(false), doc: "how many samples; with 0 nothing is written (0 to 127)"}
-      - {id: values, type: argument(true), doc: "the samples, in one array (ITEMS tells how long)"}
+      - {id: values, type: argument(true), doc: "the samples, in one array (as many values as ITEMS says)"}
   op_file_close_log:
     doc: Writes a data log to its end and closes it
     seq:
@@ -3639,8 +3671,10 @@ types:
   op_file_get_image:
     doc: "Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails"
     seq:
-      - {id: name, type: argument(false), doc: "path of the folder with its closing slash, such as ../prjs/"}
-      - {id: prgid, type: argument(false), doc: slot to load it into (SLOT)}
+      - id: name
+        type: argument(false)
+        doc: "path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)"
+      - {id: prgid, type: argument(false), doc: slot to load it into (a member of SLOT)}
       - {id: item, type: argument(false), doc: "which entry of the folder, the first is 1 (1 to 127)"}
       - {id: ip, type: argument(false), doc: where it was loaded}
     instances:
@@ -3648,7 +3682,9 @@ types:
   op_file_get_item:
     doc: Finds an entry of a folder by its name
     seq:
-      - {id: name, type: argument(false), doc: "path of the folder with its closing slash, such as ../prjs/"}
+      - id: name
+        type: argument(false)
+        doc: "path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)"
       - {id: string_, type: argument(false), doc: "name to look for, without extension"}
       - {id: item, type: argument(false), doc: "which entry it is, the first is 1 (1 to 127; 0: not found)"}
   op_file_get_cache_files:
@@ -3664,7 +3700,9 @@ types:
     seq:
       - {id: item, type: argument(false), doc: "which one, 1 is the latest (1 to 10)"}
       - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
-      - {id: string_, type: argument(false), doc: "path of the file, empty where there is none (LENGTH tells how long)"}
+      - id: string_
+        type: argument(false)
+        doc: "path of the file, empty where there is none (as many bytes as LENGTH says)"
   op_file_del_cache_file:
     doc: Takes a file off the list of recently run files
     seq:
@@ -3672,13 +3710,17 @@ types:
   op_file_del_subfolder:
     doc: Deletes one entry of a folder together with the files in it
     seq:
-      - {id: name, type: argument(false), doc: "path of the folder with its closing slash, such as ../prjs/"}
+      - id: name
+        type: argument(false)
+        doc: "path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)"
       - {id: item, type: argument(false), doc: "which entry of the folder, the first is 1 (1 to 127)"}
   op_file_get_log_name:
     doc: Tells the path of the data log that is open
     seq:
       - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
-      - {id: name, type: argument(false), doc: "path of the log, empty where none is open (LENGTH tells how long)"}
+      - id: name
+        type: argument(false)
+        doc: "path of the log, empty where none is open (as many bytes as LENGTH says)"
   op_file_open_log:
     doc: Creates a data log and writes its header
     seq:
@@ -3701,17 +3743,19 @@ types:
       - {id: bytes, type: argument(false), doc: how many bytes (0 to 32767 bytes)}
       - id: destination
         type: argument(false)
-        doc: "the bytes; a zero follows where the file ended early (BYTES tells how long)"
+        doc: "the bytes; a zero follows where the file ended early (as many values as BYTES says)"
   op_file_write_bytes:
     doc: Writes bytes to a file as they are
     seq:
       - {id: handle, type: argument(false), doc: the open file}
       - {id: bytes, type: argument(false), doc: how many bytes (0 to 32767 bytes)}
-      - {id: source, type: argument(false), doc: the bytes (BYTES tells how long)}
+      - {id: source, type: argument(false), doc: the bytes (as many values as BYTES says)}
   op_file_remove:
     doc: "Deletes a file, or a folder with the files in it"
     seq:
-      - {id: name, type: argument(false), doc: "path of the file; a bare name is taken from the program's own folder"}
+      - id: name
+        type: argument(false)
+        doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
   op_file_move:
     doc: "Copies a file or folder over whatever is at the destination; the source stays"
     seq:
@@ -3808,31 +3852,33 @@ types:
   op_array_read_content:
     doc: "Reads an array's content as bytes, of another program too"
     seq:
-      - {id: prgid, type: argument(false), doc: slot of the program that owns the array (SLOT)}
+      - {id: prgid, type: argument(false), doc: slot of the program that owns the array (a member of SLOT)}
       - {id: handle, type: argument(false), doc: the array}
       - id: index
         type: argument(false)
         doc: "first byte in the array's content, whatever its elements (0 to 2147483647)"
       - {id: bytes, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
-      - {id: array, type: argument(false), doc: "the bytes, zeros beyond the end of the array (BYTES tells how long)"}
+      - id: array
+        type: argument(false)
+        doc: "the bytes, zeros beyond the end of the array (as many values as BYTES says)"
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_array_write_content:
     doc: "Writes an array's content as bytes; the array then ends with them"
     seq:
-      - {id: prgid, type: argument(false), doc: slot of the program that owns the array (SLOT)}
+      - {id: prgid, type: argument(false), doc: slot of the program that owns the array (a member of SLOT)}
       - {id: handle, type: argument(false), doc: the array}
       - id: index
         type: argument(false)
         doc: "first byte in the array's content, whatever its elements (0 to 2147483647)"
       - {id: bytes, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
-      - {id: array, type: argument(false), doc: the bytes (BYTES tells how long)}
+      - {id: array, type: argument(false), doc: the bytes (as many values as BYTES says)}
     instances:
       prgid_name: {value: prgid.value, enum: slot, if: prgid.is_number}
   op_array_read_size:
     doc: "Tells how many bytes an array's content has, of another program too"
     seq:
-      - {id: prgid, type: argument(false), doc: slot of the program that owns the array (SLOT)}
+      - {id: prgid, type: argument(false), doc: slot of the program that owns the array (a member of SLOT)}
       - {id: handle, type: argument(false), doc: the array}
       - {id: bytes, type: argument(false), doc: "how many bytes, 0 where there is no such array (bytes)"}
     instances:
@@ -3862,7 +3908,9 @@ types:
   op_filename_exist:
     doc: Tells whether a file or folder is there
     seq:
-      - {id: name, type: argument(false), doc: "path of the file; a bare name is taken from the program's own folder"}
+      - id: name
+        type: argument(false)
+        doc: "path of the file; a bare name is taken from the program's own folder (at most 119 characters)"
       - {id: flag, type: argument(false), doc: "whether it is there (0: no; 1: yes)"}
   op_filename_totalsize:
     doc: Tells how many files a folder has and their size
@@ -3877,9 +3925,9 @@ types:
       - {id: length, type: argument(false), doc: "room for each of the three parts, its zero included (bytes)"}
       - id: folder
         type: argument(false)
-        doc: "the folder, on LEGO's firmware with its closing slash (LENGTH tells how long)"
-      - {id: name, type: argument(false), doc: "the name, without folder and extension (LENGTH tells how long)"}
-      - {id: ext, type: argument(false), doc: the extension with its dot (LENGTH tells how long)}
+        doc: "the folder, on LEGO's firmware with its closing slash (as many bytes as LENGTH says)"
+      - {id: name, type: argument(false), doc: "the name, without folder and extension (as many bytes as LENGTH says)"}
+      - {id: ext, type: argument(false), doc: the extension with its dot (as many bytes as LENGTH says)}
   op_filename_merge:
     doc: "Puts a path together from folder, name and extension"
     seq:
@@ -3887,7 +3935,7 @@ types:
       - {id: name, type: argument(false), doc: the name}
       - {id: ext, type: argument(false), doc: the extension with its dot}
       - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
-      - {id: filename, type: argument(false), doc: the path (LENGTH tells how long)}
+      - {id: filename, type: argument(false), doc: the path (as many bytes as LENGTH says)}
   op_filename_check:
     doc: "Tells whether a path has allowed characters and lengths; the file need not exist"
     seq:
@@ -3907,7 +3955,7 @@ types:
       - {id: length, type: argument(false), doc: "room for the string, its zero included (bytes)"}
       - id: foldername
         type: argument(false)
-        doc: "path of the folder, without a slash at its end (LENGTH tells how long)"
+        doc: "path of the folder, without a slash at its end (as many bytes as LENGTH says)"
   op_com_read_command:
     doc: "Tells where the direct command received last lies in the brick's memory"
     seq:
@@ -3920,20 +3968,22 @@ types:
     seq:
       - {id: image, type: argument(false), doc: address of the code}
       - {id: global_, type: argument(false), doc: address of its global memory}
-      - {id: status, type: argument(false), doc: "how it ended, all but OK give DIRECT_REPLY_ERROR (RESULT)"}
+      - id: status
+        type: argument(false)
+        doc: "how it ended, all but OK give DIRECT_REPLY_ERROR (a member of RESULT)"
     instances:
       status_name: {value: status.value, enum: result, if: status.is_number}
   op_com_ready:
     doc: Waits until nothing is being sent to a device
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: "name of the other device, empty: the brick's own adapter"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_readdata:
     doc: "Does nothing in the firmware, meant to receive data"
     seq:
-      - {id: value1, type: argument(false), doc: "which way to communicate, ignored (HWTYPE)"}
+      - {id: value1, type: argument(false), doc: "which way to communicate, ignored (a member of HWTYPE)"}
       - {id: value2, type: argument(false), doc: "name of the other device, ignored"}
       - {id: value3, type: argument(false), doc: "number of bytes, ignored (bytes)"}
       - {id: value4, type: argument(false), doc: "the bytes, ignored"}
@@ -3942,7 +3992,7 @@ types:
   op_com_writedata:
     doc: "Does nothing in the firmware, meant to send data"
     seq:
-      - {id: value1, type: argument(false), doc: "which way to communicate, ignored (HWTYPE)"}
+      - {id: value1, type: argument(false), doc: "which way to communicate, ignored (a member of HWTYPE)"}
       - {id: value2, type: argument(false), doc: "name of the other device, ignored"}
       - {id: value3, type: argument(false), doc: "number of bytes, ignored (bytes)"}
       - {id: value4, type: argument(false), doc: "the bytes, ignored"}
@@ -3951,93 +4001,93 @@ types:
   op_com_get_get_on_off:
     doc: Tells whether Bluetooth or WiFi is on
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: active, type: argument(false), doc: "whether it is on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_visible:
     doc: Tells whether other devices can see the brick by Bluetooth
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: visible, type: argument(false), doc: "whether it is visible (0 to 1; 0: no; 1: yes)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_result:
     doc: Tells how a search or connection request is going
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, ignored by the firmware"}
-      - {id: result, type: argument(false), doc: state of the request (RESULT)}
+      - {id: result, type: argument(false), doc: state of the request (a member of RESULT)}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_pin:
     doc: "Reads the PIN for a device, always 1234"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: name of the other device or network}
       - {id: length, type: argument(false), doc: room for the PIN with its zero (bytes)}
-      - {id: pincode, type: argument(false), doc: the PIN (LENGTH tells how long)}
+      - {id: pincode, type: argument(false), doc: the PIN (as many bytes as LENGTH says)}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_search_items:
     doc: Tells how many devices or networks a search found
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: items, type: argument(false), doc: how many the list has}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_search_item:
     doc: Describes one device or network that a search found
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
       - id: length
         type: argument(false)
         doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
-      - {id: name, type: argument(false), doc: name of the other device or network (LENGTH tells how long)}
+      - {id: name, type: argument(false), doc: name of the other device or network (as many bytes as LENGTH says)}
       - id: paired
         type: argument(false)
         doc: "whether it is paired (Bluetooth) or known (WiFi) (0 to 1; 0: no; 1: yes)"
       - {id: connected, type: argument(false), doc: "whether it is connected (0 to 1; 0: no; 1: yes)"}
       - id: type_
         type: argument(false)
-        doc: "kind of device (Bluetooth) or encryption (WiFi) (BTTYPE; 0: WiFi, not encrypted; 1: WiFi, WPA2)"
+        doc: "kind of device (Bluetooth) or encryption (WiFi) (0: WiFi, not encrypted; 1: WiFi, WPA2; a member of BTTYPE)"
       - {id: visible, type: argument(false), doc: "whether it is in sight (0 to 1; 0: no; 1: yes)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_favour_items:
     doc: "Tells how many devices are paired, in sight or not"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: items, type: argument(false), doc: how many the list has}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_favour_item:
     doc: Describes one paired device or known network
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
       - id: length
         type: argument(false)
         doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
-      - {id: name, type: argument(false), doc: name of the other device or network (LENGTH tells how long)}
+      - {id: name, type: argument(false), doc: name of the other device or network (as many bytes as LENGTH says)}
       - id: paired
         type: argument(false)
         doc: "whether it is paired (Bluetooth) or known (WiFi) (0 to 1; 0: no; 1: yes)"
       - {id: connected, type: argument(false), doc: "whether it is connected (0 to 1; 0: no; 1: yes)"}
       - id: type_
         type: argument(false)
-        doc: "kind of device (Bluetooth) or encryption (WiFi) (BTTYPE; 0: WiFi, not encrypted; 1: WiFi, WPA2)"
+        doc: "kind of device (Bluetooth) or encryption (WiFi) (0: WiFi, not encrypted; 1: WiFi, WPA2; a member of BTTYPE)"
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_id:
     doc: "Reads the brick's Bluetooth address"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - id: length
         type: argument(false)
         doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
-      - {id: string_, type: argument(false), doc: "12 hex digits (LENGTH tells how long)"}
+      - {id: string_, type: argument(false), doc: "12 hex digits (as many bytes as LENGTH says)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_brickname:
@@ -4046,82 +4096,86 @@ types:
       - id: length
         type: argument(false)
         doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
-      - {id: name, type: argument(false), doc: name of the brick (LENGTH tells how long)}
+      - {id: name, type: argument(false), doc: name of the brick (as many bytes as LENGTH says)}
   op_com_get_get_network:
     doc: "Reads network name and addresses, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - id: length
         type: argument(false)
         doc: "room for each of the three texts with its zero (bytes; -1: as long as it gets (handles only))"
-      - {id: name, type: argument(false), doc: "name of the network, NONE without one (LENGTH tells how long)"}
-      - {id: mac, type: argument(false), doc: "MAC address of the brick, ?? when WiFi is off (LENGTH tells how long)"}
-      - {id: ip, type: argument(false), doc: "IP address of the brick, ?? when not connected (LENGTH tells how long)"}
+      - {id: name, type: argument(false), doc: "name of the network, NONE without one (as many bytes as LENGTH says)"}
+      - id: mac
+        type: argument(false)
+        doc: "MAC address of the brick, ?? when WiFi is off (as many bytes as LENGTH says)"
+      - id: ip
+        type: argument(false)
+        doc: "IP address of the brick, ?? when not connected (as many bytes as LENGTH says)"
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_present:
     doc: "Tells whether the hardware is there, for WiFi a known dongle"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: ok, type: argument(false), doc: "whether it is there (0 to 1; 0: no; 1: yes)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_encrypt:
     doc: "Tells the encryption of a network, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
-      - {id: type_, type: argument(false), doc: "kind of encryption, the 2013 firmware says none (ENCRYPT)"}
+      - {id: type_, type: argument(false), doc: "kind of encryption, the 2013 firmware says none (a member of ENCRYPT)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_connec_items:
     doc: "Tells how many devices are connected, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: items, type: argument(false), doc: how many the list has}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_connec_item:
     doc: "Describes one connected device, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
       - id: length
         type: argument(false)
         doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
-      - {id: name, type: argument(false), doc: name of the device (LENGTH tells how long)}
-      - {id: type_, type: argument(false), doc: kind of device (BTTYPE)}
+      - {id: name, type: argument(false), doc: name of the device (as many bytes as LENGTH says)}
+      - {id: type_, type: argument(false), doc: kind of device (a member of BTTYPE)}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_incoming:
     doc: "Tells which device asks for a connection, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - id: length
         type: argument(false)
         doc: "room for the text with its zero (bytes; -1: as long as it gets (handles only))"
-      - {id: name, type: argument(false), doc: name of the device (LENGTH tells how long)}
-      - {id: type_, type: argument(false), doc: kind of device (BTTYPE)}
+      - {id: name, type: argument(false), doc: name of the device (as many bytes as LENGTH says)}
+      - {id: type_, type: argument(false), doc: kind of device (a member of BTTYPE)}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_mode2:
     doc: Tells whether Bluetooth is in its mode for Apple devices
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: active, type: argument(false), doc: "whether it is on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_on_off:
     doc: Switches Bluetooth or WiFi on or off
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: active, type: argument(false), doc: "whether to switch it on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_visible:
     doc: "Makes the brick visible or invisible, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - id: visible
         type: argument(false)
         doc: "whether other devices shall see it (0 to 1; 0: invisible; 1: visible)"
@@ -4130,14 +4184,14 @@ types:
   op_com_set_set_search:
     doc: Starts or stops the search for devices or networks
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: search, type: argument(false), doc: "whether to search (0 to 1; 0: stop (Bluetooth only); 1: start)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_pin:
     doc: "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: name of the other device or network}
       - {id: pincode, type: argument(false), doc: PIN or password}
     instances:
@@ -4145,14 +4199,14 @@ types:
   op_com_set_set_passkey:
     doc: "Answers the request to confirm a passkey, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: accept, type: argument(false), doc: "the answer (0 to 1; 0: reject; 1: accept)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_connection:
     doc: "Connects a device or network, or ends a Bluetooth connection"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: name of the other device or network}
       - {id: connection, type: argument(false), doc: "what to do (0 to 1; 0: disconnect; 1: connect)"}
     instances:
@@ -4160,48 +4214,50 @@ types:
   op_com_set_set_brickname:
     doc: Renames the brick
     seq:
-      - {id: name, type: argument(false), doc: "new name, at most 118 characters, else refused"}
+      - id: name
+        type: argument(false)
+        doc: "new name, at most 118 characters, else refused (at most 118 characters)"
   op_com_set_set_moveup:
     doc: "Moves a network up in the list, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_movedown:
     doc: "Moves a network down in the list, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: "place in the list, counted from 0"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_encrypt:
     doc: "Sets the encryption of a network, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: item, type: argument(false), doc: name of the network}
-      - {id: encrypt, type: argument(false), doc: kind of encryption (ENCRYPT)}
+      - {id: encrypt, type: argument(false), doc: kind of encryption (a member of ENCRYPT)}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
       encrypt_name: {value: encrypt.value, enum: encrypt, if: encrypt.is_number}
   op_com_set_set_ssid:
     doc: "Adds a network to the end of the list, WiFi only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: name of the network}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_set_set_mode2:
     doc: Switches the Bluetooth mode for Apple devices on or off
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: active, type: argument(false), doc: "whether to switch it on (0 to 1; 0: off; 1: on)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_test:
     doc: Tells whether something is still being sent to a device
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: name, type: argument(false), doc: "name of the other device, empty: the brick's own adapter"}
       - {id: busy, type: argument(false), doc: "whether to wait (0 to 1; 0: ready; 1: busy)"}
     instances:
@@ -4209,17 +4265,17 @@ types:
   op_com_remove:
     doc: Forgets a paired device or a known network
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: remote_name, type: argument(false), doc: name of the other device or network}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_writefile:
     doc: "Sends a file or a folder to another brick, Bluetooth only"
     seq:
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: remote_name, type: argument(false), doc: name of the other device or network}
       - {id: file_name, type: argument(false), doc: path of the file or folder on this brick}
-      - {id: file_type, type: argument(false), doc: "TYPE_FOLDER for a folder, else a file (FILETYPE)"}
+      - {id: file_type, type: argument(false), doc: "TYPE_FOLDER for a folder, else a file (a member of FILETYPE)"}
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
       file_type_name: {value: file_type.value, enum: filetype, if: file_type.is_number}
@@ -4227,8 +4283,8 @@ types:
     doc: "Opens a mailbox on this brick, at most 250 bytes of content"
     seq:
       - {id: "no", type: argument(false), doc: number of the mailbox on this brick (0 to 29)}
-      - {id: boxname, type: argument(false), doc: "name of the mailbox, at most 49 characters"}
-      - {id: types, type: argument(false), doc: type of its values (DATA_FORMAT)}
+      - {id: boxname, type: argument(false), doc: "name of the mailbox, at most 49 characters (at most 49 characters)"}
+      - {id: types, type: argument(false), doc: type of its values (a member of DATA_FORMAT)}
       - {id: fifosize, type: argument(false), doc: "depth of the queue, ignored by the firmware"}
       - {id: values, type: argument(false), doc: "number of values, ignored by the firmware"}
     instances:
@@ -4237,9 +4293,9 @@ types:
     doc: "Sends values to a mailbox of another brick, Bluetooth only"
     seq:
       - {id: brickname, type: argument(false), doc: "name of the other brick, empty: all connected ones"}
-      - {id: hardware, type: argument(false), doc: which way to communicate (HWTYPE)}
+      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
       - {id: boxname, type: argument(false), doc: name of the mailbox}
-      - {id: type_, type: argument(false), doc: type of the values (DATA_FORMAT)}
+      - {id: type_, type: argument(false), doc: type of the values (a member of DATA_FORMAT)}
       - id: values_count
         type: argument(false)
         doc: "how many values of TYPE follow, one only for a string (each is what TYPE says)"

@@ -114,13 +114,13 @@ enum {
 
     /*
      * Stops the program of a slot
-     *   PRGID  DATA16  program slot to stop (SLOT; 0: all programs; -1: the program that says so)
+     *   PRGID  DATA16  program slot to stop (0: all programs; -1: the program that says so; a member of SLOT)
      */
     opPROGRAM_STOP = 0x02,
 
     /*
      * Starts a loaded program; by direct command only while no user program runs
-     *   PRGID  DATA16  program slot (SLOT)
+     *   PRGID  DATA16  program slot (a member of SLOT)
      *   SIZE   DATA32  size of the image; read and ignored (bytes)
      *   IP     DATA32  address of the image, as FILE.LOAD_IMAGE returned it
      *   DEBUG  DATA8   how to run it (0 to 2; 0: run; 1: debug; 2: load, do not run)
@@ -179,7 +179,7 @@ enum {
 
     /*
      * Prints a program's memory on the brick's debug terminal
-     *   PRGID   DATA16  program slot (SLOT)
+     *   PRGID   DATA16  program slot (a member of SLOT)
      *   OBJID   DATA16  object whose local memory to print (0: the global memory)
      *   OFFSET  DATA32  where to begin (bytes)
      *   SIZE    DATA32  how much to print (0 to 1024 bytes; 0: all, 1024 at most)
@@ -188,7 +188,7 @@ enum {
 
     /*
      * Runs byte code that is already in memory, ending what the slot ran before
-     *   PRGID   DATA16  program slot (SLOT)
+     *   PRGID   DATA16  program slot (a member of SLOT)
      *   IMAGE   DATA32  address of the byte code image
      *   GLOBAL  DATA32  address of the global memory it uses
      */
@@ -246,7 +246,7 @@ enum {
 
     /*
      * Sets or removes a breakpoint in a running program
-     *   PRGID    DATA16  program slot (SLOT)
+     *   PRGID    DATA16  program slot (a member of SLOT)
      *   NO       DATA8   number of the breakpoint (0 to 2; 3: pulse on test pin TP4, no stop)
      *   ADDRESS  DATA32  where in the image (bytes; 0: remove the breakpoint)
      */
@@ -255,7 +255,7 @@ enum {
     /*
      * Loads an additional virtual machine; fails while another one is loaded (xtended and compat firmware only)
      *   VMINDEX  DATA8      which one (0 to 1; 0: RobotC; 1: LabVIEW)
-     *   RESULT   out DATA8  OK or FAIL (RESULT)
+     *   RESULT   out DATA8  OK or FAIL (a member of RESULT)
      */
     opDYNLOAD_VMLOAD = 0xF0,
 
@@ -267,7 +267,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_0 = 0xF2,
 
@@ -276,7 +276,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_1 = 0xF3,
 
@@ -285,7 +285,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_2 = 0xF4,
 
@@ -294,7 +294,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_3 = 0xF5,
 
@@ -303,7 +303,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_4 = 0xF6,
 
@@ -312,7 +312,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_5 = 0xF7,
 
@@ -321,7 +321,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_6 = 0xF8,
 
@@ -330,7 +330,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_7 = 0xF9,
 
@@ -339,7 +339,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_8 = 0xFA,
 
@@ -348,7 +348,7 @@ enum {
      *   CMD         DATA8            function to call, as that machine numbers them
      *   LENGTH_IN   DATA8            how much data is handed over
      *   LENGTH_OUT  out DATA16       how many elements came back
-     *   VALUE       out array-typed  what came back; the type depends on CMD (LENGTH_OUT tells how long)
+     *   VALUE       out array-typed  what came back; the type depends on CMD (as many values as LENGTH_OUT says)
      */
     opDYNLOAD_ENTRY_9 = 0xFB,
 
@@ -366,48 +366,48 @@ enum {
 enum {
     /*
      * Stops an object of a running program
-     *   PRGID  DATA16  program slot (SLOT)
+     *   PRGID  DATA16  program slot (a member of SLOT)
      *   OBJID  DATA16  object of the program, counted from 1
      */
     OBJ_STOP = 0,
 
     /*
      * Starts an object of a running program from its beginning
-     *   PRGID  DATA16  program slot (SLOT)
+     *   PRGID  DATA16  program slot (a member of SLOT)
      *   OBJID  DATA16  object of the program, counted from 1
      */
     OBJ_START = 4,
 
     /*
      * Asks whether a program runs
-     *   PRGID  DATA16     program slot (SLOT)
-     *   DATA   out DATA8  state of the program (OBJSTAT)
+     *   PRGID  DATA16     program slot (a member of SLOT)
+     *   DATA   out DATA8  state of the program (a member of OBJSTAT)
      */
     GET_STATUS = 22,
 
     /*
      * Asks how fast a program runs
-     *   PRGID  DATA16      program slot (SLOT)
+     *   PRGID  DATA16      program slot (a member of SLOT)
      *   DATA   out DATA32  speed since the program started (instructions/s)
      */
     GET_SPEED = 23,
 
     /*
      * Asks how a program ended
-     *   PRGID  DATA16     program slot (SLOT)
-     *   DATA   out DATA8  OK, BUSY (still running) or FAIL (RESULT)
+     *   PRGID  DATA16     program slot (a member of SLOT)
+     *   DATA   out DATA8  OK, BUSY (still running) or FAIL (a member of RESULT)
      */
     GET_PRGRESULT = 24,
 
     /*
      * Sets how many instructions the calling thread may still run in its time slice
-     *   PRGID  DATA16  program slot (SLOT)
+     *   PRGID  DATA16  program slot (a member of SLOT)
      */
     SET_INSTR = 25,
 
     /*
      * Asks for the name of a program (xtended and compat firmware only)
-     *   PRGID  DATA16      program slot (SLOT)
+     *   PRGID  DATA16      program slot (a member of SLOT)
      *   NAME   out string  name of the program, ended by its zero
      */
     GET_PRGNAME = 26,
@@ -431,7 +431,7 @@ enum {
      * Converts the number of an error to its name
      *   NUMBER       DATA8       number of the error (0: gives an empty text)
      *   LENGTH       DATA8       room for the text, with its zero (bytes; -1: no limit)
-     *   DESTINATION  out string  name of the error, less than 32 characters (LENGTH tells how long)
+     *   DESTINATION  out string  name of the error, less than 32 characters (as many bytes as LENGTH says)
      */
     ERRORTEXT = 3,
 
@@ -536,7 +536,7 @@ enum {
      *   VALUE        DATAF       number to write
      *   FORMAT       string      format, such as %5.2f
      *   SIZE         DATA8       room for the text, with its zero (bytes)
-     *   DESTINATION  out string  resulting text (SIZE tells how long)
+     *   DESTINATION  out string  resulting text (as many bytes as SIZE says)
      */
     VALUE_FORMATTED = 11,
 
@@ -545,7 +545,7 @@ enum {
      *   VALUE        DATA32      number to write
      *   FORMAT       string      format, such as %05d or %X
      *   SIZE         DATA8       room for the text, with its zero (bytes)
-     *   DESTINATION  out string  resulting text (SIZE tells how long)
+     *   DESTINATION  out string  resulting text (as many bytes as SIZE says)
      */
     NUMBER_FORMATTED = 12,
 };
@@ -562,7 +562,7 @@ enum {
      * Reads the pins of a connector
      *   PORT    DATA8      connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D (0 to 19)
      *   LENGTH  DATA8      how many pins to read, usually 5
-     *   STRING  out DATA8  one character per pin: 0 low, 1 high (LENGTH tells how long)
+     *   STRING  out DATA8  one character per pin: 0 low, 1 high (as many values as LENGTH says)
      */
     TST_READ_PINS = 12,
 
@@ -570,7 +570,7 @@ enum {
      * Sets the pins of a connector
      *   PORT    DATA8  connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D (0 to 19)
      *   LENGTH  DATA8  how many pins to set, usually 5
-     *   STRING  DATA8  one character per pin: 0 low, 1 high, X floating, - as it is (LENGTH tells how long)
+     *   STRING  DATA8  one character per pin: 0 low, 1 high, X floating, - as it is (as many values as LENGTH says)
      */
     TST_WRITE_PINS = 13,
 
@@ -586,7 +586,7 @@ enum {
      * Sends bytes out of a sensor port's serial line
      *   PORT    DATA8  sensor port less one (0 to 3)
      *   LENGTH  DATA8  how many bytes to send (0 to 63 bytes)
-     *   STRING  DATA8  the bytes (LENGTH tells how long)
+     *   STRING  DATA8  the bytes (as many values as LENGTH says)
      */
     TST_WRITE_UART = 15,
 
@@ -594,7 +594,7 @@ enum {
      * Reads bytes that arrived on a sensor port's serial line
      *   PORT    DATA8      sensor port less one (0 to 3)
      *   LENGTH  DATA8      how many bytes to read (0 to 63 bytes)
-     *   STRING  out DATA8  the bytes, filled up with zeros (LENGTH tells how long)
+     *   STRING  out DATA8  the bytes, filled up with zeros (as many values as LENGTH says)
      */
     TST_READ_UART = 16,
 
@@ -618,7 +618,7 @@ enum {
 
     /*
      * Asks how far the start of Bluetooth's mode 2 is
-     *   STATUS  out DATA8  OK, BUSY (still starting) or FAIL (0 to 2; RESULT)
+     *   STATUS  out DATA8  OK, BUSY (still starting) or FAIL (0 to 2; a member of RESULT)
      */
     TST_POLL_MODE2 = 21,
 
@@ -627,7 +627,7 @@ enum {
 
     /*
      * Asks how the memory test at power-on went
-     *   STATUS  out DATA8  OK or FAIL (0 to 2; RESULT)
+     *   STATUS  out DATA8  OK or FAIL (0 to 2; a member of RESULT)
      */
     TST_RAM_CHECK = 23,
 };
@@ -1032,7 +1032,7 @@ enum {
 enum {
     /*
      * Fills consecutive bytes of memory with values given in place
-     *   DESTINATION  out DATA8  first byte to fill (LENGTH tells how long)
+     *   DESTINATION  out DATA8  first byte to fill (as many values as LENGTH says)
      *   LENGTH       DATA32     how many values follow; a negative count hangs the brick (bytes)
      *   SOURCE       values     the values, one per byte (each is DATA8)
      */
@@ -1712,7 +1712,7 @@ enum {
     /*
      * Reads name and version of the operating system
      *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
-     *   DESTINATION  out string  system and kernel release, such as Linux 2.6.33-rc4 (LENGTH tells how long)
+     *   DESTINATION  out string  system and kernel release, such as Linux 2.6.33-rc4 (as many bytes as LENGTH says)
      */
     GET_OS_VERS = 3,
 
@@ -1744,35 +1744,35 @@ enum {
     /*
      * Waits for a line typed at the terminal and reads it
      *   LENGTH       DATA8       most bytes to return; the zero comes on top (0 to 127 bytes)
-     *   DESTINATION  out string  the line (LENGTH tells how long)
+     *   DESTINATION  out string  the line (as many bytes as LENGTH says)
      */
     GET_STRING = 8,
 
     /*
      * Reads the hardware version
      *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
-     *   DESTINATION  out string  hardware version, such as V0.60 (LENGTH tells how long)
+     *   DESTINATION  out string  hardware version, such as V0.60 (as many bytes as LENGTH says)
      */
     GET_HW_VERS = 9,
 
     /*
      * Reads the firmware version
      *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
-     *   DESTINATION  out string  firmware version, such as V1.04H (LENGTH tells how long)
+     *   DESTINATION  out string  firmware version, such as V1.04H (as many bytes as LENGTH says)
      */
     GET_FW_VERS = 10,
 
     /*
      * Reads when the firmware was built
      *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
-     *   DESTINATION  out string  build time as yymmddhhmm (LENGTH tells how long)
+     *   DESTINATION  out string  build time as yymmddhhmm (as many bytes as LENGTH says)
      */
     GET_FW_BUILD = 11,
 
     /*
      * Reads when the operating system was built
      *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
-     *   DESTINATION  out string  build time as yymmddhhmm (LENGTH tells how long)
+     *   DESTINATION  out string  build time as yymmddhhmm (as many bytes as LENGTH says)
      */
     GET_OS_BUILD = 12,
 
@@ -1805,7 +1805,7 @@ enum {
 
     /*
      * Reads what the brick warns of
-     *   WARNINGS  out DATA8  one bit for each warning (WARNING; 0: none)
+     *   WARNINGS  out DATA8  one bit for each warning (0: none; a member of WARNING)
      */
     GET_WARNING = 17,
 
@@ -1819,24 +1819,24 @@ enum {
      * Reads one line of the text of a text box
      *   TEXT         string      whole text of the box, its lines separated by DEL
      *   SIZE         DATA32      bytes that the box has for its text, the zero included (bytes)
-     *   DEL          DATA8       what separates the lines (DEL)
+     *   DEL          DATA8       what separates the lines (a member of DEL)
      *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
      *   LINE         DATA16      which line, counted from 1
-     *   DESTINATION  out string  the line, empty where there is no such line (LENGTH tells how long)
+     *   DESTINATION  out string  the line, empty where there is no such line (as many bytes as LENGTH says)
      */
     TEXTBOX_READ = 21,
 
     /*
      * Reads name, version and build date of the firmware in one
      *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
-     *   DESTINATION  out string  such as LMS2012 V1.04H(Jul 26 2013 12:00:00) (LENGTH tells how long)
+     *   DESTINATION  out string  such as LMS2012 V1.04H(Jul 26 2013 12:00:00) (as many bytes as LENGTH says)
      */
     GET_VERSION = 26,
 
     /*
      * Reads the brick's IP address
      *   LENGTH       DATA8       most bytes to return, the zero included (0 to 127 bytes; -1: no limit)
-     *   DESTINATION  out string  address in dotted notation (LENGTH tells how long)
+     *   DESTINATION  out string  address in dotted notation (as many bytes as LENGTH says)
      */
     GET_IP = 27,
 
@@ -1951,9 +1951,9 @@ enum {
 
     /*
      * Appends a line to the text of a text box
-     *   TEXT    in/out string  whole text of the box, its lines separated by DEL (SIZE tells how long)
+     *   TEXT    in/out string  whole text of the box, its lines separated by DEL (as many bytes as SIZE says)
      *   SIZE    DATA32         bytes that the box has for its text, the zero included (bytes)
-     *   DEL     DATA8          what separates the lines (DEL)
+     *   DEL     DATA8          what separates the lines (a member of DEL)
      *   SOURCE  string         line to append
      */
     TEXTBOX_APPEND = 21,
@@ -1978,7 +1978,7 @@ enum {
 
     /*
      * Sets colour and blinking of the light around the buttons
-     *   PATTERN  DATA8  colour and rhythm (LEDPATTERN)
+     *   PATTERN  DATA8  colour and rhythm (a member of LEDPATTERN)
      */
     LED = 27,
 
@@ -2002,14 +2002,14 @@ enum {
 enum {
     /*
      * Tells whether a button was pressed since last asked, and forgets it
-     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was pressed (0 to 1; 0: no; 1: yes)
      */
     SHORTPRESS = 1,
 
     /*
      * Tells whether a button was held for 3 s since last asked, and forgets it
-     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was held for 3 s (0 to 1; 0: no; 1: yes)
      */
     LONGPRESS = 2,
@@ -2022,13 +2022,13 @@ enum {
 
     /*
      * Presses a button as if by hand and holds it until RELEASE
-     *   BUTTON  DATA8  which button (BUTTONTYPE)
+     *   BUTTON  DATA8  which button (a member of BUTTONTYPE)
      */
     PRESS = 5,
 
     /*
      * Releases a button that PRESS holds
-     *   BUTTON  DATA8  which button (BUTTONTYPE)
+     *   BUTTON  DATA8  which button (a member of BUTTONTYPE)
      */
     RELEASE = 6,
 
@@ -2046,7 +2046,7 @@ enum {
 
     /*
      * Tells whether a button is down at the moment
-     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button is down (0 to 1; 0: no; 1: yes)
      */
     PRESSED = 9,
@@ -2065,14 +2065,14 @@ enum {
 
     /*
      * Tells like SHORTPRESS whether a button was pressed, without forgetting it
-     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was pressed (0 to 1; 0: no; 1: yes)
      */
     TESTSHORTPRESS = 12,
 
     /*
      * Tells like LONGPRESS whether a button was held for 3 s, without forgetting it
-     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was held for 3 s (0 to 1; 0: no; 1: yes)
      */
     TESTLONGPRESS = 13,
@@ -2080,14 +2080,14 @@ enum {
     /*
      * Tells whether a button was pressed and let go since last asked, and forgets it (official and xtended firmware
      *     only)
-     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was pressed and let go (0 to 1; 0: no; 1: yes)
      */
     GET_BUMBED = 14,
 
     /*
      * Tells whether a button was pressed and let go since last asked, and forgets it (compat firmware only)
-     *   BUTTON  DATA8      which button (BUTTONTYPE)
+     *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
      *   STATE   out DATA8  whether the button was pressed and let go (0 to 1; 0: no; 1: yes)
      */
     GET_BUMPED = 14,
@@ -2148,7 +2148,7 @@ enum {
      *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
      *   X0     DATA16  left edge (0 to 177 px)
      *   Y0     DATA16  top edge (0 to 127 px)
-     *   TYPE   DATA8   set of icons (ICONTYPE)
+     *   TYPE   DATA8   set of icons (a member of ICONTYPE)
      *   NO     DATA8   number of the icon in its set
      */
     ICON = 6,
@@ -2208,9 +2208,9 @@ enum {
      *   COLOR   DATA8         colour to draw in (0 to 1; 0: white; 1: black)
      *   X0      DATA16        left edge (0 to 177 px)
      *   Y0      DATA16        top edge (0 to 127 px)
-     *   ICON1   DATA8         first large icon (L_ICON_NO; -1: none)
-     *   ICON2   DATA8         second large icon (L_ICON_NO; -1: none)
-     *   ICON3   DATA8         third large icon (L_ICON_NO; -1: none)
+     *   ICON1   DATA8         first large icon (-1: none; a member of L_ICON_NO)
+     *   ICON2   DATA8         second large icon (-1: none; a member of L_ICON_NO)
+     *   ICON3   DATA8         third large icon (-1: none; a member of L_ICON_NO)
      *   STRING  string        text beside the icons; may be empty
      *   STATE   in/out DATA8  variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or
      *       done; 1: being shown)
@@ -2222,8 +2222,8 @@ enum {
      *   COLOR   DATA8         colour to draw in (0 to 1; 0: white; 1: black)
      *   X0      DATA16        left edge (0 to 177 px)
      *   Y0      DATA16        top edge (0 to 127 px)
-     *   ICON1   DATA8         first large icon (L_ICON_NO; -1: none)
-     *   ICON2   DATA8         second large icon (L_ICON_NO; -1: none)
+     *   ICON1   DATA8         first large icon (-1: none; a member of L_ICON_NO)
+     *   ICON2   DATA8         second large icon (-1: none; a member of L_ICON_NO)
      *   STRING  string        text of the question (LEGO's firmware does not show it)
      *   STATE   in/out DATA8  variable the dialogue keeps its progress in; set to 0 before (0 to 1; 0: start, or
      *       done; 1: being shown)
@@ -2237,26 +2237,26 @@ enum {
      *   COLOR    DATA8         colour to draw in (0 to 1; 0: white; 1: black)
      *   X0       DATA16        left edge (0 to 177 px)
      *   Y0       DATA16        top edge (0 to 127 px)
-     *   ICON     DATA8         normal icon before the caption (N_ICON_NO)
+     *   ICON     DATA8         normal icon before the caption (a member of N_ICON_NO)
      *   LENGTH   DATA8         most bytes to return, the zero included (0 to 127 bytes)
      *   DEFAULT  string        caption above the text, not a preset as its name says (0: none)
      *   CHARSET  in/out DATA8  variable with the sum of what may be typed; becomes 0 once the keyboard shows
-     *   STRING   out string    text entered; what the variable holds before is edited, back button empties it
-     *       (LENGTH tells how long)
+     *   STRING   out string    text entered; what the variable holds before is edited, back button empties it (as
+     *       many bytes as LENGTH says)
      */
     KEYBOARD = 13,
 
     /*
      * Shows files and folders and waits until one is chosen
-     *   TYPE       DATA8       what is listed (BROWSERTYPE)
+     *   TYPE       DATA8       what is listed (a member of BROWSERTYPE)
      *   X0         DATA16      left edge (0 to 177 px)
      *   Y0         DATA16      top edge (0 to 127 px)
      *   X1         DATA16      width (0 to 178 px)
      *   Y1         DATA16      height (0 to 128 px)
      *   LENGTH     DATA8       most bytes to return, the zero included (0 to 127 bytes)
-     *   ITEM_TYPE  out DATA8   kind of what was chosen; set the variable to 0 before (FILETYPE)
-     *   STRING     out string  path of what was chosen; the variable holds the top folder before (LENGTH tells how
-     *       long)
+     *   ITEM_TYPE  out DATA8   kind of what was chosen; set the variable to 0 before (a member of FILETYPE)
+     *   STRING     out string  path of what was chosen; the variable holds the top folder before (as many bytes as
+     *       LENGTH says)
      */
     BROWSE = 14,
 
@@ -2284,7 +2284,7 @@ enum {
 
     /*
      * Chooses the font for text until UPDATE, CLEAN or FILLWINDOW
-     *   TYPE  DATA8  font (0 to 3; FONTTYPE)
+     *   TYPE  DATA8  font (0 to 3; a member of FONTTYPE)
      */
     SELECT_FONT = 17,
 
@@ -2383,7 +2383,8 @@ enum {
      *   COLOR  DATA8   colour of the set pixels (0 to 1; 0: white, picture inverted; 1: black)
      *   X0     DATA16  left edge (0 to 177 px)
      *   Y0     DATA16  top edge (0 to 127 px)
-     *   NAME   string  file with extension .rgf, absolute or relative to /home/root/lms2012/sys
+     *   NAME   string  file with extension .rgf, absolute or relative to /home/root/lms2012/sys (at most 119
+     *       characters)
      */
     BMPFILE = 28,
 
@@ -2398,11 +2399,11 @@ enum {
      *   X0      DATA16  left edge (0 to 177 px)
      *   X1      DATA16  width (0 to 178 px)
      *   ITEMS   DATA8   how many curves (0 to 8)
-     *   OFFSET  DATA16  top edge of each curve (0 to 127 px; ITEMS tells how long)
-     *   SPAN    DATA16  height of each curve (0 to 128 px; ITEMS tells how long)
-     *   MIN     DATAF   value at the bottom of each curve (ITEMS tells how long)
-     *   MAX     DATAF   value at the top of each curve (ITEMS tells how long)
-     *   SAMPLE  DATAF   present value of each curve, read anew at each GRAPH_SAMPLE (ITEMS tells how long)
+     *   OFFSET  DATA16  top edge of each curve (0 to 127 px; as many values as ITEMS says)
+     *   SPAN    DATA16  height of each curve (0 to 128 px; as many values as ITEMS says)
+     *   MIN     DATAF   value at the bottom of each curve (as many values as ITEMS says)
+     *   MAX     DATAF   value at the top of each curve (as many values as ITEMS says)
+     *   SAMPLE  DATAF   present value of each curve, read anew at each GRAPH_SAMPLE (as many values as ITEMS says)
      */
     GRAPH_SETUP = 30,
 
@@ -2424,7 +2425,7 @@ enum {
      *   Y1    DATA16         height (0 to 128 px)
      *   TEXT  string         whole text of the box, its lines separated by DEL
      *   SIZE  DATA32         bytes that the box has for its text, the zero included (bytes)
-     *   DEL   DATA8          what separates the lines (DEL)
+     *   DEL   DATA8          what separates the lines (a member of DEL)
      *   LINE  in/out DATA16  variable, set to -1 before; then the line chosen, counted from 1 (-1: start, or left
      *       with the back button; 0: being shown)
      */
@@ -2492,14 +2493,16 @@ enum {
     /*
      * Plays a sound file once and returns at once
      *   VOLUME  DATA8   how loud (0 to 100 %; 0: silent)
-     *   NAME    string  sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys
+     *   NAME    string  sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys (at
+     *       most 119 characters)
      */
     PLAY = 2,
 
     /*
      * Plays a sound file over and over until BREAK and returns at once
      *   VOLUME  DATA8   how loud (0 to 100 %; 0: silent)
-     *   NAME    string  sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys
+     *   NAME    string  sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys (at
+     *       most 119 characters)
      */
     REPEAT = 3,
 
@@ -2514,19 +2517,20 @@ enum {
      * Reads one SI value of each of several devices, sampled in the background
      *   TIME      DATA32     time between two samples (ms)
      *   SAMPLES   DATA16     how many devices the arrays list
-     *   INIT      DATA16     place in the sample buffer of each device, -1 starts it anew (SAMPLES tells how long)
-     *   DEVICES   DATA8      ports, 0 to 3 for sensors, 4 to 7 for motors A to D (SAMPLES tells how long)
-     *   TYPES     DATA8      type each device shall have (TYPE; SAMPLES tells how long)
-     *   MODES     DATA8      mode each device shall have (SAMPLES tells how long)
-     *   DATASETS  DATA8      which of its values to read from each device, from 0 (SAMPLES tells how long)
-     *   VALUES    out DATAF  one value per device, NaN where there is none (SAMPLES tells how long)
+     *   INIT      DATA16     place in the sample buffer of each device, -1 starts it anew (as many values as SAMPLES
+     *       says)
+     *   DEVICES   DATA8      ports, 0 to 3 for sensors, 4 to 7 for motors A to D (as many values as SAMPLES says)
+     *   TYPES     DATA8      type each device shall have (a member of TYPE; as many values as SAMPLES says)
+     *   MODES     DATA8      mode each device shall have (as many values as SAMPLES says)
+     *   DATASETS  DATA8      which of its values to read from each device, from 0 (as many values as SAMPLES says)
+     *   VALUES    out DATAF  one value per device, NaN where there is none (as many values as SAMPLES says)
      */
     opINPUT_SAMPLE = 0x97,
 
     /*
      * Lists the types of all devices, sensor ports of each layer first, then motor ports
      *   LENGTH   DATA8      room in the array, 32 takes the whole daisy chain
-     *   ARRAY    out DATA8  type of device at each port (TYPE; LENGTH tells how long)
+     *   ARRAY    out DATA8  type of device at each port (a member of TYPE; as many values as LENGTH says)
      *   CHANGED  out DATA8  whether devices came or went since the last call (0: no change)
      */
     opINPUT_DEVICE_LIST = 0x98,
@@ -2538,7 +2542,7 @@ enum {
      * Sets type and mode and reads the first value in percent at once
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE   DATA8      type the device shall have (TYPE; 0: keep the type)
+     *   TYPE   DATA8      type the device shall have (0: keep the type; a member of TYPE)
      *   MODE   DATA8      mode the device shall have (0 to 7; -1: keep the mode)
      *   PCT    out DATA8  value, NaN where there is none (%)
      */
@@ -2563,7 +2567,7 @@ enum {
      * Sets type and mode and reads the first value in SI units at once
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE   DATA8      type the device shall have (TYPE; 0: keep the type)
+     *   TYPE   DATA8      type the device shall have (0: keep the type; a member of TYPE)
      *   MODE   DATA8      mode the device shall have (0 to 7; -1: keep the mode)
      *   SI     out DATAF  value in the mode's unit, NaN where there is none
      */
@@ -2573,9 +2577,9 @@ enum {
      * Sets type and mode and reads several values at once, in the format asked for
      *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE    DATA8  type the device shall have (TYPE; 0: keep the type)
+     *   TYPE    DATA8  type the device shall have (0: keep the type; a member of TYPE)
      *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
-     *   FORMAT  DATA8  DATA_PCT, DATA_RAW or DATA_SI, others give NaN (DATA_FORMAT)
+     *   FORMAT  DATA8  DATA_PCT, DATA_RAW or DATA_SI, others give NaN (a member of DATA_FORMAT)
      *   VALUES  count  how many values follow, each in FORMAT (each is what FORMAT says)
      */
     opINPUT_READEXT = 0x9E,
@@ -2585,7 +2589,7 @@ enum {
      *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8  sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
      *   BYTES  DATA8  how many bytes to send (1 to 32 bytes)
-     *   DATA   DATA8  bytes to send (BYTES tells how long)
+     *   DATA   DATA8  bytes to send (as many values as BYTES says)
      */
     opINPUT_WRITE = 0x9F,
 
@@ -2593,7 +2597,7 @@ enum {
      * Sets how a port is connected, for ports whose automatic detection is off (xtended and compat firmware only)
      *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8  sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
-     *   CONN   DATA8  CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE (CONN)
+     *   CONN   DATA8  CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE (a member of CONN)
      */
     opINPUT_SET_CONN = 0xE0,
 
@@ -2602,8 +2606,8 @@ enum {
      *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
      *   RDLNG   DATA8      how many bytes to read (0 to 32 bytes)
-     *   RDDATA  out DATA8  bytes read (RDLNG tells how long)
-     *   RESULT  out DATA8  OK or FAIL (RESULT)
+     *   RDDATA  out DATA8  bytes read (as many values as RDLNG says)
+     *   RESULT  out DATA8  OK or FAIL (a member of RESULT)
      */
     opINPUT_IIC_READ = 0xE1,
 
@@ -2611,7 +2615,7 @@ enum {
      * Tells the state of the I2C bus of a port (xtended and compat firmware only)
      *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
-     *   RESULT  out DATA8  state of the bus (RESULT)
+     *   RESULT  out DATA8  state of the bus (a member of RESULT)
      */
     opINPUT_IIC_STATUS = 0xE2,
 
@@ -2620,9 +2624,9 @@ enum {
      *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
      *   WRLNG   DATA8      how many bytes to write (0 to 32 bytes)
-     *   WRDATA  DATA8      bytes to write: I2C address, register, data (WRLNG tells how long)
+     *   WRDATA  DATA8      bytes to write: I2C address, register, data (as many values as WRLNG says)
      *   RDLNG   DATA8      how many bytes the sensor will answer (0 to 32 bytes)
-     *   RESULT  out DATA8  state of the bus after the request (RESULT)
+     *   RESULT  out DATA8  state of the bus after the request (a member of RESULT)
      */
     opINPUT_IIC_WRITE = 0xE3,
 
@@ -2651,7 +2655,7 @@ enum {
      *   LAYER     DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO        DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
      *   DATASETS  out DATA8  how many values one reading has
-     *   FORMAT    out DATA8  type of one raw value (0 to 3; DATA_FORMAT)
+     *   FORMAT    out DATA8  type of one raw value (0 to 3; a member of DATA_FORMAT)
      *   MODES     out DATA8  how many modes the device has (1 to 8)
      *   VIEWS     out DATA8  how many of the modes are shown to users (1 to 8)
      */
@@ -2659,7 +2663,7 @@ enum {
 
     /*
      * Sets the raw values that scale a type and mode to percent and SI
-     *   TYPE     DATA8   type of device the calibration is for (TYPE)
+     *   TYPE     DATA8   type of device the calibration is for (a member of TYPE)
      *   MODE     DATA8   mode the calibration is for (0 to 7)
      *   CAL_MIN  DATA32  raw value at the lower end
      *   CAL_MAX  DATA32  raw value at full scale
@@ -2668,7 +2672,7 @@ enum {
 
     /*
      * Goes back to the built-in scaling of a type and mode
-     *   TYPE  DATA8  type of device the calibration is for (TYPE)
+     *   TYPE  DATA8  type of device the calibration is for (a member of TYPE)
      *   MODE  DATA8  mode the calibration is for (0 to 7)
      */
     CAL_DEFAULT = 4,
@@ -2677,7 +2681,7 @@ enum {
      * Tells which device is at a port and in which mode
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE   out DATA8  type of the device (TYPE)
+     *   TYPE   out DATA8  type of the device (a member of TYPE)
      *   MODE   out DATA8  mode the device is in (0 to 7)
      */
     GET_TYPEMODE = 5,
@@ -2687,13 +2691,13 @@ enum {
      *   LAYER        DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO           DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
      *   LENGTH       DATA8       room for the text with its zero (bytes; -1: as long as it is (handles only))
-     *   DESTINATION  out string  symbol, filled up with blanks (LENGTH tells how long)
+     *   DESTINATION  out string  symbol, filled up with blanks (as many bytes as LENGTH says)
      */
     GET_SYMBOL = 6,
 
     /*
      * Sets the lower end of the scaling of a type and mode
-     *   TYPE     DATA8   type of device the calibration is for (TYPE)
+     *   TYPE     DATA8   type of device the calibration is for (a member of TYPE)
      *   MODE     DATA8   mode the calibration is for (0 to 7)
      *   CAL_MIN  DATA32  value at the lower end, in SI units once calibrated
      */
@@ -2701,7 +2705,7 @@ enum {
 
     /*
      * Sets the full scale of a type and mode
-     *   TYPE     DATA8   type of device the calibration is for (TYPE)
+     *   TYPE     DATA8   type of device the calibration is for (a member of TYPE)
      *   MODE     DATA8   mode the calibration is for (0 to 7)
      *   CAL_MAX  DATA32  value at full scale, in SI units once calibrated
      */
@@ -2714,9 +2718,9 @@ enum {
      *   REPEAT      DATA8      how often to write and read (0: without end)
      *   TIME        DATA16     time between repeats (10 to 1000 ms; 0: 10 ms)
      *   WRITE_LEN   DATA8      how many bytes to write (0 to 32 bytes)
-     *   WRITE_DATA  DATA8      bytes to write: I2C address, register, data (WRITE_LEN tells how long)
+     *   WRITE_DATA  DATA8      bytes to write: I2C address, register, data (as many values as WRITE_LEN says)
      *   READ_LEN    DATA8      how many bytes to read, negative: in reverse order (-32 to 32 bytes)
-     *   READ_DATA   out DATA8  bytes read (READ_LEN tells how long)
+     *   READ_DATA   out DATA8  bytes read (as many values as READ_LEN says)
      */
     SETUP = 9,
 
@@ -2738,7 +2742,7 @@ enum {
      * Tells how the device at a port is connected
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   CONN   out DATA8  kind of connection (CONN)
+     *   CONN   out DATA8  kind of connection (a member of CONN)
      */
     GET_CONNECTION = 12,
 
@@ -2750,9 +2754,9 @@ enum {
 
     /*
      * Renumbers an entry of the table of device types, third party types only
-     *   TYPE     DATA8      type the entry has (50 to 98; TYPE)
+     *   TYPE     DATA8      type the entry has (50 to 98; a member of TYPE)
      *   MODE     DATA8      mode the entry has (0 to 7)
-     *   NEWTYPE  DATA8      type the entry shall have (50 to 98; TYPE)
+     *   NEWTYPE  DATA8      type the entry shall have (50 to 98; a member of TYPE)
      *   NEWMODE  DATA8      mode the entry shall have (0 to 7)
      *   ERROR    out DATA8  whether it failed (0 to 1; 0: done; 1: failed or not found)
      */
@@ -2763,10 +2767,10 @@ enum {
      *   LAYER   DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8      sensor port, counted from 0 (0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4)
      *   WRLNG   DATA8      how many bytes to write (0 to 32 bytes)
-     *   WRDATA  DATA8      bytes to write: I2C address, register, data (WRLNG tells how long)
+     *   WRDATA  DATA8      bytes to write: I2C address, register, data (as many values as WRLNG says)
      *   RDLNG   DATA8      how many bytes to read, negative: in reverse order (-32 to 32 bytes)
-     *   RDDATA  out DATA8  bytes read (RDLNG tells how long)
-     *   RESULT  out DATA8  how the transfer ended (RESULT)
+     *   RDDATA  out DATA8  bytes read (as many values as RDLNG says)
+     *   RESULT  out DATA8  how the transfer ended (a member of RESULT)
      */
     READY_IIC = 15,
 
@@ -2775,7 +2779,7 @@ enum {
      *   LAYER        DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO           DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
      *   LENGTH       DATA8       room for the text with its zero (bytes; -1: as long as it is (handles only))
-     *   DESTINATION  out string  name, filled up with blanks (LENGTH tells how long)
+     *   DESTINATION  out string  name, filled up with blanks (as many bytes as LENGTH says)
      */
     GET_NAME = 21,
 
@@ -2785,7 +2789,7 @@ enum {
      *   NO           DATA8       port, counted from 0; 16 to 19 for motors (0 to 19)
      *   MODE         DATA8       mode to name (0 to 7)
      *   LENGTH       DATA8       room for the text with its zero (bytes; -1: as long as it is (handles only))
-     *   DESTINATION  out string  name, filled up with blanks (LENGTH tells how long)
+     *   DESTINATION  out string  name, filled up with blanks (as many bytes as LENGTH says)
      */
     GET_MODENAME = 22,
 
@@ -2793,7 +2797,7 @@ enum {
      * Pretends that a device has read this raw value
      *   LAYER  DATA8   brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8   port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE   DATA8   type the device shall have (TYPE; 0: keep the type)
+     *   TYPE   DATA8   type the device shall have (0: keep the type; a member of TYPE)
      *   VALUE  DATA32  raw value to pretend
      */
     SET_RAW = 23,
@@ -2826,7 +2830,7 @@ enum {
      * Sets type and mode, waits until the device is ready and reads percent values
      *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE    DATA8  type the device shall have (TYPE; 0: keep the type)
+     *   TYPE    DATA8  type the device shall have (0: keep the type; a member of TYPE)
      *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
      *   VALUES  count  how many values follow, each in percent (each is DATA8)
      */
@@ -2836,7 +2840,7 @@ enum {
      * Sets type and mode, waits until the device is ready and reads raw values
      *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE    DATA8  type the device shall have (TYPE; 0: keep the type)
+     *   TYPE    DATA8  type the device shall have (0: keep the type; a member of TYPE)
      *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
      *   VALUES  count  how many raw values follow (each is DATA32)
      */
@@ -2846,7 +2850,7 @@ enum {
      * Sets type and mode, waits until the device is ready and reads SI values
      *   LAYER   DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO      DATA8  port, counted from 0; 16 to 19 for motors (0 to 19)
-     *   TYPE    DATA8  type the device shall have (TYPE; 0: keep the type)
+     *   TYPE    DATA8  type the device shall have (0: keep the type; a member of TYPE)
      *   MODE    DATA8  mode the device shall have (0 to 7; -1: keep the mode)
      *   VALUES  count  how many values follow, each in SI units (each is DATAF)
      */
@@ -2877,7 +2881,7 @@ enum {
      * Tells the type of motor at a port, in headers only: no firmware runs it (no firmware has it)
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
-     *   TYPE   out DATA8  type of the motor (TYPE)
+     *   TYPE   out DATA8  type of the motor (a member of TYPE)
      */
     opOUTPUT_GET_TYPE = 0xA0,
 
@@ -2885,7 +2889,7 @@ enum {
      * Declares which type of motor is at a port
      *   LAYER  DATA8  brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8  port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
-     *   TYPE   DATA8  type of the motor (TYPE)
+     *   TYPE   DATA8  type of the motor (a member of TYPE)
      */
     opOUTPUT_SET_TYPE = 0xA1,
 
@@ -3065,21 +3069,21 @@ enum {
 enum {
     /*
      * Writes bytes into the variables of a running program
-     *   PRGID   DATA16  slot of the program, which has to be running (0 to 4; SLOT)
+     *   PRGID   DATA16  slot of the program, which has to be running (0 to 4; a member of SLOT)
      *   OBJID   DATA16  object whose local memory is meant (0: the program's global memory)
      *   OFFSET  DATA32  first byte in that memory (0 to 2147483647 bytes)
      *   SIZE    DATA32  how many bytes (0 to 2147483647 bytes)
-     *   ARRAY   DATA8   the bytes; those beyond the end of the memory are dropped (SIZE tells how long)
+     *   ARRAY   DATA8   the bytes; those beyond the end of the memory are dropped (as many values as SIZE says)
      */
     opMEMORY_WRITE = 0x7E,
 
     /*
      * Reads bytes from the variables of a running program
-     *   PRGID   DATA16     slot of the program, which has to be running (0 to 4; SLOT)
+     *   PRGID   DATA16     slot of the program, which has to be running (0 to 4; a member of SLOT)
      *   OBJID   DATA16     object whose local memory is meant (0: the program's global memory)
      *   OFFSET  DATA32     first byte in that memory (0 to 2147483647 bytes)
      *   SIZE    DATA32     how many bytes (0 to 2147483647 bytes)
-     *   ARRAY   out DATA8  the bytes, zeros beyond the end of the memory (SIZE tells how long)
+     *   ARRAY   out DATA8  the bytes, zeros beyond the end of the memory (as many values as SIZE says)
      */
     opMEMORY_READ = 0x7F,
 
@@ -3135,14 +3139,16 @@ enum {
 enum {
     /*
      * Opens a file to write at its end, creates it where there is none
-     *   NAME    string      path of the file; a bare name is taken from the program's own folder
+     *   NAME    string      path of the file; a bare name is taken from the program's own folder (at most 119
+     *       characters)
      *   HANDLE  out handle  what names the file from now on
      */
     OPEN_APPEND = 0,
 
     /*
      * Opens a file to read
-     *   NAME    string      path of the file; a bare name is taken from the program's own folder
+     *   NAME    string      path of the file; a bare name is taken from the program's own folder (at most 119
+     *       characters)
      *   HANDLE  out handle  what names the file from now on
      *   SIZE    out DATA32  size of the file (bytes; 0: not found)
      */
@@ -3150,7 +3156,8 @@ enum {
 
     /*
      * Creates a file or empties the one there is, and opens it to write
-     *   NAME    string      path of the file; a bare name is taken from the program's own folder
+     *   NAME    string      path of the file; a bare name is taken from the program's own folder (at most 119
+     *       characters)
      *   HANDLE  out handle  what names the file from now on
      */
     OPEN_WRITE = 2,
@@ -3158,7 +3165,7 @@ enum {
     /*
      * Reads the text up to the next delimiter and turns it into a number
      *   HANDLE  handle     the open file
-     *   DEL     DATA8      what stands between two values in the file (DEL)
+     *   DEL     DATA8      what stands between two values in the file (a member of DEL)
      *   VALUE   out DATAF  the number, 0 where the text is none
      */
     READ_VALUE = 3,
@@ -3166,7 +3173,7 @@ enum {
     /*
      * Writes a number as text, and a delimiter after it
      *   HANDLE    handle  the open file
-     *   DEL       DATA8   what stands between two values in the file (DEL)
+     *   DEL       DATA8   what stands between two values in the file (a member of DEL)
      *   VALUE     DATAF   the number
      *   FIGURES   DATA8   least width in characters, the decimal point included
      *   DECIMALS  DATA8   digits after the decimal point
@@ -3176,16 +3183,17 @@ enum {
     /*
      * Reads text up to the next delimiter
      *   HANDLE  handle      the open file
-     *   DEL     DATA8       what stands between two values in the file (DEL)
+     *   DEL     DATA8       what stands between two values in the file (a member of DEL)
      *   LENGTH  DATA16      most bytes to read; LEGO's firmware keeps the low 8 bits, so 127 (bytes)
-     *   TEXT    out string  the text, without a zero at its end when it fills all the room (LENGTH tells how long)
+     *   TEXT    out string  the text, without a zero at its end when it fills all the room (as many bytes as LENGTH
+     *       says)
      */
     READ_TEXT = 5,
 
     /*
      * Writes text without its zero, and a delimiter after it
      *   HANDLE  handle  the open file
-     *   DEL     DATA8   what stands between two values in the file (DEL)
+     *   DEL     DATA8   what stands between two values in the file (a member of DEL)
      *   TEXT    string  the text
      */
     WRITE_TEXT = 6,
@@ -3198,8 +3206,9 @@ enum {
 
     /*
      * Loads a program file into a stopped slot, for PROGRAM_START to run
-     *   PRGID  DATA16      slot to load it into (0 to 4; SLOT)
-     *   NAME   string      path of the program, relative to /home/root/lms2012/sys; .rbf may be left out
+     *   PRGID  DATA16      slot to load it into (0 to 4; a member of SLOT)
+     *   NAME   string      path of the program, relative to /home/root/lms2012/sys; .rbf may be left out (at most
+     *       119 characters)
      *   SIZE   out DATA32  size of the program (bytes; 0: not loaded)
      *   IP     out DATA32  where it was loaded, to be handed to PROGRAM_START (0: not loaded)
      */
@@ -3207,7 +3216,8 @@ enum {
 
     /*
      * Finds the handle of a file that is already open
-     *   NAME    string      path of the file; a bare name is taken from the program's own folder
+     *   NAME    string      path of the file; a bare name is taken from the program's own folder (at most 119
+     *       characters)
      *   HANDLE  out handle  the open file (-1: not open)
      *   WRITE   out DATA8   whether it is open to write or append (0: no; 1: yes)
      */
@@ -3215,7 +3225,7 @@ enum {
 
     /*
      * Creates a folder unless it is there
-     *   NAME     string     path of the folder, relative to /home/root/lms2012/sys
+     *   NAME     string     path of the folder, relative to /home/root/lms2012/sys (at most 119 characters)
      *   SUCCESS  out DATA8  whether the folder is there now (0: no; 1: yes)
      */
     MAKE_FOLDER = 10,
@@ -3237,7 +3247,7 @@ enum {
 
     /*
      * Counts the entries of a folder, hidden ones left out
-     *   NAME   string     path of the folder with its closing slash, such as ../prjs/
+     *   NAME   string     path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)
      *   ITEMS  out DATA8  how many entries there are
      */
     GET_FOLDERS = 13,
@@ -3251,10 +3261,11 @@ enum {
 
     /*
      * Tells the name of one entry of a folder
-     *   NAME    string      path of the folder with its closing slash, such as ../prjs/
+     *   NAME    string      path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)
      *   ITEM    DATA8       which entry of the folder, the first is 1 (1 to 127)
      *   LENGTH  DATA8       room for the string, its zero included (bytes)
-     *   STRING  out string  its name without extension, empty where there is no such entry (LENGTH tells how long)
+     *   STRING  out string  its name without extension, empty where there is no such entry (as many bytes as LENGTH
+     *       says)
      */
     GET_SUBFOLDER_NAME = 15,
 
@@ -3263,7 +3274,7 @@ enum {
      *   HANDLE  handle  the open data log
      *   TIME    DATA32  time of the samples since the log began (ms)
      *   ITEMS   DATA8   how many samples; with 0 nothing is written (0 to 127)
-     *   VALUES  DATAF   the samples, in one array (ITEMS tells how long)
+     *   VALUES  DATAF   the samples, in one array (as many values as ITEMS says)
      */
     WRITE_LOG = 16,
 
@@ -3276,8 +3287,8 @@ enum {
 
     /*
      * Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails
-     *   NAME   string      path of the folder with its closing slash, such as ../prjs/
-     *   PRGID  DATA16      slot to load it into (SLOT)
+     *   NAME   string      path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)
+     *   PRGID  DATA16      slot to load it into (a member of SLOT)
      *   ITEM   DATA8       which entry of the folder, the first is 1 (1 to 127)
      *   IP     out DATA32  where it was loaded
      */
@@ -3285,7 +3296,7 @@ enum {
 
     /*
      * Finds an entry of a folder by its name
-     *   NAME    string     path of the folder with its closing slash, such as ../prjs/
+     *   NAME    string     path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)
      *   STRING  string     name to look for, without extension
      *   ITEM    out DATA8  which entry it is, the first is 1 (1 to 127; 0: not found)
      */
@@ -3307,7 +3318,7 @@ enum {
      * Tells the path of one recently run file
      *   ITEM    DATA8       which one, 1 is the latest (1 to 10)
      *   LENGTH  DATA8       room for the string, its zero included (bytes)
-     *   STRING  out string  path of the file, empty where there is none (LENGTH tells how long)
+     *   STRING  out string  path of the file, empty where there is none (as many bytes as LENGTH says)
      */
     GET_CACHE_FILE = 22,
 
@@ -3319,7 +3330,7 @@ enum {
 
     /*
      * Deletes one entry of a folder together with the files in it
-     *   NAME  string  path of the folder with its closing slash, such as ../prjs/
+     *   NAME  string  path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)
      *   ITEM  DATA8   which entry of the folder, the first is 1 (1 to 127)
      */
     DEL_SUBFOLDER = 24,
@@ -3327,7 +3338,7 @@ enum {
     /*
      * Tells the path of the data log that is open
      *   LENGTH  DATA8       room for the string, its zero included (bytes)
-     *   NAME    out string  path of the log, empty where none is open (LENGTH tells how long)
+     *   NAME    out string  path of the log, empty where none is open (as many bytes as LENGTH says)
      */
     GET_LOG_NAME = 25,
 
@@ -3349,7 +3360,7 @@ enum {
      * Reads bytes from a file as they are
      *   HANDLE       handle     the open file
      *   BYTES        DATA16     how many bytes (0 to 32767 bytes)
-     *   DESTINATION  out DATA8  the bytes; a zero follows where the file ended early (BYTES tells how long)
+     *   DESTINATION  out DATA8  the bytes; a zero follows where the file ended early (as many values as BYTES says)
      */
     READ_BYTES = 28,
 
@@ -3357,13 +3368,13 @@ enum {
      * Writes bytes to a file as they are
      *   HANDLE  handle  the open file
      *   BYTES   DATA16  how many bytes (0 to 32767 bytes)
-     *   SOURCE  DATA8   the bytes (BYTES tells how long)
+     *   SOURCE  DATA8   the bytes (as many values as BYTES says)
      */
     WRITE_BYTES = 29,
 
     /*
      * Deletes a file, or a folder with the files in it
-     *   NAME  string  path of the file; a bare name is taken from the program's own folder
+     *   NAME  string  path of the file; a bare name is taken from the program's own folder (at most 119 characters)
      */
     REMOVE = 30,
 
@@ -3490,27 +3501,27 @@ enum {
 
     /*
      * Reads an array's content as bytes, of another program too
-     *   PRGID   DATA16     slot of the program that owns the array (SLOT)
+     *   PRGID   DATA16     slot of the program that owns the array (a member of SLOT)
      *   HANDLE  handle     the array
      *   INDEX   DATA32     first byte in the array's content, whatever its elements (0 to 2147483647)
      *   BYTES   DATA32     how many bytes (0 to 2147483647 bytes)
-     *   ARRAY   out DATA8  the bytes, zeros beyond the end of the array (BYTES tells how long)
+     *   ARRAY   out DATA8  the bytes, zeros beyond the end of the array (as many values as BYTES says)
      */
     READ_CONTENT = 13,
 
     /*
      * Writes an array's content as bytes; the array then ends with them
-     *   PRGID   DATA16  slot of the program that owns the array (SLOT)
+     *   PRGID   DATA16  slot of the program that owns the array (a member of SLOT)
      *   HANDLE  handle  the array
      *   INDEX   DATA32  first byte in the array's content, whatever its elements (0 to 2147483647)
      *   BYTES   DATA32  how many bytes (0 to 2147483647 bytes)
-     *   ARRAY   DATA8   the bytes (BYTES tells how long)
+     *   ARRAY   DATA8   the bytes (as many values as BYTES says)
      */
     WRITE_CONTENT = 14,
 
     /*
      * Tells how many bytes an array's content has, of another program too
-     *   PRGID   DATA16      slot of the program that owns the array (SLOT)
+     *   PRGID   DATA16      slot of the program that owns the array (a member of SLOT)
      *   HANDLE  handle      the array
      *   BYTES   out DATA32  how many bytes, 0 where there is no such array (bytes)
      */
@@ -3521,7 +3532,8 @@ enum {
 enum {
     /*
      * Tells whether a file or folder is there
-     *   NAME  string     path of the file; a bare name is taken from the program's own folder
+     *   NAME  string     path of the file; a bare name is taken from the program's own folder (at most 119
+     *       characters)
      *   FLAG  out DATA8  whether it is there (0: no; 1: yes)
      */
     EXIST = 16,
@@ -3538,9 +3550,9 @@ enum {
      * Takes a path apart into folder, name and extension
      *   FILENAME  string      the path
      *   LENGTH    DATA8       room for each of the three parts, its zero included (bytes)
-     *   FOLDER    out string  the folder, on LEGO's firmware with its closing slash (LENGTH tells how long)
-     *   NAME      out string  the name, without folder and extension (LENGTH tells how long)
-     *   EXT       out string  the extension with its dot (LENGTH tells how long)
+     *   FOLDER    out string  the folder, on LEGO's firmware with its closing slash (as many bytes as LENGTH says)
+     *   NAME      out string  the name, without folder and extension (as many bytes as LENGTH says)
+     *   EXT       out string  the extension with its dot (as many bytes as LENGTH says)
      */
     SPLIT = 18,
 
@@ -3550,7 +3562,7 @@ enum {
      *   NAME      string      the name
      *   EXT       string      the extension with its dot
      *   LENGTH    DATA8       room for the string, its zero included (bytes)
-     *   FILENAME  out string  the path (LENGTH tells how long)
+     *   FILENAME  out string  the path (as many bytes as LENGTH says)
      */
     MERGE = 19,
 
@@ -3576,7 +3588,7 @@ enum {
     /*
      * Tells the program's own folder
      *   LENGTH      DATA8       room for the string, its zero included (bytes)
-     *   FOLDERNAME  out string  path of the folder, without a slash at its end (LENGTH tells how long)
+     *   FOLDERNAME  out string  path of the folder, without a slash at its end (as many bytes as LENGTH says)
      */
     GET_FOLDERNAME = 23,
 };
@@ -3592,14 +3604,14 @@ enum {
 
     /*
      * Waits until nothing is being sent to a device
-     *   HARDWARE  DATA8   which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8   which way to communicate (a member of HWTYPE)
      *   NAME      string  name of the other device, empty: the brick's own adapter
      */
     opCOM_READY = 0xD0,
 
     /*
      * Does nothing in the firmware, meant to receive data
-     *   VALUE1  DATA8   which way to communicate, ignored (HWTYPE)
+     *   VALUE1  DATA8   which way to communicate, ignored (a member of HWTYPE)
      *   VALUE2  DATA8   name of the other device, ignored
      *   VALUE3  DATA16  number of bytes, ignored (bytes)
      *   VALUE4  DATA8   the bytes, ignored
@@ -3608,7 +3620,7 @@ enum {
 
     /*
      * Does nothing in the firmware, meant to send data
-     *   VALUE1  DATA8   which way to communicate, ignored (HWTYPE)
+     *   VALUE1  DATA8   which way to communicate, ignored (a member of HWTYPE)
      *   VALUE2  DATA8   name of the other device, ignored
      *   VALUE3  DATA16  number of bytes, ignored (bytes)
      *   VALUE4  DATA8   the bytes, ignored
@@ -3623,7 +3635,7 @@ enum {
 
     /*
      * Tells whether something is still being sent to a device
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   NAME      string     name of the other device, empty: the brick's own adapter
      *   BUSY      out DATA8  whether to wait (0 to 1; 0: ready; 1: busy)
      */
@@ -3631,25 +3643,25 @@ enum {
 
     /*
      * Forgets a paired device or a known network
-     *   HARDWARE     DATA8   which way to communicate (HWTYPE)
+     *   HARDWARE     DATA8   which way to communicate (a member of HWTYPE)
      *   REMOTE_NAME  string  name of the other device or network
      */
     opCOM_REMOVE = 0xD6,
 
     /*
      * Sends a file or a folder to another brick, Bluetooth only
-     *   HARDWARE     DATA8   which way to communicate (HWTYPE)
+     *   HARDWARE     DATA8   which way to communicate (a member of HWTYPE)
      *   REMOTE_NAME  string  name of the other device or network
      *   FILE_NAME    string  path of the file or folder on this brick
-     *   FILE_TYPE    DATA8   TYPE_FOLDER for a folder, else a file (FILETYPE)
+     *   FILE_TYPE    DATA8   TYPE_FOLDER for a folder, else a file (a member of FILETYPE)
      */
     opCOM_WRITEFILE = 0xD7,
 
     /*
      * Opens a mailbox on this brick, at most 250 bytes of content
      *   NO        DATA8   number of the mailbox on this brick (0 to 29)
-     *   BOXNAME   string  name of the mailbox, at most 49 characters
-     *   TYPES     DATA8   type of its values (DATA_FORMAT)
+     *   BOXNAME   string  name of the mailbox, at most 49 characters (at most 49 characters)
+     *   TYPES     DATA8   type of its values (a member of DATA_FORMAT)
      *   FIFOSIZE  DATA8   depth of the queue, ignored by the firmware
      *   VALUES    DATA8   number of values, ignored by the firmware
      */
@@ -3658,9 +3670,9 @@ enum {
     /*
      * Sends values to a mailbox of another brick, Bluetooth only
      *   BRICKNAME  string  name of the other brick, empty: all connected ones
-     *   HARDWARE   DATA8   which way to communicate (HWTYPE)
+     *   HARDWARE   DATA8   which way to communicate (a member of HWTYPE)
      *   BOXNAME    string  name of the mailbox
-     *   TYPE       DATA8   type of the values (DATA_FORMAT)
+     *   TYPE       DATA8   type of the values (a member of DATA_FORMAT)
      *   VALUES     count   how many values of TYPE follow, one only for a string (each is what TYPE says)
      */
     opMAILBOX_WRITE = 0xD9,
@@ -3718,7 +3730,7 @@ enum {
      * Sends the global memory of a direct command that has run as its reply
      *   IMAGE   DATA32  address of the code
      *   GLOBAL  DATA32  address of its global memory
-     *   STATUS  DATA8   how it ended, all but OK give DIRECT_REPLY_ERROR (RESULT)
+     *   STATUS  DATA8   how it ended, all but OK give DIRECT_REPLY_ERROR (a member of RESULT)
      */
     REPLY = 14,
 };
@@ -3727,153 +3739,153 @@ enum {
 enum {
     /*
      * Tells whether Bluetooth or WiFi is on
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   ACTIVE    out DATA8  whether it is on (0 to 1; 0: off; 1: on)
      */
     GET_ON_OFF = 1,
 
     /*
      * Tells whether other devices can see the brick by Bluetooth
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   VISIBLE   out DATA8  whether it is visible (0 to 1; 0: no; 1: yes)
      */
     GET_VISIBLE = 2,
 
     /*
      * Tells how a search or connection request is going
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   ITEM      DATA8      place in the list, ignored by the firmware
-     *   RESULT    out DATA8  state of the request (RESULT)
+     *   RESULT    out DATA8  state of the request (a member of RESULT)
      */
     GET_RESULT = 4,
 
     /*
      * Reads the PIN for a device, always 1234
-     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
      *   NAME      string      name of the other device or network
      *   LENGTH    DATA8       room for the PIN with its zero (bytes)
-     *   PINCODE   out string  the PIN (LENGTH tells how long)
+     *   PINCODE   out string  the PIN (as many bytes as LENGTH says)
      */
     GET_PIN = 5,
 
     /*
      * Reads a number that changes when a device enters or leaves a list (compat firmware only)
-     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
      *   STATE     out DATA16  number to compare with the one of the last call
      */
     LIST_STATE = 7,
 
     /*
      * Tells how many devices or networks a search found
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   ITEMS     out DATA8  how many the list has
      */
     SEARCH_ITEMS = 8,
 
     /*
      * Describes one device or network that a search found
-     *   HARDWARE   DATA8       which way to communicate (HWTYPE)
+     *   HARDWARE   DATA8       which way to communicate (a member of HWTYPE)
      *   ITEM       DATA8       place in the list, counted from 0
      *   LENGTH     DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
-     *   NAME       out string  name of the other device or network (LENGTH tells how long)
+     *   NAME       out string  name of the other device or network (as many bytes as LENGTH says)
      *   PAIRED     out DATA8   whether it is paired (Bluetooth) or known (WiFi) (0 to 1; 0: no; 1: yes)
      *   CONNECTED  out DATA8   whether it is connected (0 to 1; 0: no; 1: yes)
-     *   TYPE       out DATA8   kind of device (Bluetooth) or encryption (WiFi) (BTTYPE; 0: WiFi, not encrypted; 1:
-     *       WiFi, WPA2)
+     *   TYPE       out DATA8   kind of device (Bluetooth) or encryption (WiFi) (0: WiFi, not encrypted; 1: WiFi,
+     *       WPA2; a member of BTTYPE)
      *   VISIBLE    out DATA8   whether it is in sight (0 to 1; 0: no; 1: yes)
      */
     SEARCH_ITEM = 9,
 
     /*
      * Tells how many devices are paired, in sight or not
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   ITEMS     out DATA8  how many the list has
      */
     FAVOUR_ITEMS = 10,
 
     /*
      * Describes one paired device or known network
-     *   HARDWARE   DATA8       which way to communicate (HWTYPE)
+     *   HARDWARE   DATA8       which way to communicate (a member of HWTYPE)
      *   ITEM       DATA8       place in the list, counted from 0
      *   LENGTH     DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
-     *   NAME       out string  name of the other device or network (LENGTH tells how long)
+     *   NAME       out string  name of the other device or network (as many bytes as LENGTH says)
      *   PAIRED     out DATA8   whether it is paired (Bluetooth) or known (WiFi) (0 to 1; 0: no; 1: yes)
      *   CONNECTED  out DATA8   whether it is connected (0 to 1; 0: no; 1: yes)
-     *   TYPE       out DATA8   kind of device (Bluetooth) or encryption (WiFi) (BTTYPE; 0: WiFi, not encrypted; 1:
-     *       WiFi, WPA2)
+     *   TYPE       out DATA8   kind of device (Bluetooth) or encryption (WiFi) (0: WiFi, not encrypted; 1: WiFi,
+     *       WPA2; a member of BTTYPE)
      */
     FAVOUR_ITEM = 11,
 
     /*
      * Reads the brick's Bluetooth address
-     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
      *   LENGTH    DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
-     *   STRING    out string  12 hex digits (LENGTH tells how long)
+     *   STRING    out string  12 hex digits (as many bytes as LENGTH says)
      */
     GET_ID = 12,
 
     /*
      * Reads the brick's name
      *   LENGTH  DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
-     *   NAME    out string  name of the brick (LENGTH tells how long)
+     *   NAME    out string  name of the brick (as many bytes as LENGTH says)
      */
     GET_BRICKNAME = 13,
 
     /*
      * Reads network name and addresses, WiFi only
-     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
      *   LENGTH    DATA8       room for each of the three texts with its zero (bytes; -1: as long as it gets (handles
      *       only))
-     *   NAME      out string  name of the network, NONE without one (LENGTH tells how long)
-     *   MAC       out string  MAC address of the brick, ?? when WiFi is off (LENGTH tells how long)
-     *   IP        out string  IP address of the brick, ?? when not connected (LENGTH tells how long)
+     *   NAME      out string  name of the network, NONE without one (as many bytes as LENGTH says)
+     *   MAC       out string  MAC address of the brick, ?? when WiFi is off (as many bytes as LENGTH says)
+     *   IP        out string  IP address of the brick, ?? when not connected (as many bytes as LENGTH says)
      */
     GET_NETWORK = 14,
 
     /*
      * Tells whether the hardware is there, for WiFi a known dongle
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   OK        out DATA8  whether it is there (0 to 1; 0: no; 1: yes)
      */
     GET_PRESENT = 15,
 
     /*
      * Tells the encryption of a network, WiFi only
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   ITEM      DATA8      place in the list, counted from 0
-     *   TYPE      out DATA8  kind of encryption, the 2013 firmware says none (ENCRYPT)
+     *   TYPE      out DATA8  kind of encryption, the 2013 firmware says none (a member of ENCRYPT)
      */
     GET_ENCRYPT = 16,
 
     /*
      * Tells how many devices are connected, Bluetooth only
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   ITEMS     out DATA8  how many the list has
      */
     CONNEC_ITEMS = 17,
 
     /*
      * Describes one connected device, Bluetooth only
-     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
      *   ITEM      DATA8       place in the list, counted from 0
      *   LENGTH    DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
-     *   NAME      out string  name of the device (LENGTH tells how long)
-     *   TYPE      out DATA8   kind of device (BTTYPE)
+     *   NAME      out string  name of the device (as many bytes as LENGTH says)
+     *   TYPE      out DATA8   kind of device (a member of BTTYPE)
      */
     CONNEC_ITEM = 18,
 
     /*
      * Tells which device asks for a connection, Bluetooth only
-     *   HARDWARE  DATA8       which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8       which way to communicate (a member of HWTYPE)
      *   LENGTH    DATA8       room for the text with its zero (bytes; -1: as long as it gets (handles only))
-     *   NAME      out string  name of the device (LENGTH tells how long)
-     *   TYPE      out DATA8   kind of device (BTTYPE)
+     *   NAME      out string  name of the device (as many bytes as LENGTH says)
+     *   TYPE      out DATA8   kind of device (a member of BTTYPE)
      */
     GET_INCOMING = 19,
 
     /*
      * Tells whether Bluetooth is in its mode for Apple devices
-     *   HARDWARE  DATA8      which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8      which way to communicate (a member of HWTYPE)
      *   ACTIVE    out DATA8  whether it is on (0 to 1; 0: off; 1: on)
      */
     GET_MODE2 = 20,
@@ -3883,28 +3895,28 @@ enum {
 enum {
     /*
      * Switches Bluetooth or WiFi on or off
-     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
      *   ACTIVE    DATA8  whether to switch it on (0 to 1; 0: off; 1: on)
      */
     SET_ON_OFF = 1,
 
     /*
      * Makes the brick visible or invisible, Bluetooth only
-     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
      *   VISIBLE   DATA8  whether other devices shall see it (0 to 1; 0: invisible; 1: visible)
      */
     SET_VISIBLE = 2,
 
     /*
      * Starts or stops the search for devices or networks
-     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
      *   SEARCH    DATA8  whether to search (0 to 1; 0: stop (Bluetooth only); 1: start)
      */
     SET_SEARCH = 3,
 
     /*
      * Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)
-     *   HARDWARE  DATA8   which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8   which way to communicate (a member of HWTYPE)
      *   NAME      string  name of the other device or network
      *   PINCODE   string  PIN or password
      */
@@ -3912,14 +3924,14 @@ enum {
 
     /*
      * Answers the request to confirm a passkey, Bluetooth only
-     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
      *   ACCEPT    DATA8  the answer (0 to 1; 0: reject; 1: accept)
      */
     SET_PASSKEY = 6,
 
     /*
      * Connects a device or network, or ends a Bluetooth connection
-     *   HARDWARE    DATA8   which way to communicate (HWTYPE)
+     *   HARDWARE    DATA8   which way to communicate (a member of HWTYPE)
      *   NAME        string  name of the other device or network
      *   CONNECTION  DATA8   what to do (0 to 1; 0: disconnect; 1: connect)
      */
@@ -3927,42 +3939,42 @@ enum {
 
     /*
      * Renames the brick
-     *   NAME  string  new name, at most 118 characters, else refused
+     *   NAME  string  new name, at most 118 characters, else refused (at most 118 characters)
      */
     SET_BRICKNAME = 8,
 
     /*
      * Moves a network up in the list, WiFi only
-     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
      *   ITEM      DATA8  place in the list, counted from 0
      */
     SET_MOVEUP = 9,
 
     /*
      * Moves a network down in the list, WiFi only
-     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
      *   ITEM      DATA8  place in the list, counted from 0
      */
     SET_MOVEDOWN = 10,
 
     /*
      * Sets the encryption of a network, WiFi only
-     *   HARDWARE  DATA8   which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8   which way to communicate (a member of HWTYPE)
      *   ITEM      string  name of the network
-     *   ENCRYPT   DATA8   kind of encryption (ENCRYPT)
+     *   ENCRYPT   DATA8   kind of encryption (a member of ENCRYPT)
      */
     SET_ENCRYPT = 11,
 
     /*
      * Adds a network to the end of the list, WiFi only
-     *   HARDWARE  DATA8   which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8   which way to communicate (a member of HWTYPE)
      *   NAME      string  name of the network
      */
     SET_SSID = 12,
 
     /*
      * Switches the Bluetooth mode for Apple devices on or off
-     *   HARDWARE  DATA8  which way to communicate (HWTYPE)
+     *   HARDWARE  DATA8  which way to communicate (a member of HWTYPE)
      *   ACTIVE    DATA8  whether to switch it on (0 to 1; 0: off; 1: on)
      */
     SET_MODE2 = 13,

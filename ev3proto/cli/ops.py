@@ -12,8 +12,9 @@ import click
 from ev3proto.cli.output import Printer, complain
 from ev3proto.errors import near_misses
 from ev3proto.schema.instructions import instruction_set
+from ev3proto.semantics.descriptions import element, facts
 from ev3proto.tables import AREAS, area_of, operations
-from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter
 from ev3proto.tables.system import SYSTEM, Field, SystemCommand
 from ev3proto.text.spans import Line, Role
 
@@ -189,36 +190,18 @@ def _parameter(parameter: Parameter) -> Iterator[Line]:
         (f" {parameter.direction!s:5} {parameter.type.label:12}", Role.VALUE),
         (f" {parameter.text}", Role.PLAIN),
     ]
-    facts = list(_facts(parameter))
-    if facts:
-        line.append((f" ({'; '.join(facts)})", Role.MEANING))
+    pieces = list(facts(parameter))
+    each = element(parameter)
+    if each is not None:
+        pieces.append(f"each is {each}, {parameter.elements}")
+    if pieces:
+        line.append((f" ({'; '.join(pieces)})", Role.MEANING))
     yield line
     if parameter.enum is not None:
         members = ", ".join(f"{number} {name}" for name, number in parameter.enum.members.items())
         yield [(f"      {parameter.enum.name}: {members}", Role.ASIDE)]
     if parameter.note:
         yield [(f"      note: {parameter.note}", Role.MEANING)]
-
-
-def _facts(parameter: Parameter) -> Iterator[str]:
-    if parameter.range is not None:
-        yield f"{parameter.range[0]} to {parameter.range[1]}{' ' + parameter.unit if parameter.unit else ''}"
-    elif parameter.unit:
-        yield parameter.unit
-    for number, meaning in parameter.special.items():
-        yield f"{number}: {meaning}"
-    if parameter.length is not None:
-        what = "bytes" if parameter.type is Type.STRING else "values"
-        yield (
-            f"as many {what} as {parameter.length} says"
-            if isinstance(parameter.length, str)
-            else (f"{parameter.length} {what}")
-        )
-    if parameter.element is not None:
-        kind = (
-            f"the type that {parameter.element} says" if isinstance(parameter.element, str) else parameter.element.label
-        )
-        yield f"each is {kind}, {parameter.elements}"
 
 
 def _parameter_record(parameter: Parameter) -> dict[str, Any]:

@@ -338,7 +338,8 @@ def read_content(
         handle: The array; handle.
         index: First byte in the array's content, whatever its elements; 0 to 2147483647; DATA32.
         bytes: How many bytes; 0 to 2147483647 bytes; DATA32.
-        array: The bytes, zeros beyond the end of the array; DATA8; an output, in global memory when omitted.
+        array: The bytes, zeros beyond the end of the array; as many values as BYTES says; DATA8; an output, in global
+            memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.READ_CONTENT"].draft((prgid, handle, index, bytes, array), unchecked)
@@ -361,7 +362,7 @@ def write_content(
         handle: The array; handle.
         index: First byte in the array's content, whatever its elements; 0 to 2147483647; DATA32.
         bytes: How many bytes; 0 to 2147483647 bytes; DATA32.
-        array: The bytes; DATA8.
+        array: The bytes; as many values as BYTES says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["ARRAY.WRITE_CONTENT"].draft((prgid, handle, index, bytes, array), unchecked)

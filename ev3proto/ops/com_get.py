@@ -47,7 +47,7 @@ def get_on_off(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = 
 
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        active: Whether it is on; 0 to 1; 0: off, 1: on; DATA8; an output, in global memory when omitted.
+        active: Whether it is on; 0 to 1; 0: off; 1: on; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_ON_OFF"].draft((hardware, active), unchecked)
@@ -59,7 +59,7 @@ def get_visible(hardware: AnyHWTYPE, visible: Output = None, *, unchecked: bool 
 
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        visible: Whether it is visible; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        visible: Whether it is visible; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_VISIBLE"].draft((hardware, visible), unchecked)
@@ -93,7 +93,7 @@ def get_pin(
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
         name: Name of the other device or network; string.
         length: Room for the PIN with its zero; bytes; DATA8.
-        pincode: The PIN; string; an output, in global memory when omitted.
+        pincode: The PIN; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_PIN"].draft((hardware, name, length, pincode), unchecked)
@@ -130,13 +130,14 @@ def search_item(
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
         length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
-        name: Name of the other device or network; string; an output, in global memory when omitted.
-        paired: Whether it is paired (Bluetooth) or known (WiFi); 0 to 1; 0: no, 1: yes; DATA8; an output, in global
+        name: Name of the other device or network; as many bytes as LENGTH says; string; an output, in global memory
+            when omitted.
+        paired: Whether it is paired (Bluetooth) or known (WiFi); 0 to 1; 0: no; 1: yes; DATA8; an output, in global
             memory when omitted.
-        connected: Whether it is connected; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
-        type: Kind of device (Bluetooth) or encryption (WiFi); 0: WiFi, not encrypted, 1: WiFi, WPA2; a member of
+        connected: Whether it is connected; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
+        type: Kind of device (Bluetooth) or encryption (WiFi); 0: WiFi, not encrypted; 1: WiFi, WPA2; a member of
             BTTYPE; DATA8; an output, in global memory when omitted.
-        visible: Whether it is in sight; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        visible: Whether it is in sight; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.SEARCH_ITEM"].draft(
@@ -174,11 +175,12 @@ def favour_item(
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
         length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
-        name: Name of the other device or network; string; an output, in global memory when omitted.
-        paired: Whether it is paired (Bluetooth) or known (WiFi); 0 to 1; 0: no, 1: yes; DATA8; an output, in global
+        name: Name of the other device or network; as many bytes as LENGTH says; string; an output, in global memory
+            when omitted.
+        paired: Whether it is paired (Bluetooth) or known (WiFi); 0 to 1; 0: no; 1: yes; DATA8; an output, in global
             memory when omitted.
-        connected: Whether it is connected; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
-        type: Kind of device (Bluetooth) or encryption (WiFi); 0: WiFi, not encrypted, 1: WiFi, WPA2; a member of
+        connected: Whether it is connected; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
+        type: Kind of device (Bluetooth) or encryption (WiFi); 0: WiFi, not encrypted; 1: WiFi, WPA2; a member of
             BTTYPE; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -192,7 +194,7 @@ def get_id(hardware: AnyHWTYPE, length: Number, string: Output = None, *, unchec
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
         length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
-        string: 12 hex digits; string; an output, in global memory when omitted.
+        string: 12 hex digits; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_ID"].draft((hardware, length, string), unchecked)
@@ -204,7 +206,7 @@ def get_brickname(length: Number, name: Output = None, *, unchecked: bool = Fals
 
     Args:
         length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
-        name: Name of the brick; string; an output, in global memory when omitted.
+        name: Name of the brick; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_BRICKNAME"].draft((length, name), unchecked)
@@ -225,9 +227,12 @@ def get_network(
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
         length: Room for each of the three texts with its zero; bytes; -1: as long as it gets (handles only); DATA8.
-        name: Name of the network, NONE without one; string; an output, in global memory when omitted.
-        mac: MAC address of the brick, ?? when WiFi is off; string; an output, in global memory when omitted.
-        ip: IP address of the brick, ?? when not connected; string; an output, in global memory when omitted.
+        name: Name of the network, NONE without one; as many bytes as LENGTH says; string; an output, in global memory
+            when omitted.
+        mac: MAC address of the brick, ?? when WiFi is off; as many bytes as LENGTH says; string; an output, in global
+            memory when omitted.
+        ip: IP address of the brick, ?? when not connected; as many bytes as LENGTH says; string; an output, in global
+            memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_NETWORK"].draft((hardware, length, name, mac, ip), unchecked)
@@ -239,7 +244,7 @@ def get_present(hardware: AnyHWTYPE, ok: Output = None, *, unchecked: bool = Fal
 
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        ok: Whether it is there; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        ok: Whether it is there; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_PRESENT"].draft((hardware, ok), unchecked)
@@ -287,7 +292,7 @@ def connec_item(
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
         item: Place in the list, counted from 0; DATA8.
         length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
-        name: Name of the device; string; an output, in global memory when omitted.
+        name: Name of the device; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         type: Kind of device; a member of BTTYPE; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -308,7 +313,7 @@ def get_incoming(
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
         length: Room for the text with its zero; bytes; -1: as long as it gets (handles only); DATA8.
-        name: Name of the device; string; an output, in global memory when omitted.
+        name: Name of the device; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         type: Kind of device; a member of BTTYPE; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -321,7 +326,7 @@ def get_mode2(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = F
 
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        active: Whether it is on; 0 to 1; 0: off, 1: on; DATA8; an output, in global memory when omitted.
+        active: Whether it is on; 0 to 1; 0: off; 1: on; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_MODE2"].draft((hardware, active), unchecked)

@@ -38,7 +38,7 @@ def command(
         length: Most bytes of code, ignored by the firmware; bytes; DATA32.
         image: Address of the code; DATA32; an output, in global memory when omitted.
         global_: Address of its global memory; DATA32; an output, in global memory when omitted.
-        flag: Whether a command waits; 0 to 1; 0: none, 1: ready to run; DATA8; an output, in global memory when
+        flag: Whether a command waits; 0 to 1; 0: none; 1: ready to run; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

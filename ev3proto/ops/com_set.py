@@ -42,7 +42,7 @@ def set_on_off(hardware: AnyHWTYPE, active: Number, *, unchecked: bool = False) 
 
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        active: Whether to switch it on; 0 to 1; 0: off, 1: on; DATA8.
+        active: Whether to switch it on; 0 to 1; 0: off; 1: on; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_ON_OFF"].draft((hardware, active), unchecked)
@@ -54,7 +54,7 @@ def set_visible(hardware: AnyHWTYPE, visible: Number, *, unchecked: bool = False
 
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        visible: Whether other devices shall see it; 0 to 1; 0: invisible, 1: visible; DATA8.
+        visible: Whether other devices shall see it; 0 to 1; 0: invisible; 1: visible; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_VISIBLE"].draft((hardware, visible), unchecked)
@@ -66,7 +66,7 @@ def set_search(hardware: AnyHWTYPE, search: Number, *, unchecked: bool = False) 
 
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        search: Whether to search; 0 to 1; 0: stop (Bluetooth only), 1: start; DATA8.
+        search: Whether to search; 0 to 1; 0: stop (Bluetooth only); 1: start; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_SEARCH"].draft((hardware, search), unchecked)
@@ -91,7 +91,7 @@ def set_passkey(hardware: AnyHWTYPE, accept: Number, *, unchecked: bool = False)
 
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        accept: The answer; 0 to 1; 0: reject, 1: accept; DATA8.
+        accept: The answer; 0 to 1; 0: reject; 1: accept; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_PASSKEY"].draft((hardware, accept), unchecked)
@@ -104,7 +104,7 @@ def set_connection(hardware: AnyHWTYPE, name: Text, connection: Number, *, unche
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
         name: Name of the other device or network; string.
-        connection: What to do; 0 to 1; 0: disconnect, 1: connect; DATA8.
+        connection: What to do; 0 to 1; 0: disconnect; 1: connect; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_CONNECTION"].draft((hardware, name, connection), unchecked)
@@ -176,7 +176,7 @@ def set_mode2(hardware: AnyHWTYPE, active: Number, *, unchecked: bool = False) -
 
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
-        active: Whether to switch it on; 0 to 1; 0: off, 1: on; DATA8.
+        active: Whether to switch it on; 0 to 1; 0: off; 1: on; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_SET.SET_MODE2"].draft((hardware, active), unchecked)

@@ -136,8 +136,8 @@ def read_text(handle: Number, del_: AnyDEL, length: Number, text: Output = None,
         handle: The open file; handle.
         del_: What stands between two values in the file; a member of DEL; DATA8.
         length: Most bytes to read; LEGO's firmware keeps the low 8 bits, so 127; bytes; DATA16.
-        text: The text, without a zero at its end when it fills all the room; string; an output, in global memory when
-            omitted.
+        text: The text, without a zero at its end when it fills all the room; as many bytes as LENGTH says; string; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.READ_TEXT"].draft((handle, del_, length, text), unchecked)
@@ -190,7 +190,7 @@ def get_handle(name: Text, handle: Output = None, write: Output = None, *, unche
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
         handle: The open file; -1: not open; handle; an output, in global memory when omitted.
-        write: Whether it is open to write or append; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        write: Whether it is open to write or append; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_HANDLE"].draft((name, handle, write), unchecked)
@@ -202,7 +202,7 @@ def make_folder(name: Text, success: Output = None, *, unchecked: bool = False) 
 
     Args:
         name: Path of the folder, relative to /home/root/lms2012/sys; at most 119 characters; string.
-        success: Whether the folder is there now; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        success: Whether the folder is there now; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.MAKE_FOLDER"].draft((name, success), unchecked)
@@ -272,8 +272,8 @@ def get_subfolder_name(
         name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
         item: Which entry of the folder, the first is 1; 1 to 127; DATA8.
         length: Room for the string, its zero included; bytes; DATA8.
-        string: Its name without extension, empty where there is no such entry; string; an output, in global memory when
-            omitted.
+        string: Its name without extension, empty where there is no such entry; as many bytes as LENGTH says; string; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_SUBFOLDER_NAME"].draft((name, item, length, string), unchecked)
@@ -287,7 +287,7 @@ def write_log(handle: Number, time: Number, items: Number, values: Elements, *, 
         handle: The open data log; handle.
         time: Time of the samples since the log began; ms; DATA32.
         items: How many samples; with 0 nothing is written; 0 to 127; DATA8.
-        values: The samples, in one array; DATAF.
+        values: The samples, in one array; as many values as ITEMS says; DATAF.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.WRITE_LOG"].draft((handle, time, items, values), unchecked)
@@ -362,7 +362,8 @@ def get_cache_file(item: Number, length: Number, string: Output = None, *, unche
     Args:
         item: Which one, 1 is the latest; 1 to 10; DATA8.
         length: Room for the string, its zero included; bytes; DATA8.
-        string: Path of the file, empty where there is none; string; an output, in global memory when omitted.
+        string: Path of the file, empty where there is none; as many bytes as LENGTH says; string; an output, in global
+            memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_CACHE_FILE"].draft((item, length, string), unchecked)
@@ -397,7 +398,8 @@ def get_log_name(length: Number, name: Output = None, *, unchecked: bool = False
 
     Args:
         length: Room for the string, its zero included; bytes; DATA8.
-        name: Path of the log, empty where none is open; string; an output, in global memory when omitted.
+        name: Path of the log, empty where none is open; as many bytes as LENGTH says; string; an output, in global
+            memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.GET_LOG_NAME"].draft((length, name), unchecked)
@@ -441,8 +443,8 @@ def read_bytes(handle: Number, bytes: Number, destination: Output = None, *, unc
     Args:
         handle: The open file; handle.
         bytes: How many bytes; 0 to 32767 bytes; DATA16.
-        destination: The bytes; a zero follows where the file ended early; DATA8; an output, in global memory when
-            omitted.
+        destination: The bytes; a zero follows where the file ended early; as many values as BYTES says; DATA8; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.READ_BYTES"].draft((handle, bytes, destination), unchecked)
@@ -455,7 +457,7 @@ def write_bytes(handle: Number, bytes: Number, source: Elements, *, unchecked: b
     Args:
         handle: The open file; handle.
         bytes: How many bytes; 0 to 32767 bytes; DATA16.
-        source: The bytes; DATA8.
+        source: The bytes; as many values as BYTES says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.WRITE_BYTES"].draft((handle, bytes, source), unchecked)

@@ -29,7 +29,7 @@ def exist(name: Text, flag: Output = None, *, unchecked: bool = False) -> Draft:
 
     Args:
         name: Path of the file; a bare name is taken from the program's own folder; at most 119 characters; string.
-        flag: Whether it is there; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        flag: Whether it is there; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.EXIST"].draft((name, flag), unchecked)
@@ -64,9 +64,11 @@ def split(
     Args:
         filename: The path; string.
         length: Room for each of the three parts, its zero included; bytes; DATA8.
-        folder: The folder, on LEGO's firmware with its closing slash; string; an output, in global memory when omitted.
-        name: The name, without folder and extension; string; an output, in global memory when omitted.
-        ext: The extension with its dot; string; an output, in global memory when omitted.
+        folder: The folder, on LEGO's firmware with its closing slash; as many bytes as LENGTH says; string; an output,
+            in global memory when omitted.
+        name: The name, without folder and extension; as many bytes as LENGTH says; string; an output, in global memory
+            when omitted.
+        ext: The extension with its dot; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.SPLIT"].draft((filename, length, folder, name, ext), unchecked)
@@ -89,7 +91,7 @@ def merge(
         name: The name; string.
         ext: The extension with its dot; string.
         length: Room for the string, its zero included; bytes; DATA8.
-        filename: The path; string; an output, in global memory when omitted.
+        filename: The path; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.MERGE"].draft((folder, name, ext, length, filename), unchecked)
@@ -101,7 +103,7 @@ def check(filename: Text, ok: Output = None, *, unchecked: bool = False) -> Draf
 
     Args:
         filename: The path; string.
-        ok: Whether the path can be used; 0: not allowed, 1: allowed; DATA8; an output, in global memory when omitted.
+        ok: Whether the path can be used; 0: not allowed; 1: allowed; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.CHECK"].draft((filename, ok), unchecked)
@@ -135,7 +137,8 @@ def get_foldername(length: Number, foldername: Output = None, *, unchecked: bool
 
     Args:
         length: Room for the string, its zero included; bytes; DATA8.
-        foldername: Path of the folder, without a slash at its end; string; an output, in global memory when omitted.
+        foldername: Path of the folder, without a slash at its end; as many bytes as LENGTH says; string; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILENAME.GET_FOLDERNAME"].draft((length, foldername), unchecked)

@@ -52,7 +52,8 @@ def errortext(number: Number, length: Number, destination: Output = None, *, unc
     Args:
         number: Number of the error; 0: gives an empty text; DATA8.
         length: Room for the text, with its zero; bytes; -1: no limit; DATA8.
-        destination: Name of the error, less than 32 characters; string; an output, in global memory when omitted.
+        destination: Name of the error, less than 32 characters; as many bytes as LENGTH says; string; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INFO.ERRORTEXT"].draft((number, length, destination), unchecked)

@@ -56,8 +56,8 @@ def insert_type(typedata: Text, force: Number, error: Output = None, *, unchecke
 
     Args:
         typedata: The line as in typedata.rcf, starting with the type's number; string.
-        force: Whether to replace a known type; 0 to 1; 0: refuse a known type, 1: replace a known type; DATA8.
-        error: Whether it failed; 0 to 1; 0: done, 1: failed or known; DATA8; an output, in global memory when omitted.
+        force: Whether to replace a known type; 0 to 1; 0: refuse a known type; 1: replace a known type; DATA8.
+        error: Whether it failed; 0 to 1; 0: done; 1: failed or known; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.INSERT_TYPE"].draft((typedata, force, error), unchecked)
@@ -78,8 +78,8 @@ def get_format(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         datasets: How many values one reading has; DATA8; an output, in global memory when omitted.
         format: Type of one raw value; 0 to 3; a member of DATA_FORMAT; DATA8; an output, in global memory when omitted.
         modes: How many modes the device has; 1 to 8; DATA8; an output, in global memory when omitted.
@@ -128,8 +128,8 @@ def get_typemode(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type of the device; a member of TYPE; DATA8; an output, in global memory when omitted.
         mode: Mode the device is in; 0 to 7; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -150,10 +150,11 @@ def get_symbol(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         length: Room for the text with its zero; bytes; -1: as long as it is (handles only); DATA8.
-        destination: Symbol, filled up with blanks; string; an output, in global memory when omitted.
+        destination: Symbol, filled up with blanks; as many bytes as LENGTH says; string; an output, in global memory
+            when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_SYMBOL"].draft((layer, no, length, destination), unchecked)
@@ -202,13 +203,13 @@ def setup(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Sensor port, counted from 0; 0 to 3; 0: port 1, 1: port 2, 2: port 3, 3: port 4; DATA8.
+        no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         repeat: How often to write and read; 0: without end; DATA8.
         time: Time between repeats; 10 to 1000 ms; 0: 10 ms; DATA16.
         write_len: How many bytes to write; 0 to 32 bytes; DATA8.
-        write_data: Bytes to write: I2C address, register, data; DATA8.
+        write_data: Bytes to write: I2C address, register, data; as many values as WRITE_LEN says; DATA8.
         read_len: How many bytes to read, negative: in reverse order; -32 to 32 bytes; DATA8.
-        read_data: Bytes read; DATA8; an output, in global memory when omitted.
+        read_data: Bytes read; as many values as READ_LEN says; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.SETUP"].draft(
@@ -233,8 +234,8 @@ def get_raw(layer: Number, no: Number, value: Output = None, *, unchecked: bool 
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         value: Raw value, NaN where there is none; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -247,8 +248,8 @@ def get_connection(layer: Number, no: Number, conn: Output = None, *, unchecked:
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         conn: Kind of connection; a member of CONN; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -283,7 +284,7 @@ def set_typemode(
         mode: Mode the entry has; 0 to 7; DATA8.
         newtype: Type the entry shall have; 50 to 98; a member of TYPE; DATA8.
         newmode: Mode the entry shall have; 0 to 7; DATA8.
-        error: Whether it failed; 0 to 1; 0: done, 1: failed or not found; DATA8; an output, in global memory when
+        error: Whether it failed; 0 to 1; 0: done; 1: failed or not found; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -306,11 +307,11 @@ def ready_iic(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Sensor port, counted from 0; 0 to 3; 0: port 1, 1: port 2, 2: port 3, 3: port 4; DATA8.
+        no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         wrlng: How many bytes to write; 0 to 32 bytes; DATA8.
-        wrdata: Bytes to write: I2C address, register, data; DATA8.
+        wrdata: Bytes to write: I2C address, register, data; as many values as WRLNG says; DATA8.
         rdlng: How many bytes to read, negative: in reverse order; -32 to 32 bytes; DATA8.
-        rddata: Bytes read; DATA8; an output, in global memory when omitted.
+        rddata: Bytes read; as many values as RDLNG says; DATA8; an output, in global memory when omitted.
         result: How the transfer ended; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -330,10 +331,11 @@ def get_name(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         length: Room for the text with its zero; bytes; -1: as long as it is (handles only); DATA8.
-        destination: Name, filled up with blanks; string; an output, in global memory when omitted.
+        destination: Name, filled up with blanks; as many bytes as LENGTH says; string; an output, in global memory when
+            omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_NAME"].draft((layer, no, length, destination), unchecked)
@@ -353,11 +355,12 @@ def get_modename(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         mode: Mode to name; 0 to 7; DATA8.
         length: Room for the text with its zero; bytes; -1: as long as it is (handles only); DATA8.
-        destination: Name, filled up with blanks; string; an output, in global memory when omitted.
+        destination: Name, filled up with blanks; as many bytes as LENGTH says; string; an output, in global memory when
+            omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.GET_MODENAME"].draft((layer, no, mode, length, destination), unchecked)
@@ -369,8 +372,8 @@ def set_raw(layer: Number, no: Number, type: AnyTYPE, value: Number, *, unchecke
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
         value: Raw value to pretend; DATA32.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -391,8 +394,8 @@ def get_figures(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         figures: Characters in all, with point and decimals; DATA8; an output, in global memory when omitted.
         decimals: Digits after the point; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -406,8 +409,8 @@ def get_changes(layer: Number, no: Number, value: Output = None, *, unchecked: b
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         value: Number of changes, 0 for other sensors; DATAF; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -420,8 +423,8 @@ def clr_changes(layer: Number, no: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_DEVICE.CLR_CHANGES"].draft((layer, no), unchecked)
@@ -441,8 +444,8 @@ def ready_pct(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
         values: How many values follow, each in percent; a list of DATA8; an output for each: a list of variables, or
@@ -466,8 +469,8 @@ def ready_raw(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
         values: How many raw values follow; a list of DATA32; an output for each: a list of variables, or how many; one
@@ -491,8 +494,8 @@ def ready_si(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
         values: How many values follow, each in SI units; a list of DATAF; an output for each: a list of variables, or
@@ -508,8 +511,8 @@ def get_minmax(layer: Number, no: Number, min: Output = None, max: Output = None
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         min: Smallest value in SI units; DATAF; an output, in global memory when omitted.
         max: Largest value in SI units; DATAF; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -523,8 +526,8 @@ def get_bumps(layer: Number, no: Number, value: Output = None, *, unchecked: boo
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         value: Number of changes, 0 for other sensors; DATAF; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

@@ -67,7 +67,7 @@ def compare(source1: Text, source2: Text, result: Output = None, *, unchecked: b
     Args:
         source1: One text; string.
         source2: The other text; string.
-        result: Whether they match; 0 to 1; 0: different, 1: the same; DATA8; an output, in global memory when omitted.
+        result: Whether they match; 0 to 1; 0: different; 1: the same; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.COMPARE"].draft((source1, source2, result), unchecked)
@@ -171,7 +171,7 @@ def value_formatted(
         value: Number to write; DATAF.
         format: Format, such as %5.2f; string.
         size: Room for the text, with its zero; bytes; DATA8.
-        destination: Resulting text; string; an output, in global memory when omitted.
+        destination: Resulting text; as many bytes as SIZE says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.VALUE_FORMATTED"].draft((value, format, size, destination), unchecked)
@@ -192,7 +192,7 @@ def number_formatted(
         value: Number to write; DATA32.
         format: Format, such as %05d or %X; string.
         size: Room for the text, with its zero; bytes; DATA8.
-        destination: Resulting text; string; an output, in global memory when omitted.
+        destination: Resulting text; as many bytes as SIZE says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["STRINGS.NUMBER_FORMATTED"].draft((value, format, size, destination), unchecked)

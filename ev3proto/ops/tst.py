@@ -57,7 +57,8 @@ def tst_read_pins(port: Number, length: Number, string: Output = None, *, unchec
     Args:
         port: Connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D; 0 to 19; DATA8.
         length: How many pins to read, usually 5; DATA8.
-        string: One character per pin: 0 low, 1 high; DATA8; an output, in global memory when omitted.
+        string: One character per pin: 0 low, 1 high; as many values as LENGTH says; DATA8; an output, in global memory
+            when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_READ_PINS"].draft((port, length, string), unchecked)
@@ -70,7 +71,7 @@ def tst_write_pins(port: Number, length: Number, string: Elements, *, unchecked:
     Args:
         port: Connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D; 0 to 19; DATA8.
         length: How many pins to set, usually 5; DATA8.
-        string: One character per pin: 0 low, 1 high, X floating, - as it is; DATA8.
+        string: One character per pin: 0 low, 1 high, X floating, - as it is; as many values as LENGTH says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_WRITE_PINS"].draft((port, length, string), unchecked)
@@ -82,7 +83,7 @@ def tst_read_adc(index: Number, value: Output = None, *, unchecked: bool = False
 
     Args:
         index: Channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports; 0 to 15; 12: battery
-            temperature, 13: motor current, 14: battery current, 15: battery voltage; DATA8.
+            temperature; 13: motor current; 14: battery current; 15: battery voltage; DATA8.
         value: Raw reading; 0 to 4095 counts; DATA16; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -96,7 +97,7 @@ def tst_write_uart(port: Number, length: Number, string: Elements, *, unchecked:
     Args:
         port: Sensor port less one; 0 to 3; DATA8.
         length: How many bytes to send; 0 to 63 bytes; DATA8.
-        string: The bytes; DATA8.
+        string: The bytes; as many values as LENGTH says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_WRITE_UART"].draft((port, length, string), unchecked)
@@ -109,7 +110,8 @@ def tst_read_uart(port: Number, length: Number, string: Output = None, *, unchec
     Args:
         port: Sensor port less one; 0 to 3; DATA8.
         length: How many bytes to read; 0 to 63 bytes; DATA8.
-        string: The bytes, filled up with zeros; DATA8; an output, in global memory when omitted.
+        string: The bytes, filled up with zeros; as many values as LENGTH says; DATA8; an output, in global memory when
+            omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["TST.TST_READ_UART"].draft((port, length, string), unchecked)
@@ -137,7 +139,7 @@ def tst_accu_switch(active: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the switch that senses the rechargeable battery.
 
     Args:
-        active: State of the switch; 0 to 1; 0: other batteries, 1: rechargeable battery; DATA8; an output, in global
+        active: State of the switch; 0 to 1; 0: other batteries; 1: rechargeable battery; DATA8; an output, in global
             memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

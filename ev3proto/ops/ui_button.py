@@ -45,7 +45,7 @@ def shortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        state: Whether the button was pressed; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        state: Whether the button was pressed; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.SHORTPRESS"].draft((button, state), unchecked)
@@ -57,7 +57,7 @@ def longpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = 
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        state: Whether the button was held for 3 s; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when
+        state: Whether the button was held for 3 s; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -103,7 +103,7 @@ def get_horz(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the left and right buttons as one axis, and forgets their presses.
 
     Args:
-        value: Direction; -1 to 1; -1: left, 1: right, 0: not pressed; DATA16; an output, in global memory when omitted.
+        value: Direction; -1 to 1; -1: left; 1: right; 0: not pressed; DATA16; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_HORZ"].draft((value,), unchecked)
@@ -114,7 +114,7 @@ def get_vert(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the up and down buttons as one axis, and forgets their presses.
 
     Args:
-        value: Direction; -1 to 1; -1: up, 1: down, 0: not pressed; DATA16; an output, in global memory when omitted.
+        value: Direction; -1 to 1; -1: up; 1: down; 0: not pressed; DATA16; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_VERT"].draft((value,), unchecked)
@@ -126,7 +126,7 @@ def pressed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = Fa
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        state: Whether the button is down; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        state: Whether the button is down; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.PRESSED"].draft((button, state), unchecked)
@@ -137,7 +137,7 @@ def set_back_block(blocked: Number, *, unchecked: bool = False) -> Draft:
     """Sets whether the back button is kept from ending the running program.
 
     Args:
-        blocked: Whether the back button is blocked; 0 to 1; 0: not blocked, 1: blocked; DATA8.
+        blocked: Whether the back button is blocked; 0 to 1; 0: not blocked; 1: blocked; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.SET_BACK_BLOCK"].draft((blocked,), unchecked)
@@ -148,7 +148,7 @@ def get_back_block(blocked: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether the back button is kept from ending the running program.
 
     Args:
-        blocked: Whether the back button is blocked; 0 to 1; 0: not blocked, 1: blocked; DATA8; an output, in global
+        blocked: Whether the back button is blocked; 0 to 1; 0: not blocked; 1: blocked; DATA8; an output, in global
             memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -161,7 +161,7 @@ def testshortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bo
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        state: Whether the button was pressed; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        state: Whether the button was pressed; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.TESTSHORTPRESS"].draft((button, state), unchecked)
@@ -173,7 +173,7 @@ def testlongpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: boo
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        state: Whether the button was held for 3 s; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when
+        state: Whether the button was held for 3 s; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -186,7 +186,7 @@ def get_bumbed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        state: Whether the button was pressed and let go; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when
+        state: Whether the button was pressed and let go; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -198,7 +198,7 @@ def get_click(click: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a key click is due because a press was handled, and forgets it.
 
     Args:
-        click: Whether a click is due; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        click: Whether a click is due; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_CLICK"].draft((click,), unchecked)

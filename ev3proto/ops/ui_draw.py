@@ -87,7 +87,7 @@ def pixel(color: Number, x0: Number, y0: Number, *, unchecked: bool = False) -> 
     """Draws one pixel.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Column; 0 to 177 px; DATA16.
         y0: Row; 0 to 127 px; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -100,7 +100,7 @@ def line(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, unche
     """Draws a line between two points.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Column of the start; 0 to 177 px; DATA16.
         y0: Row of the start; 0 to 127 px; DATA16.
         x1: Column of the end; 0 to 177 px; DATA16.
@@ -115,7 +115,7 @@ def circle(color: Number, x0: Number, y0: Number, r: Number, *, unchecked: bool 
     """Draws a circle.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Column of the centre; 0 to 177 px; DATA16.
         y0: Row of the centre; 0 to 127 px; DATA16.
         r: Radius; px; 0: draws nothing; DATA16.
@@ -129,7 +129,7 @@ def text(color: Number, x0: Number, y0: Number, string: Text, *, unchecked: bool
     """Draws text in the font that SELECT_FONT has chosen.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         string: Text to draw; string.
@@ -143,7 +143,7 @@ def icon(color: Number, x0: Number, y0: Number, type: AnyICONTYPE, no: Number, *
     """Draws one of the built-in icons.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         type: Set of icons; a member of ICONTYPE; DATA8.
@@ -158,7 +158,7 @@ def picture(color: Number, x0: Number, y0: Number, ip: Number, *, unchecked: boo
     """Draws a picture that is in memory.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         ip: Address of the picture; 0: draws nothing; DATA32.
@@ -181,7 +181,7 @@ def value(
     """Draws a number, or dashes where it is not a number.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         value: Number to draw; DATAF.
@@ -197,7 +197,7 @@ def fillrect(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, u
     """Draws a filled rectangle.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
@@ -212,7 +212,7 @@ def rect(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, unche
     """Draws the outline of a rectangle.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
@@ -238,14 +238,14 @@ def notification(
     """Shows icons and text in a window and waits for the centre button.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         icon1: First large icon; -1: none; a member of L_ICON_NO; DATA8.
         icon2: Second large icon; -1: none; a member of L_ICON_NO; DATA8.
         icon3: Third large icon; -1: none; a member of L_ICON_NO; DATA8.
         string: Text beside the icons; may be empty; string.
-        state: Variable the dialogue keeps its progress in; set to 0 before; 0 to 1; 0: start, or done, 1: being shown;
+        state: Variable the dialogue keeps its progress in; set to 0 before; 0 to 1; 0: start, or done; 1: being shown;
             DATA8, a variable that is read and written.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -268,15 +268,15 @@ def question(
     """Shows icons in a window and waits for yes or no.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         icon1: First large icon; -1: none; a member of L_ICON_NO; DATA8.
         icon2: Second large icon; -1: none; a member of L_ICON_NO; DATA8.
         string: Text of the question (LEGO's firmware does not show it); string.
-        state: Variable the dialogue keeps its progress in; set to 0 before; 0 to 1; 0: start, or done, 1: being shown;
+        state: Variable the dialogue keeps its progress in; set to 0 before; 0 to 1; 0: start, or done; 1: being shown;
             DATA8, a variable that is read and written.
-        ok: Answer; what the variable holds before is selected first; -1 to 1; 0: no, 1: yes, -1: left with the back
+        ok: Answer; what the variable holds before is selected first; -1 to 1; 0: no; 1: yes; -1: left with the back
             button; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -299,17 +299,17 @@ def keyboard(
     """Shows a keyboard on the display and waits until a text has been entered.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         icon: Normal icon before the caption; a member of N_ICON_NO; DATA8.
         length: Most bytes to return, the zero included; 0 to 127 bytes; DATA8.
         default: Caption above the text, not a preset as its name says; 0: none; string.
-        charset: Variable with the sum of what may be typed; becomes 0 once the keyboard shows; 0: being shown, 1: brick
-            name, 2: file name, 4: Bluetooth PIN, 8: WiFi password, 16: WiFi name; DATA8, a variable that is read and
+        charset: Variable with the sum of what may be typed; becomes 0 once the keyboard shows; 0: being shown; 1: brick
+            name; 2: file name; 4: Bluetooth PIN; 8: WiFi password; 16: WiFi name; DATA8, a variable that is read and
             written.
-        string: Text entered; what the variable holds before is edited, back button empties it; string; an output, in
-            global memory when omitted.
+        string: Text entered; what the variable holds before is edited, back button empties it; as many bytes as LENGTH
+            says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.KEYBOARD"].draft((color, x0, y0, icon, length, default, charset, string), unchecked)
@@ -339,8 +339,8 @@ def browse(
         length: Most bytes to return, the zero included; 0 to 127 bytes; DATA8.
         item_type: Kind of what was chosen; set the variable to 0 before; a member of FILETYPE; DATA8; an output, in
             global memory when omitted.
-        string: Path of what was chosen; the variable holds the top folder before; string; an output, in global memory
-            when omitted.
+        string: Path of what was chosen; the variable holds the top folder before; as many bytes as LENGTH says; string;
+            an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.BROWSE"].draft((type, x0, y0, x1, y1, length, item_type, string), unchecked)
@@ -362,7 +362,7 @@ def vertbar(
     """Draws a vertical scroll bar.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
@@ -405,7 +405,7 @@ def topline(enable: Number, *, unchecked: bool = False) -> Draft:
     """Switches the status line at the top on or off.
 
     Args:
-        enable: Whether the status line is shown; 0 to 1; 0: disabled, 1: enabled; DATA8.
+        enable: Whether the status line is shown; 0 to 1; 0: disabled; 1: enabled; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.TOPLINE"].draft((enable,), unchecked)
@@ -416,7 +416,7 @@ def fillwindow(color: Number, y0: Number, y1: Number, *, unchecked: bool = False
     """Fills rows over the whole width, and returns to the normal font.
 
     Args:
-        color: Colour to fill with; any other value makes a test pattern; 0: white, 1: black; DATA8.
+        color: Colour to fill with; any other value makes a test pattern; 0: white; 1: black; DATA8.
         y0: Top edge; 0 to 127 px; DATA16.
         y1: Height; nothing is filled where Y0 and it make 128 or more; 0 to 127 px; 0: down to the bottom; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -450,7 +450,7 @@ def dotline(
     """Draws a dashed line between two points.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Column of the start; 0 to 177 px; DATA16.
         y0: Row of the start; 0 to 127 px; DATA16.
         x1: Column of the end; 0 to 177 px; DATA16.
@@ -476,7 +476,7 @@ def view_value(
     """Draws a number centred in its place, with > instead of digits where it does not fit.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         value: Number to draw; DATAF.
@@ -503,7 +503,7 @@ def view_unit(
     """Draws a number in large figures and its unit in small letters.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         value: Number to draw; DATAF.
@@ -521,7 +521,7 @@ def fillcircle(color: Number, x0: Number, y0: Number, r: Number, *, unchecked: b
     """Draws a filled circle.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Column of the centre; 0 to 177 px; DATA16.
         y0: Row of the centre; 0 to 127 px; DATA16.
         r: Radius; px; 0: draws nothing; DATA16.
@@ -565,10 +565,10 @@ def icon_question(
     """Shows a row of icons and waits until one is chosen.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
-        state: Variable the dialogue keeps its progress in; set to 0 before; 0 to 1; 0: start, or done, 1: being shown;
+        state: Variable the dialogue keeps its progress in; set to 0 before; 0 to 1; 0: start, or done; 1: being shown;
             DATA8, a variable that is read and written.
         icons: Bit n stands for large icon n: before those to show, then the one chosen; 0: none: left with the back
             button; DATA32, a variable that is read and written.
@@ -582,7 +582,7 @@ def bmpfile(color: Number, x0: Number, y0: Number, name: Text, *, unchecked: boo
     """Draws a picture file in LEGO's own format .rgf (no .bmp despite the name).
 
     Args:
-        color: Colour of the set pixels; 0 to 1; 0: white, picture inverted, 1: black; DATA8.
+        color: Colour of the set pixels; 0 to 1; 0: white, picture inverted; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         name: File with extension .rgf, absolute or relative to /home/root/lms2012/sys; at most 119 characters; string.
@@ -596,7 +596,7 @@ def popup(open: Number, *, unchecked: bool = False) -> Draft:
     """Opens a window that only its opener draws on, or closes it and brings back the display.
 
     Args:
-        open: What to do; 0 to 1; 0: close, 1: open; DATA8.
+        open: What to do; 0 to 1; 0: close; 1: open; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.POPUP"].draft((open,), unchecked)
@@ -621,11 +621,11 @@ def graph_setup(
         x0: Left edge; 0 to 177 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.
         items: How many curves; 0 to 8; DATA8.
-        offset: Top edge of each curve; 0 to 127 px; DATA16.
-        span: Height of each curve; 0 to 128 px; DATA16.
-        min: Value at the bottom of each curve; DATAF.
-        max: Value at the top of each curve; DATAF.
-        sample: Present value of each curve, read anew at each GRAPH_SAMPLE; DATAF.
+        offset: Top edge of each curve; 0 to 127 px; as many values as ITEMS says; DATA16.
+        span: Height of each curve; 0 to 128 px; as many values as ITEMS says; DATA16.
+        min: Value at the bottom of each curve; as many values as ITEMS says; DATAF.
+        max: Value at the top of each curve; as many values as ITEMS says; DATAF.
+        sample: Present value of each curve, read anew at each GRAPH_SAMPLE; as many values as ITEMS says; DATAF.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.GRAPH_SETUP"].draft((x0, x1, items, offset, span, min, max, sample), unchecked)
@@ -677,7 +677,7 @@ def textbox(
         text: Whole text of the box, its lines separated by DEL; string.
         size: Bytes that the box has for its text, the zero included; bytes; DATA32.
         del_: What separates the lines; a member of DEL; DATA8.
-        line: Variable, set to -1 before; then the line chosen, counted from 1; -1: start, or left with the back button,
+        line: Variable, set to -1 before; then the line chosen, counted from 1; -1: start, or left with the back button;
             0: being shown; DATA16, a variable that is read and written.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

@@ -76,8 +76,8 @@ def get_os_vers(length: Number, destination: Output = None, *, unchecked: bool =
 
     Args:
         length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
-        destination: System and kernel release, such as Linux 2.6.33-rc4; string; an output, in global memory when
-            omitted.
+        destination: System and kernel release, such as Linux 2.6.33-rc4; as many bytes as LENGTH says; string; an
+            output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_OS_VERS"].draft((length, destination), unchecked)
@@ -88,7 +88,7 @@ def get_event(event: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads and clears the pending event (used by the brick's own menus).
 
     Args:
-        event: What happened; 0: nothing, 1: Bluetooth asks for a PIN, 2: Bluetooth asks to confirm a connection; DATA8;
+        event: What happened; 0: nothing; 1: Bluetooth asks for a PIN; 2: Bluetooth asks to confirm a connection; DATA8;
             an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -134,7 +134,7 @@ def get_string(length: Number, destination: Output = None, *, unchecked: bool = 
 
     Args:
         length: Most bytes to return; the zero comes on top; 0 to 127 bytes; DATA8.
-        destination: The line; string; an output, in global memory when omitted.
+        destination: The line; as many bytes as LENGTH says; string; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_STRING"].draft((length, destination), unchecked)
@@ -146,7 +146,8 @@ def get_hw_vers(length: Number, destination: Output = None, *, unchecked: bool =
 
     Args:
         length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
-        destination: Hardware version, such as V0.60; string; an output, in global memory when omitted.
+        destination: Hardware version, such as V0.60; as many bytes as LENGTH says; string; an output, in global memory
+            when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_HW_VERS"].draft((length, destination), unchecked)
@@ -158,7 +159,8 @@ def get_fw_vers(length: Number, destination: Output = None, *, unchecked: bool =
 
     Args:
         length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
-        destination: Firmware version, such as V1.04H; string; an output, in global memory when omitted.
+        destination: Firmware version, such as V1.04H; as many bytes as LENGTH says; string; an output, in global memory
+            when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_FW_VERS"].draft((length, destination), unchecked)
@@ -170,7 +172,8 @@ def get_fw_build(length: Number, destination: Output = None, *, unchecked: bool 
 
     Args:
         length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
-        destination: Build time as yymmddhhmm; string; an output, in global memory when omitted.
+        destination: Build time as yymmddhhmm; as many bytes as LENGTH says; string; an output, in global memory when
+            omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_FW_BUILD"].draft((length, destination), unchecked)
@@ -182,7 +185,8 @@ def get_os_build(length: Number, destination: Output = None, *, unchecked: bool 
 
     Args:
         length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
-        destination: Build time as yymmddhhmm; string; an output, in global memory when omitted.
+        destination: Build time as yymmddhhmm; as many bytes as LENGTH says; string; an output, in global memory when
+            omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_OS_BUILD"].draft((length, destination), unchecked)
@@ -237,7 +241,7 @@ def get_shutdown(flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads and clears the wish to shut down (used by the brick's own menus).
 
     Args:
-        flag: Whether the brick wants to shut down; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when
+        flag: Whether the brick wants to shut down; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -286,7 +290,8 @@ def textbox_read(
         del_: What separates the lines; a member of DEL; DATA8.
         length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
         line: Which line, counted from 1; DATA16.
-        destination: The line, empty where there is no such line; string; an output, in global memory when omitted.
+        destination: The line, empty where there is no such line; as many bytes as LENGTH says; string; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.TEXTBOX_READ"].draft((text, size, del_, length, line, destination), unchecked)
@@ -298,7 +303,8 @@ def get_version(length: Number, destination: Output = None, *, unchecked: bool =
 
     Args:
         length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
-        destination: Such as LMS2012 V1.04H(Jul 26 2013 12:00:00); string; an output, in global memory when omitted.
+        destination: Such as LMS2012 V1.04H(Jul 26 2013 12:00:00); as many bytes as LENGTH says; string; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_VERSION"].draft((length, destination), unchecked)
@@ -310,7 +316,8 @@ def get_ip(length: Number, destination: Output = None, *, unchecked: bool = Fals
 
     Args:
         length: Most bytes to return, the zero included; 0 to 127 bytes; -1: no limit; DATA8.
-        destination: Address in dotted notation; string; an output, in global memory when omitted.
+        destination: Address in dotted notation; as many bytes as LENGTH says; string; an output, in global memory when
+            omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_READ.GET_IP"].draft((length, destination), unchecked)
@@ -342,7 +349,7 @@ def get_sdcard(state: Output = None, total: Output = None, free: Output = None, 
     """Reads whether an SD card is in and its space.
 
     Args:
-        state: Whether one is present; 0 to 1; 0: absent, 1: present; DATA8; an output, in global memory when omitted.
+        state: Whether one is present; 0 to 1; 0: absent; 1: present; DATA8; an output, in global memory when omitted.
         total: Size; KiB; DATA32; an output, in global memory when omitted.
         free: Free space; KiB; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -355,7 +362,7 @@ def get_usbstick(state: Output = None, total: Output = None, free: Output = None
     """Reads whether a USB stick is in and its space.
 
     Args:
-        state: Whether one is present; 0 to 1; 0: absent, 1: present; DATA8; an output, in global memory when omitted.
+        state: Whether one is present; 0 to 1; 0: absent; 1: present; DATA8; an output, in global memory when omitted.
         total: Size; KiB; DATA32; an output, in global memory when omitted.
         free: Free space; KiB; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.

@@ -166,7 +166,7 @@ def screen_block(status: Number, *, unchecked: bool = False) -> Draft:
     """Blocks or frees the display and the buttons for programs.
 
     Args:
-        status: Whether drawing is ignored; 0 to 1; 0: normal, 1: blocked; DATA8.
+        status: Whether drawing is ignored; 0 to 1; 0: normal; 1: blocked; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.SCREEN_BLOCK"].draft((status,), unchecked)
@@ -177,7 +177,7 @@ def allow_pulse(value: Number, *, unchecked: bool = False) -> Draft:
     """Selects the debug pulses that are shown (only in firmware built for it).
 
     Args:
-        value: Sum of bits; 1: menu background, 2: browser, 4: key; DATA8.
+        value: Sum of bits; 1: menu background; 2: browser; 4: key; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.ALLOW_PULSE"].draft((value,), unchecked)
@@ -188,7 +188,7 @@ def set_pulse(value: Number, *, unchecked: bool = False) -> Draft:
     """Raises debug pulses (only in firmware built for it).
 
     Args:
-        value: Sum of bits; 1: menu background, 2: browser, 4: key; DATA8.
+        value: Sum of bits; 1: menu background; 2: browser; 4: key; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.SET_PULSE"].draft((value,), unchecked)
@@ -199,7 +199,8 @@ def textbox_append(text: AnyVariable, size: Number, del_: AnyDEL, source: Text, 
     """Appends a line to the text of a text box.
 
     Args:
-        text: Whole text of the box, its lines separated by DEL; string, a variable that is read and written.
+        text: Whole text of the box, its lines separated by DEL; as many bytes as SIZE says; string, a variable that is
+            read and written.
         size: Bytes that the box has for its text, the zero included; bytes; DATA32.
         del_: What separates the lines; a member of DEL; DATA8.
         source: Line to append; string.
@@ -213,7 +214,7 @@ def set_busy(value: Number, *, unchecked: bool = False) -> Draft:
     """Sets or clears the busy bit among the warnings.
 
     Args:
-        value: Whether the brick counts as busy; 0 to 1; 0: no, 1: yes; DATA8.
+        value: Whether the brick counts as busy; 0 to 1; 0: no; 1: yes; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.SET_BUSY"].draft((value,), unchecked)
@@ -224,7 +225,7 @@ def set_testpin(state: Number, *, unchecked: bool = False) -> Draft:
     """Sets the test pin on the brick's circuit board.
 
     Args:
-        state: Level of the pin; 0 to 1; 0: low, 1: high; DATA8.
+        state: Level of the pin; 0 to 1; 0: low; 1: high; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.SET_TESTPIN"].draft((state,), unchecked)
@@ -275,7 +276,7 @@ def terminal(state: Number, *, unchecked: bool = False) -> Draft:
     """Switches the debug terminal on or off.
 
     Args:
-        state: Whether the terminal is on; 0 to 1; 0: off, 1: on; DATA8.
+        state: Whether the terminal is on; 0 to 1; 0: off; 1: on; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_WRITE.TERMINAL"].draft((state,), unchecked)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator
 
-from ev3proto.generate.parameters import described, firmwares
+from ev3proto.semantics.descriptions import comment, firmwares
 from ev3proto.tables import AREAS, daisy
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Command, Direction, Opcode, Parameter
@@ -132,7 +132,7 @@ def _parameters(parameters: tuple[Parameter, ...]) -> Iterator[str]:
     names = max((len(parameter.name) for parameter in parameters), default=0)
     types = max((len(_type(parameter)) for parameter in parameters), default=0)
     for parameter in parameters:
-        yield f"  {parameter.name:{names}}  {_type(parameter):{types}}  {described(parameter)}"
+        yield f"  {parameter.name:{names}}  {_type(parameter):{types}}  {comment(parameter)}"
 
 
 def _type(parameter: Parameter) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.generate.kaitai.naming import family_type, identifier, operation_type, parameter_name
 from ev3proto.generate.kaitai.yaml import Hexadecimal, Value
-from ev3proto.generate.parameters import described
+from ev3proto.semantics.descriptions import comment
 from ev3proto.tables import OPCODES, operations
 from ev3proto.tables.declaration import Declaration, Enumeration, Opcode, Parameter, Type
 from ev3proto.tables.enumerations import FORMAT_TYPES
@@ -96,7 +96,7 @@ def _operation(declaration: Declaration) -> Mapping:
             fields.append(_argument(name + COUNT, "false", parameter))
             fields.append(_list(name, _is_float(parameter), name + COUNT))
         elif parameter.type is Type.VALUES:
-            fields.append(_list(name, _is_float(parameter), before, described(parameter)))
+            fields.append(_list(name, _is_float(parameter), before, comment(parameter)))
         else:
             fields.append(_argument(name, str(parameter.type is Type.DATAF).lower(), parameter))
             if parameter.enum is not None and not parameter.enum.flags and not parameter.is_output:
@@ -111,7 +111,7 @@ def _operation(declaration: Declaration) -> Mapping:
 
 
 def _argument(name: str, is_float: str, parameter: Parameter) -> Mapping:
-    return {"id": name, "type": f"argument({is_float})", "doc": described(parameter)}
+    return {"id": name, "type": f"argument({is_float})", "doc": comment(parameter)}
 
 
 def _list(name: str, is_float: str, counter: str, doc: str = "") -> Mapping:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.generate.modules.source import sentence
-from ev3proto.semantics.domain import limits
+from ev3proto.semantics.descriptions import facts
 from ev3proto.tables.declaration import LISTS, Direction, Parameter, Type
 
 
@@ -16,15 +16,7 @@ def text_of(parameter: Parameter, *, is_optional: bool) -> str:
 
 def _pieces(parameter: Parameter, *, is_optional: bool) -> Iterator[str]:
     yield parameter.text
-    span = limits(parameter)
-    if span:
-        yield span
-    if parameter.most is not None:
-        yield f"at most {parameter.most - 1} characters"
-    if parameter.special:
-        yield ", ".join(f"{number}: {text}" for number, text in parameter.special.items())
-    if parameter.enum is not None:
-        yield f"a member of {parameter.enum.name}"
+    yield from facts(parameter)
     yield _type(parameter)
     if parameter.type is Type.COUNT and is_optional:
         yield "an output for each: a list of variables, or how many; one when omitted"

@@ -61,7 +61,7 @@ def get_bumped(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        state: Whether the button was pressed and let go; 0 to 1; 0: no, 1: yes; DATA8; an output, in global memory when
+        state: Whether the button was pressed and let go; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

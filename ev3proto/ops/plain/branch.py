@@ -64,7 +64,7 @@ def jr_false(flag: Number, offset: Number, *, unchecked: bool = False) -> Draft:
     """Jumps if a flag is 0.
 
     Args:
-        flag: The condition: anything but 0 is true; 0: false, 1: true; DATA8.
+        flag: The condition: anything but 0 is true; 0: false; 1: true; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -76,7 +76,7 @@ def jr_true(flag: Number, offset: Number, *, unchecked: bool = False) -> Draft:
     """Jumps if a flag is not 0.
 
     Args:
-        flag: The condition: anything but 0 is true; 0: false, 1: true; DATA8.
+        flag: The condition: anything but 0 is true; 0: false; 1: true; DATA8.
         offset: How far to jump from the end of this operation; negative jumps back; or a label; bytes; label.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

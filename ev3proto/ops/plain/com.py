@@ -103,7 +103,7 @@ def com_test(hardware: AnyHWTYPE, name: Text, busy: Output = None, *, unchecked:
     Args:
         hardware: Which way to communicate; a member of HWTYPE; DATA8.
         name: Name of the other device, empty: the brick's own adapter; string.
-        busy: Whether to wait; 0 to 1; 0: ready, 1: busy; DATA8; an output, in global memory when omitted.
+        busy: Whether to wait; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_TEST"].draft((hardware, name, busy), unchecked)
@@ -208,7 +208,7 @@ def mailbox_test(no: Number, busy: Output = None, *, unchecked: bool = False) ->
 
     Args:
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
-        busy: Whether to wait; 0 to 1; 0: a new message is there, 1: nothing new; DATA8; an output, in global memory
+        busy: Whether to wait; 0 to 1; 0: a new message is there; 1: nothing new; DATA8; an output, in global memory
             when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

@@ -55,7 +55,7 @@ def cp_lt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool 
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LT8"].draft((left, right, flag), unchecked)
@@ -68,7 +68,7 @@ def cp_lt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LT16"].draft((left, right, flag), unchecked)
@@ -81,7 +81,7 @@ def cp_lt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LT32"].draft((left, right, flag), unchecked)
@@ -94,7 +94,7 @@ def cp_ltf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = Fa
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTF"].draft((left, right, flag), unchecked)
@@ -107,7 +107,7 @@ def cp_gt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool 
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GT8"].draft((left, right, flag), unchecked)
@@ -120,7 +120,7 @@ def cp_gt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GT16"].draft((left, right, flag), unchecked)
@@ -133,7 +133,7 @@ def cp_gt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GT32"].draft((left, right, flag), unchecked)
@@ -146,7 +146,7 @@ def cp_gtf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = Fa
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTF"].draft((left, right, flag), unchecked)
@@ -159,7 +159,7 @@ def cp_eq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool 
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQ8"].draft((left, right, flag), unchecked)
@@ -172,7 +172,7 @@ def cp_eq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQ16"].draft((left, right, flag), unchecked)
@@ -185,7 +185,7 @@ def cp_eq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQ32"].draft((left, right, flag), unchecked)
@@ -198,7 +198,7 @@ def cp_eqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = Fa
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_EQF"].draft((left, right, flag), unchecked)
@@ -211,7 +211,7 @@ def cp_neq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQ8"].draft((left, right, flag), unchecked)
@@ -224,7 +224,7 @@ def cp_neq16(left: Number, right: Number, flag: Output = None, *, unchecked: boo
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQ16"].draft((left, right, flag), unchecked)
@@ -237,7 +237,7 @@ def cp_neq32(left: Number, right: Number, flag: Output = None, *, unchecked: boo
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQ32"].draft((left, right, flag), unchecked)
@@ -250,7 +250,7 @@ def cp_neqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = F
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_NEQF"].draft((left, right, flag), unchecked)
@@ -263,7 +263,7 @@ def cp_lteq8(left: Number, right: Number, flag: Output = None, *, unchecked: boo
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQ8"].draft((left, right, flag), unchecked)
@@ -276,7 +276,7 @@ def cp_lteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bo
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQ16"].draft((left, right, flag), unchecked)
@@ -289,7 +289,7 @@ def cp_lteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bo
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQ32"].draft((left, right, flag), unchecked)
@@ -302,7 +302,7 @@ def cp_lteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = 
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_LTEQF"].draft((left, right, flag), unchecked)
@@ -315,7 +315,7 @@ def cp_gteq8(left: Number, right: Number, flag: Output = None, *, unchecked: boo
     Args:
         left: Left side of the comparison; DATA8.
         right: Right side of the comparison; DATA8.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQ8"].draft((left, right, flag), unchecked)
@@ -328,7 +328,7 @@ def cp_gteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bo
     Args:
         left: Left side of the comparison; DATA16.
         right: Right side of the comparison; DATA16.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQ16"].draft((left, right, flag), unchecked)
@@ -341,7 +341,7 @@ def cp_gteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bo
     Args:
         left: Left side of the comparison; DATA32.
         right: Right side of the comparison; DATA32.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQ32"].draft((left, right, flag), unchecked)
@@ -354,7 +354,7 @@ def cp_gteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = 
     Args:
         left: Left side of the comparison; DATAF.
         right: Right side of the comparison; DATAF.
-        flag: Whether it holds; 0 to 1; 0: false, 1: true; DATA8; an output, in global memory when omitted.
+        flag: Whether it holds; 0 to 1; 0: false; 1: true; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["CP_GTEQF"].draft((left, right, flag), unchecked)
@@ -365,7 +365,7 @@ def select8(flag: Number, source1: Number, source2: Number, result: Output = Non
     """Takes one of two 8-bit values, whichever the flag says.
 
     Args:
-        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2, 1: SOURCE1; DATA8.
+        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
         source1: Value taken if the flag is set; DATA8.
         source2: Value taken if the flag is 0; DATA8.
         result: The value taken; DATA8; an output, in global memory when omitted.
@@ -386,7 +386,7 @@ def select16(
     """Takes one of two 16-bit values, whichever the flag says.
 
     Args:
-        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2, 1: SOURCE1; DATA8.
+        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
         source1: Value taken if the flag is set; DATA16.
         source2: Value taken if the flag is 0; DATA16.
         result: The value taken; DATA16; an output, in global memory when omitted.
@@ -407,7 +407,7 @@ def select32(
     """Takes one of two 32-bit values, whichever the flag says.
 
     Args:
-        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2, 1: SOURCE1; DATA8.
+        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
         source1: Value taken if the flag is set; DATA32.
         source2: Value taken if the flag is 0; DATA32.
         result: The value taken; DATA32; an output, in global memory when omitted.
@@ -421,7 +421,7 @@ def selectf(flag: Number, source1: Real, source2: Real, result: Output = None, *
     """Takes one of two floating-point values, whichever the flag says.
 
     Args:
-        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2, 1: SOURCE1; DATA8.
+        flag: Which to take: anything but 0 takes SOURCE1; 0: SOURCE2; 1: SOURCE1; DATA8.
         source1: Value taken if the flag is set; DATAF.
         source2: Value taken if the flag is 0; DATAF.
         result: The value taken; DATAF; an output, in global memory when omitted.

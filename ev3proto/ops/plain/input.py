@@ -46,12 +46,13 @@ def input_sample(
     Args:
         time: Time between two samples; ms; DATA32.
         samples: How many devices the arrays list; DATA16.
-        init: Place in the sample buffer of each device, -1 starts it anew; DATA16.
-        devices: Ports, 0 to 3 for sensors, 4 to 7 for motors A to D; DATA8.
-        types: Type each device shall have; a member of TYPE; DATA8.
-        modes: Mode each device shall have; DATA8.
-        datasets: Which of its values to read from each device, from 0; DATA8.
-        values: One value per device, NaN where there is none; DATAF; an output, in global memory when omitted.
+        init: Place in the sample buffer of each device, -1 starts it anew; as many values as SAMPLES says; DATA16.
+        devices: Ports, 0 to 3 for sensors, 4 to 7 for motors A to D; as many values as SAMPLES says; DATA8.
+        types: Type each device shall have; a member of TYPE; as many values as SAMPLES says; DATA8.
+        modes: Mode each device shall have; as many values as SAMPLES says; DATA8.
+        datasets: Which of its values to read from each device, from 0; as many values as SAMPLES says; DATA8.
+        values: One value per device, NaN where there is none; as many values as SAMPLES says; DATAF; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_SAMPLE"].draft((time, samples, init, devices, types, modes, datasets, values), unchecked)
@@ -69,7 +70,8 @@ def input_device_list(
 
     Args:
         length: Room in the array, 32 takes the whole daisy chain; DATA8.
-        array: Type of device at each port; a member of TYPE; DATA8; an output, in global memory when omitted.
+        array: Type of device at each port; a member of TYPE; as many values as LENGTH says; DATA8; an output, in global
+            memory when omitted.
         changed: Whether devices came or went since the last call; 0: no change; DATA8; an output, in global memory when
             omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -91,8 +93,8 @@ def input_read(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
         pct: Value, NaN where there is none; %; DATA8; an output, in global memory when omitted.
@@ -107,9 +109,9 @@ def input_test(layer: Number, no: Number, busy: Output = None, *, unchecked: boo
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
-        busy: Whether to wait; 0 to 1; 0: ready, 1: busy; DATA8; an output, in global memory when omitted.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
+        busy: Whether to wait; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_TEST"].draft((layer, no, busy), unchecked)
@@ -121,8 +123,8 @@ def input_ready(layer: Number, no: Number, *, unchecked: bool = False) -> Draft:
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_READY"].draft((layer, no), unchecked)
@@ -142,8 +144,8 @@ def input_readsi(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
         si: Value in the mode's unit, NaN where there is none; DATAF; an output, in global memory when omitted.
@@ -167,8 +169,8 @@ def input_readext(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1, 1: port 2, 2: port 3, 3: port 4, 16: motor
-            port A, 17: motor port B, 18: motor port C, 19: motor port D; DATA8.
+        no: Port, counted from 0; 16 to 19 for motors; 0 to 19; 0: port 1; 1: port 2; 2: port 3; 3: port 4; 16: motor
+            port A; 17: motor port B; 18: motor port C; 19: motor port D; DATA8.
         type: Type the device shall have; 0: keep the type; a member of TYPE; DATA8.
         mode: Mode the device shall have; 0 to 7; -1: keep the mode; DATA8.
         format: DATA_PCT, DATA_RAW or DATA_SI, others give NaN; a member of DATA_FORMAT; DATA8.
@@ -185,9 +187,9 @@ def input_write(layer: Number, no: Number, bytes: Number, data: Elements, *, unc
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Sensor port, counted from 0; 0 to 3; 0: port 1, 1: port 2, 2: port 3, 3: port 4; DATA8.
+        no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         bytes: How many bytes to send; 1 to 32 bytes; DATA8.
-        data: Bytes to send; DATA8.
+        data: Bytes to send; as many values as BYTES says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_WRITE"].draft((layer, no, bytes, data), unchecked)

@@ -36,7 +36,7 @@ def memory_write(
         objid: Object whose local memory is meant; 0: the program's global memory; DATA16.
         offset: First byte in that memory; 0 to 2147483647 bytes; DATA32.
         size: How many bytes; 0 to 2147483647 bytes; DATA32.
-        array: The bytes; those beyond the end of the memory are dropped; DATA8.
+        array: The bytes; those beyond the end of the memory are dropped; as many values as SIZE says; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MEMORY_WRITE"].draft((prgid, objid, offset, size, array), unchecked)
@@ -59,7 +59,8 @@ def memory_read(
         objid: Object whose local memory is meant; 0: the program's global memory; DATA16.
         offset: First byte in that memory; 0 to 2147483647 bytes; DATA32.
         size: How many bytes; 0 to 2147483647 bytes; DATA32.
-        array: The bytes, zeros beyond the end of the memory; DATA8; an output, in global memory when omitted.
+        array: The bytes, zeros beyond the end of the memory; as many values as SIZE says; DATA8; an output, in global
+            memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MEMORY_READ"].draft((prgid, objid, offset, size, array), unchecked)

@@ -77,7 +77,7 @@ def init_bytes(
     """Fills consecutive bytes of memory with values given in place.
 
     Args:
-        destination: First byte to fill; DATA8; an output, in global memory when omitted.
+        destination: First byte to fill; as many values as LENGTH says; DATA8; an output, in global memory when omitted.
         length: How many values follow; a negative count hangs the brick; bytes; DATA32; worked out when omitted.
         source: The values, one per byte; a list of DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.

@@ -45,7 +45,7 @@ def output_set_type(layer: Number, no: Number, type: AnyTYPE, *, unchecked: bool
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 0 to 3; 0: A, 1: B, 2: C, 3: D; DATA8.
+        no: Port, counted from 0; 0 to 3; 0: A; 1: B; 2: C; 3: D; DATA8.
         type: Type of the motor; a member of TYPE; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -58,8 +58,8 @@ def output_reset(layer: Number, nos: Number, *, unchecked: bool = False) -> Draf
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_RESET"].draft((layer, nos), unchecked)
@@ -71,9 +71,9 @@ def output_stop(layer: Number, nos: Number, brake: Number, *, unchecked: bool = 
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
-        brake: What the motors do at the end; 0 to 1; 0: coast, 1: brake and hold; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
+        brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_STOP"].draft((layer, nos, brake), unchecked)
@@ -85,8 +85,8 @@ def output_power(layer: Number, nos: Number, power: Number, *, unchecked: bool =
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         power: Unregulated power, negative: backward; -100 to 100 %; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -99,8 +99,8 @@ def output_speed(layer: Number, nos: Number, speed: Number, *, unchecked: bool =
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -113,8 +113,8 @@ def output_start(layer: Number, nos: Number, *, unchecked: bool = False) -> Draf
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_START"].draft((layer, nos), unchecked)
@@ -126,9 +126,9 @@ def output_polarity(layer: Number, nos: Number, pol: Number, *, unchecked: bool 
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
-        pol: Direction; -1 to 1; -1: backward, 0: opposite of the present one, 1: forward; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
+        pol: Direction; -1 to 1; -1: backward; 0: opposite of the present one; 1: forward; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_POLARITY"].draft((layer, nos, pol), unchecked)
@@ -147,7 +147,7 @@ def output_read(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Port, counted from 0; 0 to 3; 0: A, 1: B, 2: C, 3: D; DATA8.
+        no: Port, counted from 0; 0 to 3; 0: A; 1: B; 2: C; 3: D; DATA8.
         speed: Present speed; -100 to 100 %; DATA8; an output, in global memory when omitted.
         tacho: Angle since OUTPUT_RESET; degrees; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -161,9 +161,9 @@ def output_test(layer: Number, nos: Number, busy: Output = None, *, unchecked: b
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
-        busy: Whether to wait; 0 to 1; 0: ready, 1: busy; DATA8; an output, in global memory when omitted.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
+        busy: Whether to wait; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_TEST"].draft((layer, nos, busy), unchecked)
@@ -175,8 +175,8 @@ def output_ready(layer: Number, nos: Number, *, unchecked: bool = False) -> Draf
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_READY"].draft((layer, nos), unchecked)
@@ -198,13 +198,13 @@ def output_step_power(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         power: Unregulated power, negative: backward; -100 to 100 %; DATA8.
         step1: Angle of the ramp up; 0 to 2147483647 degrees; DATA32.
         step2: Angle at constant drive; 0 to 2147483647 degrees; DATA32.
         step3: Angle of the ramp down; 0 to 2147483647 degrees; DATA32.
-        brake: What the motors do at the end; 0 to 1; 0: coast, 1: brake and hold; DATA8.
+        brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_STEP_POWER"].draft((layer, nos, power, step1, step2, step3, brake), unchecked)
@@ -226,13 +226,13 @@ def output_time_power(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         power: Unregulated power, negative: backward; -100 to 100 %; DATA8.
         time1: Time of the ramp up; 0 to 2147483647 ms; DATA32.
         time2: Time at constant drive; 0 to 2147483647 ms; DATA32.
         time3: Time of the ramp down; 0 to 2147483647 ms; DATA32.
-        brake: What the motors do at the end; 0 to 1; 0: coast, 1: brake and hold; DATA8.
+        brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_TIME_POWER"].draft((layer, nos, power, time1, time2, time3, brake), unchecked)
@@ -254,13 +254,13 @@ def output_step_speed(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
         step1: Angle of the ramp up; 0 to 2147483647 degrees; DATA32.
         step2: Angle at constant drive; 0 to 2147483647 degrees; DATA32.
         step3: Angle of the ramp down; 0 to 2147483647 degrees; DATA32.
-        brake: What the motors do at the end; 0 to 1; 0: coast, 1: brake and hold; DATA8.
+        brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_STEP_SPEED"].draft((layer, nos, speed, step1, step2, step3, brake), unchecked)
@@ -282,13 +282,13 @@ def output_time_speed(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
         time1: Time of the ramp up; 0 to 2147483647 ms; DATA32.
         time2: Time at constant drive; 0 to 2147483647 ms; DATA32.
         time3: Time of the ramp down; 0 to 2147483647 ms; DATA32.
-        brake: What the motors do at the end; 0 to 1; 0: coast, 1: brake and hold; DATA8.
+        brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_TIME_SPEED"].draft((layer, nos, speed, time1, time2, time3, brake), unchecked)
@@ -309,14 +309,14 @@ def output_step_sync(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
         turn: How tight the turn is, positive slows the higher port, negative the lower; -200 to 200; -200: spin, lower
-            port runs backward, -100: lower port stands, 0: straight, 100: higher port stands, 200: spin, higher port
+            port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200: spin, higher port
             runs backward; DATA16.
         step: Angle of the faster motor; 0 to 2147483647 degrees; 0: no end; DATA32.
-        brake: What the motors do at the end; 0 to 1; 0: coast, 1: brake and hold; DATA8.
+        brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_STEP_SYNC"].draft((layer, nos, speed, turn, step, brake), unchecked)
@@ -337,14 +337,14 @@ def output_time_sync(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         speed: Regulated speed, negative: backward; -100 to 100 %; DATA8.
         turn: How tight the turn is, positive slows the higher port, negative the lower; -200 to 200; -200: spin, lower
-            port runs backward, -100: lower port stands, 0: straight, 100: higher port stands, 200: spin, higher port
+            port runs backward; -100: lower port stands; 0: straight; 100: higher port stands; 200: spin, higher port
             runs backward; DATA16.
         time: How long to run; 0 to 2147483647 ms; 0: no end; DATA32.
-        brake: What the motors do at the end; 0 to 1; 0: coast, 1: brake and hold; DATA8.
+        brake: What the motors do at the end; 0 to 1; 0: coast; 1: brake and hold; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_TIME_SYNC"].draft((layer, nos, speed, turn, time, brake), unchecked)
@@ -356,8 +356,8 @@ def output_clr_count(layer: Number, nos: Number, *, unchecked: bool = False) -> 
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none, 1: A, 2: B, 3: A+B, 4: C, 5: A+C, 6: B+C, 7:
-            A+B+C, 8: D, 9: A+D, 10: B+D, 11: A+B+D, 12: C+D, 13: A+C+D, 14: B+C+D, 15: A+B+C+D; DATA8.
+        nos: Ports as a bit mask: A 1, B 2, C 4, D 8; 0 to 15; 0: none; 1: A; 2: B; 3: A+B; 4: C; 5: A+C; 6: B+C; 7:
+            A+B+C; 8: D; 9: A+D; 10: B+D; 11: A+B+D; 12: C+D; 13: A+C+D; 14: B+C+D; 15: A+B+C+D; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_CLR_COUNT"].draft((layer, nos), unchecked)
@@ -369,7 +369,7 @@ def output_get_count(layer: Number, nos: Number, tacho: Output = None, *, unchec
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        nos: Port, counted from 0; 0 to 3; 0: A, 1: B, 2: C, 3: D; DATA8.
+        nos: Port, counted from 0; 0 to 3; 0: A; 1: B; 2: C; 3: D; DATA8.
         tacho: Angle since OUTPUT_CLR_COUNT; degrees; DATA32; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

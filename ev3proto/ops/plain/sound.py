@@ -24,7 +24,7 @@ def sound_test(busy: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a sound is playing.
 
     Args:
-        busy: Whether a sound is playing; 0 to 1; 0: ready, 1: busy; DATA8; an output, in global memory when omitted.
+        busy: Whether a sound is playing; 0 to 1; 0: ready; 1: busy; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["SOUND_TEST"].draft((busy,), unchecked)

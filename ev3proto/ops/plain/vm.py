@@ -62,7 +62,7 @@ def program_stop(prgid: AnySLOT, *, unchecked: bool = False) -> Draft:
     """Stops the program of a slot.
 
     Args:
-        prgid: Program slot to stop; 0: all programs, -1: the program that says so; a member of SLOT; DATA16.
+        prgid: Program slot to stop; 0: all programs; -1: the program that says so; a member of SLOT; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_STOP"].draft((prgid,), unchecked)
@@ -76,7 +76,7 @@ def program_start(prgid: AnySLOT, size: Number, ip: Number, debug: Number, *, un
         prgid: Program slot; a member of SLOT; DATA16.
         size: Size of the image; read and ignored; bytes; DATA32.
         ip: Address of the image, as FILE.LOAD_IMAGE returned it; DATA32.
-        debug: How to run it; 0 to 2; 0: run, 1: debug, 2: load, do not run; DATA8.
+        debug: How to run it; 0 to 2; 0: run; 1: debug; 2: load, do not run; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["PROGRAM_START"].draft((prgid, size, ip, debug), unchecked)
@@ -200,7 +200,7 @@ def system(command: Text, status: Output = None, *, unchecked: bool = False) -> 
 
     Args:
         command: The command line; string.
-        status: Wait status as C's system() gives it: 256 times the exit code; 0: success, -1: could not run; DATA32; an
+        status: Wait status as C's system() gives it: 256 times the exit code; 0: success; -1: could not run; DATA32; an
             output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -222,7 +222,7 @@ def port_cnv_output(
         portin: Three decimal digits, each 1-4: layer, first port, second port (123: B and C); DATA32.
         layer: Position in the daisy chain; 0 to 3; 0: this brick; DATA8; an output, in global memory when omitted.
         bitfield: Motor ports as bits: A=1 B=2 C=4 D=8; 0 to 15; DATA8; an output, in global memory when omitted.
-        inverted: Whether the first port comes after the second, as in C and A; 0 to 1; 0: no, 1: yes; DATA8; an output,
+        inverted: Whether the first port comes after the second, as in C and A; 0 to 1; 0: no; 1: yes; DATA8; an output,
             in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """

@@ -96,7 +96,7 @@ def rectangle(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, 
     """Draws the outline of a rectangle.
 
     Args:
-        color: Colour to draw in; 0 to 1; 0: white, 1: black; DATA8.
+        color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Left edge; 0 to 177 px; DATA16.
         y0: Top edge; 0 to 127 px; DATA16.
         x1: Width; 0 to 178 px; DATA16.

@@ -25,7 +25,7 @@ def input_set_conn(layer: Number, no: Number, conn: AnyCONN, *, unchecked: bool 
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Sensor port, counted from 0; 0 to 3; 0: port 1, 1: port 2, 2: port 3, 3: port 4; DATA8.
+        no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         conn: CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE; a member of CONN; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -46,9 +46,9 @@ def input_iic_read(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Sensor port, counted from 0; 0 to 3; 0: port 1, 1: port 2, 2: port 3, 3: port 4; DATA8.
+        no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         rdlng: How many bytes to read; 0 to 32 bytes; DATA8.
-        rddata: Bytes read; DATA8; an output, in global memory when omitted.
+        rddata: Bytes read; as many values as RDLNG says; DATA8; an output, in global memory when omitted.
         result: OK or FAIL; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -61,7 +61,7 @@ def input_iic_status(layer: Number, no: Number, result: Output = None, *, unchec
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Sensor port, counted from 0; 0 to 3; 0: port 1, 1: port 2, 2: port 3, 3: port 4; DATA8.
+        no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         result: State of the bus; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -83,9 +83,9 @@ def input_iic_write(
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Sensor port, counted from 0; 0 to 3; 0: port 1, 1: port 2, 2: port 3, 3: port 4; DATA8.
+        no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
         wrlng: How many bytes to write; 0 to 32 bytes; DATA8.
-        wrdata: Bytes to write: I2C address, register, data; DATA8.
+        wrdata: Bytes to write: I2C address, register, data; as many values as WRLNG says; DATA8.
         rdlng: How many bytes the sensor will answer; 0 to 32 bytes; DATA8.
         result: State of the bus after the request; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -99,8 +99,8 @@ def input_set_autoid(layer: Number, no: Number, enable: Number, *, unchecked: bo
 
     Args:
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
-        no: Sensor port, counted from 0; 0 to 3; 0: port 1, 1: port 2, 2: port 3, 3: port 4; DATA8.
-        enable: Whether to detect; 0 to 1; 0: off, 1: on; DATA8.
+        no: Sensor port, counted from 0; 0 to 3; 0: port 1; 1: port 2; 2: port 3; 3: port 4; DATA8.
+        enable: Whether to detect; 0 to 1; 0: off; 1: on; DATA8.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["INPUT_SET_AUTOID"].draft((layer, no, enable), unchecked)

@@ -25,8 +25,8 @@ def file_md5sum(name: Text, md5sum: Output = None, success: Output = None, *, un
 
     Args:
         name: Path of the file; string.
-        md5sum: The digest, as 16 bytes; DATA8; an output, in global memory when omitted.
-        success: Whether the file could be read; 0: no, 1: yes; DATA8; an output, in global memory when omitted.
+        md5sum: The digest, as 16 bytes; 16 values; DATA8; an output, in global memory when omitted.
+        success: Whether the file could be read; 0: no; 1: yes; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE_MD5SUM"].draft((name, md5sum, success), unchecked)

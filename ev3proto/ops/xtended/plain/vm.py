@@ -38,7 +38,7 @@ def dynload_vmload(vmindex: Number, result: Output = None, *, unchecked: bool = 
     """Loads an additional virtual machine; fails while another one is loaded.
 
     Args:
-        vmindex: Which one; 0 to 1; 0: RobotC, 1: LabVIEW; DATA8.
+        vmindex: Which one; 0 to 1; 0: RobotC; 1: LabVIEW; DATA8.
         result: OK or FAIL; a member of RESULT; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
@@ -66,7 +66,8 @@ def dynload_entry_0(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_0"].draft((cmd, length_in, length_out, value), unchecked)
@@ -87,7 +88,8 @@ def dynload_entry_1(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_1"].draft((cmd, length_in, length_out, value), unchecked)
@@ -108,7 +110,8 @@ def dynload_entry_2(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_2"].draft((cmd, length_in, length_out, value), unchecked)
@@ -129,7 +132,8 @@ def dynload_entry_3(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_3"].draft((cmd, length_in, length_out, value), unchecked)
@@ -150,7 +154,8 @@ def dynload_entry_4(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_4"].draft((cmd, length_in, length_out, value), unchecked)
@@ -171,7 +176,8 @@ def dynload_entry_5(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_5"].draft((cmd, length_in, length_out, value), unchecked)
@@ -192,7 +198,8 @@ def dynload_entry_6(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_6"].draft((cmd, length_in, length_out, value), unchecked)
@@ -213,7 +220,8 @@ def dynload_entry_7(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_7"].draft((cmd, length_in, length_out, value), unchecked)
@@ -234,7 +242,8 @@ def dynload_entry_8(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_8"].draft((cmd, length_in, length_out, value), unchecked)
@@ -255,7 +264,8 @@ def dynload_entry_9(
         cmd: Function to call, as that machine numbers them; DATA8.
         length_in: How much data is handed over; DATA8.
         length_out: How many elements came back; DATA16; an output, in global memory when omitted.
-        value: What came back; the type depends on CMD; array-typed; an output, in global memory when omitted.
+        value: What came back; the type depends on CMD; as many values as LENGTH_OUT says; array-typed; an output, in
+            global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_ENTRY_9"].draft((cmd, length_in, length_out, value), unchecked)
@@ -266,7 +276,7 @@ def dynload_get_vm(result: Output = None, *, unchecked: bool = False) -> Draft:
     """Asks which additional virtual machine is loaded.
 
     Args:
-        result: Which one; 0 to 1; -1: none, 0: RobotC, 1: LabVIEW; DATA8; an output, in global memory when omitted.
+        result: Which one; 0 to 1; -1: none; 0: RobotC; 1: LabVIEW; DATA8; an output, in global memory when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["DYNLOAD_GET_VM"].draft((result,), unchecked)

@@ -503,10 +503,10 @@ def test_a_stream_of_nothing_but_garbage() -> None:
 )
 def test_garbage_that_looks_like_something_takes_no_longer(garbage: bytes) -> None:
     piece = (garbage * 60_000)[:60_000]
-    begin = time.monotonic()
+    begin = time.process_time()
     _, capture = of(segment(True, 1000 + at * len(piece), piece) for at in range(20))
     assert capture.account.captured == 20 * 60_040
-    assert time.monotonic() - begin < 10
+    assert time.process_time() - begin < 10
 
 
 def test_a_connection_kept_alive_when_the_capture_begins() -> None:
@@ -544,7 +544,7 @@ def test_a_million_bytes_that_never_fit() -> None:
     count = effort(15_000, 500_000)
     packets = [segment(True, 999, flags=SYN), *(segment(True, 1001 + 2 * at, b"\xff") for at in range(count))]
     data = pcap(RAW_IP, timed(packets))
-    begin = time.monotonic()
+    begin = time.process_time()
     tracemalloc.start()
     capture = read(io.BytesIO(data))
     skipped = sum(event.missing for event in capture.events() if isinstance(event, Skipped))
@@ -553,7 +553,7 @@ def test_a_million_bytes_that_never_fit() -> None:
     assert capture.account.balance == 0
     assert (capture.account.skipped, skipped) == (count, count)
     assert peak < 3_500_000
-    assert time.monotonic() - begin < effort(30, 300)
+    assert time.process_time() - begin < effort(30, 300)
 
 
 def test_connections_without_end() -> None:

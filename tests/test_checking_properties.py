@@ -197,6 +197,6 @@ def test_a_command_full_of_results_is_checked_at_once() -> None:
     """Everything in it overlaps: work grows no faster than the frame."""
     crowded = [ev3proto.operation("INPUT_DEVICE_LIST", 127, Variable("global", 0), GV(200)) for _ in range(160)]
     frame = ev3proto.direct_command(*crowded, reply=True, global_size=1000).build()
-    started = time.perf_counter()
+    started = time.process_time()
     assert len(check(frame).findings) >= 159
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1

@@ -679,10 +679,10 @@ def test_daisy_sensor_report() -> None:
 )
 def test_faults(text: str, offset: int, reason: str) -> None:
     frame = frame_of(text)
-    started = time.perf_counter()
+    started = time.process_time()
     with pytest.raises(DecodeError) as raised:
         ev3proto.parse(frame)
-    assert time.perf_counter() - started < 0.5
+    assert time.process_time() - started < 0.5
     assert (raised.value.offset, reason in raised.value.reason) == (offset, True), str(raised.value)
     lenient = ev3proto.parse(frame, strict=False)
     assert lenient.fault == raised.value.fault

@@ -184,9 +184,9 @@ def test_dialects() -> None:
 @pytest.mark.parametrize("count", ["3F", "81FF", "83FFFFFFFF", "8300000080", "83FFFFFF7F", "8340420F00"])
 def test_counts_that_make_the_brick_spin(count: str) -> None:
     """In constant time: nobody waits for thousands of millions of values."""
-    started = time.perf_counter()
+    started = time.process_time()
     found = verdict(command(f"01 2F 40 {count} 01 02 03"))
-    assert time.perf_counter() - started < 0.1
+    assert time.process_time() - started < 0.1
     assert found == Verdict(False, 8, Reason.CUT_OFF, 10, True)
 
 

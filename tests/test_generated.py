@@ -73,6 +73,14 @@ def test_the_form_of_the_modules() -> None:
         assert done.returncode == 0, done.stdout
 
 
+def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
+    (tmp_path / "ev3proto").write_text("a file\n")
+    done = generate("--root", str(tmp_path))
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith(f"{tmp_path}/ev3proto/enums: cannot be written: ")
+    assert len(done.stderr.splitlines()) == 1
+
+
 # What is in them
 
 
@@ -191,36 +199,41 @@ system.list_file("a")
 """
 
 
-def checked(source: str, folder: Path) -> tuple[int, list[str]]:
-    """Exit status and complaints of mypy about a program."""
-    program = folder / "program.py"
-    program.write_text(source)
+@pytest.fixture(scope="module")
+def complaints(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[str]]:
+    """What mypy finds in each of the two programs."""
+    folder = tmp_path_factory.mktemp("programs")
+    programs = {"good": GOOD, "bad": BAD}
+    for name, source in programs.items():
+        (folder / f"{name}.py").write_text(source)
     done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--config-file", "", "--cache-dir", str(folder), str(program)],
+        [sys.executable, "-m", "mypy", "--strict", "--config-file", "", "--cache-dir", str(folder / "cache")]
+        + [str(folder / f"{name}.py") for name in programs],
         cwd=ROOT,
         capture_output=True,
         text=True,
         check=False,
         timeout=120,
     )
-    ours = [line.split("program.py:")[1] for line in done.stdout.splitlines() if line.startswith(str(program))]
-    return done.returncode, [line for line in ours if " error: " in line]
+    assert done.stdout.splitlines()[-1].startswith("Found "), done.stdout + done.stderr
+    return {
+        name: [line.split(f"{name}.py:")[1] for line in done.stdout.splitlines() if f"{name}.py:" in line]
+        for name in programs
+    }
 
 
-def test_a_type_checker_is_content_with_what_is_right(tmp_path: Path) -> None:
-    assert checked(GOOD, tmp_path)[1] == []
-    (tmp_path / "run").mkdir()
-    program = tmp_path / "run" / "program.py"
+def test_a_type_checker_is_content_with_what_is_right(complaints: dict[str, list[str]], tmp_path: Path) -> None:
+    assert complaints["good"] == []
+    program = tmp_path / "program.py"
     program.write_text(GOOD)
     done = subprocess.run([sys.executable, str(program)], capture_output=True, text=True, check=False, cwd=ROOT)
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_a_type_checker_finds_what_is_wrong(tmp_path: Path) -> None:
-    status, complaints = checked(BAD, tmp_path)
-    assert status == 1
-    assert [int(line.split(":")[0]) for line in complaints] == list(range(2, 13))
-    told = "\n".join(complaints)
+def test_a_type_checker_finds_what_is_wrong(complaints: dict[str, list[str]]) -> None:
+    errors = [line for line in complaints["bad"] if " error: " in line]
+    assert [int(line.split(":")[0]) for line in errors] == list(range(2, 13))
+    told = "\n".join(errors)
     assert '2: error: Module has no attribute "toen"' in told
     assert '3: error: Missing positional argument "duration" in call to "tone"' in told
     assert 'did you mean "frequency"?' in told

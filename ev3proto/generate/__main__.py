@@ -19,14 +19,21 @@ from ev3proto.generate.everything import COMMAND, outdated, write
 @click.option(
     "--root",
     type=click.Path(path_type=Path, exists=True, file_okay=False),
-    default=Path(ev3proto.__file__).parent.parent,
-    help="The project's folder; that of this package when omitted.",
+    help="The project's folder; when omitted, the one that this package is in.",
 )
-def main(check: bool, root: Path) -> None:
+def main(check: bool, root: Path | None) -> None:
     """Writes or checks the files."""
+    if root is None:
+        root = Path(ev3proto.__file__).parent.parent
+        if not (root / "pyproject.toml").is_file():
+            raise click.UsageError("this ev3proto is installed without its project: give --root, the project's folder")
     if not check:
-        for path in write(root):
-            click.echo(path)
+        try:
+            for path in write(root):
+                click.echo(path)
+        except OSError as error:
+            click.echo(f"{error.filename}: cannot be written: {error.strerror}", err=True)
+            sys.exit(1)
         return
     found = list(outdated(root))
     for path in found:

@@ -10,14 +10,13 @@ from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MessageType
 from ev3proto.text.assembly.errors import MOST_ERRORS, MOST_SAID, AssemblyError
 from ev3proto.text.assembly.lexing import Token
-from ev3proto.text.assembly.messages import Draft, begun_by
+from ev3proto.text.assembly.messages import PendingMessage, begun_by
 from ev3proto.text.assembly.operations import Assembler
 from ev3proto.text.assembly.parser import (
     LOCAL_WORD,
     TYPES,
     Call,
     Closing,
-    Declaration,
     Define,
     Header,
     Label,
@@ -25,6 +24,7 @@ from ev3proto.text.assembly.parser import (
     RawBytes,
     RawFrame,
     Statement,
+    VariableDeclaration,
     error_at,
     statements,
 )
@@ -84,7 +84,7 @@ class _Work:
         self._names = Names()
         self._encoder = Encoder(self._names)
         self._assembler = Assembler(dialect, self._encoder)
-        self._draft: Draft | None = None
+        self._pending: PendingMessage | None = None
         self._thread: Token | None = None
 
     def take(self, statement: Statement) -> Iterator[Message]:
@@ -92,10 +92,10 @@ class _Work:
         try:
             if isinstance(statement, Header | RawFrame):
                 yield from self.finish()
-                self._draft = begun_by(statement, self._encoder)
+                self._pending = begun_by(statement, self._encoder)
             elif isinstance(statement, Call) and self._stands_alone(statement):
                 yield from self.finish()
-                self._draft = self._system_draft(statement)
+                self._pending = self._pending_system(statement)
                 self._add(statement)
                 yield from self.finish()
             else:
@@ -105,14 +105,14 @@ class _Work:
 
     def finish(self) -> Iterator[Message]:
         """The message that was begun, if there is one."""
-        draft, self._draft = self._draft, None
+        pending, self._pending = self._pending, None
         if self._thread is not None:
             self.errors.append(error_at(self._thread, "the thread that begins here has no } at its end"))
             self._thread = None
         # With an error in the text, a message lacks what was wrong: more errors would only follow from that.
-        if draft is not None and not self.errors:
+        if pending is not None and not self.errors:
             try:
-                message = draft.message(self._names, self._dialect, self._counter, self._reply)
+                message = pending.message(self._names, self._dialect, self._counter, self._reply)
             except AssemblyError as error:
                 self.errors.append(error)
             else:
@@ -122,59 +122,59 @@ class _Work:
 
     def _stands_alone(self, call: Call) -> bool:
         """Whether it is a system command that no header waits for, so a message of its own."""
-        draft = self._draft
-        is_awaited = draft is not None and draft.carries_system and not draft.parts
+        pending = self._pending
+        is_awaited = pending is not None and pending.carries_system and not pending.parts
         return not is_awaited and find_command(call.token.text) is not None
 
-    def _system_draft(self, call: Call) -> Draft:
+    def _pending_system(self, call: Call) -> PendingMessage:
         entry = find_command(call.token.text)
         assert entry is not None
         wants_reply = entry.answered if self._reply is None else self._reply
         kind = MessageType.SYSTEM_COMMAND_REPLY if wants_reply else MessageType.SYSTEM_COMMAND_NO_REPLY
-        return Draft(call.token, kind)
+        return PendingMessage(call.token, kind)
 
     def _add(self, statement: Statement) -> None:
         """A statement of the message that is read. Raises AssemblyError."""
         match statement:
             case Define(token, value):
                 self._encoder.define(token, value)
-            case Declaration():
+            case VariableDeclaration():
                 self._declare(statement)
             case Label(token):
-                draft = self._operations_draft(token, "a label")
-                self._names.mark(token, len(draft.parts))
+                pending = self._pending_operations(token, "a label")
+                self._names.mark(token, len(pending.parts))
             case Opening(token):
                 if self._thread is not None:
                     raise error_at(token, "a direct command is one thread: no second can begin in it")
-                self._operations_draft(token, "a thread")
+                self._pending_operations(token, "a thread")
                 self._thread = token
             case Closing(token):
                 if self._thread is None:
                     raise error_at(token, "there is no { that this } could end")
                 self._thread = None
             case RawBytes(token, data):
-                draft = self._opened(token)
-                draft.is_lenient = True
-                draft.add(token, [data])
+                pending = self._opened(token)
+                pending.is_lenient = True
+                pending.add(token, [data])
             case Call():
                 self._call(statement)
 
-    def _opened(self, token: Token) -> Draft:
+    def _opened(self, token: Token) -> PendingMessage:
         """The message that is read; a direct command begins where there is none."""
-        if self._draft is None:
-            self._draft = Draft(token)
-        return self._draft
+        if self._pending is None:
+            self._pending = PendingMessage(token)
+        return self._pending
 
-    def _operations_draft(self, token: Token, what: str) -> Draft:
-        draft = self._opened(token)
-        if draft.is_frame or draft.kind not in ("direct-command", "daisy-command"):
-            name = "a frame in bytes" if draft.is_frame else f"a {draft.kind}"
+    def _pending_operations(self, token: Token, what: str) -> PendingMessage:
+        pending = self._opened(token)
+        if pending.is_frame or pending.kind not in ("direct-command", "daisy-command"):
+            name = "a frame in bytes" if pending.is_frame else f"a {pending.kind}"
             raise error_at(token, f"{what} cannot stand in {name}, which has no operations")
-        return draft
+        return pending
 
-    def _declare(self, statement: Declaration) -> None:
+    def _declare(self, statement: VariableDeclaration) -> None:
         token = statement.token
-        self._operations_draft(token, "a variable")
+        self._pending_operations(token, "a variable")
         kind = TYPES[statement.type.text]
         count = 1
         if statement.size is not None:
@@ -183,23 +183,23 @@ class _Work:
         self._names.declare(token, kind, count, LOCAL if is_local else GLOBAL)
 
     def _call(self, call: Call) -> None:
-        draft = self._opened(call.token)
-        if draft.carries_system:
-            self._system_call(call, draft)
+        pending = self._opened(call.token)
+        if pending.carries_system:
+            self._system_call(call, pending)
             return
-        draft = self._operations_draft(call.token, "an operation")
-        draft.is_lenient |= not call.is_complete
-        draft.add(call.token, self._assembler.operation(call))
+        pending = self._pending_operations(call.token, "an operation")
+        pending.is_lenient |= not call.is_complete
+        pending.add(call.token, self._assembler.operation(call))
 
-    def _system_call(self, call: Call, draft: Draft) -> None:
-        if draft.parts:
-            raise error_at(call.token, f"a {draft.kind} has one command; what follows can only be bytes")
+    def _system_call(self, call: Call, pending: PendingMessage) -> None:
+        if pending.parts:
+            raise error_at(call.token, f"a {pending.kind} has one command; what follows can only be bytes")
         if self._assembler.is_operation(call.token):
-            raise error_at(call.token, f"{call.token.text} is an operation, which cannot stand in a {draft.kind}")
-        assert draft.type is not None
-        draft.is_lenient |= not call.is_complete
-        is_reply = not draft.type.is_command
-        draft.add(
+            raise error_at(call.token, f"{call.token.text} is an operation, which cannot stand in a {pending.kind}")
+        assert pending.type is not None
+        pending.is_lenient |= not call.is_complete
+        is_reply = not pending.type.is_command
+        pending.add(
             call.token,
-            [system_body(call, self._encoder, is_reply=is_reply, may_fail=is_reply and draft.type.is_error)],
+            [system_body(call, self._encoder, is_reply=is_reply, may_fail=is_reply and pending.type.is_error)],
         )

@@ -24,7 +24,7 @@ from ev3proto.tables.frame import (
 from ev3proto.text.assembly.lexing import Token
 from ev3proto.text.assembly.parser import Header, Named, RawFrame, error_at
 from ev3proto.text.assembly.symbols import MOST_MEMORY, Names, suggestion
-from ev3proto.text.assembly.values import Encoder, Jump, Piece
+from ev3proto.text.assembly.values import CodePiece, Encoder, Jump
 
 COUNTER, LENGTH, GLOBALS, LOCALS = "counter", "length", "globals", "locals"
 COMMAND, LAYER_FROM, LAYER_TO = "command", "layer_from", "layer_to"
@@ -44,7 +44,7 @@ MAX_BODY = 1 << 19
 
 
 @dataclass
-class Draft:
+class PendingMessage:
     """A message while its statements are read.
 
     token       where it starts
@@ -61,7 +61,7 @@ class Draft:
     facts: dict[str, int] = field(default_factory=dict)
     is_frame: bool = False
     is_lenient: bool = False
-    parts: list[Sequence[Piece]] = field(default_factory=list)
+    parts: list[Sequence[CodePiece]] = field(default_factory=list)
     size: int = 0
 
     @property
@@ -74,7 +74,7 @@ class Draft:
         """Whether it is a system command or the reply to one."""
         return self.type is not None and self.type.carries == "system"
 
-    def add(self, token: Token, pieces: Sequence[Piece]) -> None:
+    def add(self, token: Token, pieces: Sequence[CodePiece]) -> None:
         """One more part. Raises AssemblyError where there are more than anybody can mean."""
         self.size += max(1, sum(len(piece) if isinstance(piece, bytes) else 1 for piece in pieces))
         if self.size > MAX_BODY:
@@ -151,25 +151,25 @@ class Draft:
         return sizes
 
 
-def begun_by(header: Header | RawFrame, encoder: Encoder) -> Draft:
+def begun_by(header: Header | RawFrame, encoder: Encoder) -> PendingMessage:
     """The message that a header begins. Raises AssemblyError."""
     if isinstance(header, RawFrame):
-        return Draft(header.token, is_frame=True, is_lenient=True)
-    draft = Draft(header.token, None if header.type is None else _type(header.type))
-    known = _ALL_FACTS | _FACTS.get(draft.kind, {})
+        return PendingMessage(header.token, is_frame=True, is_lenient=True)
+    pending = PendingMessage(header.token, None if header.type is None else _type(header.type))
+    known = _ALL_FACTS | _FACTS.get(pending.kind, {})
     for token, value in header.facts:
         name = token.text
         if name not in known:
             hint = suggestion(name, known) or f": it has {', '.join(known)}"
-            raise error_at(token, f"the header of a {draft.kind} has no {name}{hint}")
-        if name in draft.facts:
+            raise error_at(token, f"the header of a {pending.kind} has no {name}{hint}")
+        if name in pending.facts:
             raise error_at(token, f"{name} is given already")
         if name == COMMAND and isinstance(value, Named):
-            draft.facts[name] = _daisy_command(value.token)
+            pending.facts[name] = _daisy_command(value.token)
             continue
-        draft.facts[name] = encoder.whole(value, name, 0, known[name])
-    draft.is_lenient = LENGTH in draft.facts or draft.facts.get(COMMAND) not in (None, *DaisyCommand)
-    return draft
+        pending.facts[name] = encoder.whole(value, name, 0, known[name])
+    pending.is_lenient = LENGTH in pending.facts or pending.facts.get(COMMAND) not in (None, *DaisyCommand)
+    return pending
 
 
 def _type(token: Token) -> MessageType:
@@ -203,7 +203,7 @@ def _used(operations: Iterable[Operation]) -> dict[str, int]:
     return used
 
 
-def _joined(parts: Sequence[Sequence[Piece]], labels: dict[str, int]) -> bytes:
+def _joined(parts: Sequence[Sequence[CodePiece]], labels: dict[str, int]) -> bytes:
     """The parts with every jump in them worked out. Raises AssemblyError for jumps that cannot be made.
 
     A jump counts from the end of its operation, so how long it is depends on itself. It starts as short as can be and
@@ -236,5 +236,5 @@ def _joined(parts: Sequence[Sequence[Piece]], labels: dict[str, int]) -> bytes:
     )
 
 
-def _size(index: int, part: Sequence[Piece], encoded: dict[tuple[int, int], bytes]) -> int:
+def _size(index: int, part: Sequence[CodePiece], encoded: dict[tuple[int, int], bytes]) -> int:
     return sum(len(encoded[index, at] if isinstance(piece, Jump) else piece) for at, piece in enumerate(part))

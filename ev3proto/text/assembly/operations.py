@@ -14,9 +14,9 @@ from ev3proto.tables.declaration import DIALECTS, Enumeration, Opcode, Parameter
 from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.assembly.lexing import Token
-from ev3proto.text.assembly.parser import Argument, Call, Macro, Named, Value, error_at, is_operation_word
+from ev3proto.text.assembly.parser import Call, Macro, Named, Value, WrittenArgument, error_at, is_operation_word
 from ev3proto.text.assembly.symbols import suggestion
-from ev3proto.text.assembly.values import Encoder, Jump, Piece
+from ev3proto.text.assembly.values import CodePiece, Encoder, Jump
 
 _MOST_NAMED = 8
 """CMDs that an error names."""
@@ -42,7 +42,7 @@ class Assembler:
         """Whether a name is that of an operation, spelled as it should be."""
         return _bare(token.text).partition(".")[0] in opcodes(self._dialect)
 
-    def operation(self, call: Call) -> list[Piece]:
+    def operation(self, call: Call) -> list[CodePiece]:
         """The pieces of an operation: bytes, and jumps whose distance nobody knows yet. Raises AssemblyError."""
         schema, head, arguments = self._selected(call)
         if not call.is_complete:
@@ -62,7 +62,7 @@ class Assembler:
 
     # Which operation
 
-    def _selected(self, call: Call) -> tuple[OperationSchema, bytes, tuple[Argument, ...]]:
+    def _selected(self, call: Call) -> tuple[OperationSchema, bytes, tuple[WrittenArgument, ...]]:
         """The schema of an operation, the bytes of opcode and CMD, the values that are left."""
         name, _, command = _bare(call.token.text).partition(".")
         opcode = opcodes(self._dialect).get(name)
@@ -126,7 +126,9 @@ class Assembler:
 
     # Values
 
-    def _elements(self, schema: OperationSchema, fixed: Sequence[Piece], arguments: Sequence[Argument]) -> list[Piece]:
+    def _elements(
+        self, schema: OperationSchema, fixed: Sequence[CodePiece], arguments: Sequence[WrittenArgument]
+    ) -> list[CodePiece]:
         """The values of a list at the end, each as the type that the list has."""
         if schema.list_parameter is None:
             return []
@@ -144,7 +146,7 @@ class Assembler:
             for one, placeholder in zip(given, placeholders, strict=True)
         ]
 
-    def _incomplete(self, schema: OperationSchema, arguments: Sequence[Argument]) -> Iterator[Piece]:
+    def _incomplete(self, schema: OperationSchema, arguments: Sequence[WrittenArgument]) -> Iterator[CodePiece]:
         """The values of an operation that is cut short, as many as there are."""
         for index, argument in enumerate(arguments):
             if argument.name is not None:
@@ -153,7 +155,9 @@ class Assembler:
             yield self._encoder.argument(argument.value, parameter)
 
 
-def _in_order(schema: OperationSchema, arguments: tuple[Argument, ...], call: Call) -> tuple[Argument, ...]:
+def _in_order(
+    schema: OperationSchema, arguments: tuple[WrittenArgument, ...], call: Call
+) -> tuple[WrittenArgument, ...]:
     """The values in the order of the parameters, where they were given by name."""
     named = {argument.name.text.upper(): argument for argument in arguments if argument.name is not None}
     if not named:

@@ -128,7 +128,7 @@ Value = Expression | Element | Marked | Macro | Raw
 
 
 @dataclass(frozen=True, slots=True)
-class Argument:
+class WrittenArgument:
     """A value, and the name in front of it where it has one: `max_bytes=1000`."""
 
     name: Token | None
@@ -176,7 +176,7 @@ class Define:
 
 
 @dataclass(frozen=True, slots=True)
-class Declaration:
+class VariableDeclaration:
     """`DATA8 name`, `ARRAY8 name 20`, `global DATAF name`: a variable.
 
     scope  the word in front of it, None where there is none
@@ -204,7 +204,7 @@ class Call:
     """
 
     token: Token
-    arguments: tuple[Argument, ...]
+    arguments: tuple[WrittenArgument, ...]
     end: Token
     is_complete: bool
 
@@ -223,7 +223,7 @@ class Closing:
     token: Token
 
 
-Statement = Header | RawFrame | RawBytes | Define | Declaration | Label | Call | Opening | Closing
+Statement = Header | RawFrame | RawBytes | Define | VariableDeclaration | Label | Call | Opening | Closing
 
 
 def error_at(token: Token, reason: str) -> AssemblyError:
@@ -337,7 +337,7 @@ class _Parser:
         self._expect("{")
         return Opening(token)
 
-    def _declaration(self) -> Declaration:
+    def _declaration(self) -> VariableDeclaration:
         scope = self._next().text if self._peek().text in (GLOBAL_WORD, LOCAL_WORD) else None
         kind = self._peek()
         if kind.kind is not TokenKind.NAME or kind.text not in TYPES:
@@ -353,13 +353,13 @@ class _Parser:
             size = self._expression()
         if size is None and kind.text in SIZED:
             raise self._line_end(f"the number of elements of {token.text}")
-        return Declaration(token, kind, size, scope)
+        return VariableDeclaration(token, kind, size, scope)
 
     def _call(self) -> Call:
         """`NAME(value, value)`."""
         token = self._next()
         self._expect("(")
-        arguments: list[Argument] = []
+        arguments: list[WrittenArgument] = []
         while not self._peek().is_mark(")", CUT):
             arguments.append(self._argument(arguments))
             if not self._peek().is_mark(")"):
@@ -372,7 +372,7 @@ class _Parser:
     def _macro_operation(self) -> Call:
         """`opNAME, value, value`, over as many lines as commas lead."""
         token = self._next()
-        arguments: list[Argument] = []
+        arguments: list[WrittenArgument] = []
         while self._peek().is_mark(","):
             self._next()
             if self._peek().is_mark(CUT) or self._starts_statement():
@@ -416,14 +416,14 @@ class _Parser:
 
     # Values
 
-    def _argument(self, before: list[Argument]) -> Argument:
+    def _argument(self, before: list[WrittenArgument]) -> WrittenArgument:
         if len(before) >= MAX_PARTS:
             raise error_at(self._peek(), f"these are more than {MAX_PARTS} values")
         if self._is_name_here(is_same_line=False) and self._peek(1).is_mark("="):
             name = self._next()
             self._next()
-            return Argument(name, self._value())
-        return Argument(None, self._value())
+            return WrittenArgument(name, self._value())
+        return WrittenArgument(None, self._value())
 
     def _value(self) -> Value:
         token = self._peek()

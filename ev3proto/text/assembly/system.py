@@ -7,7 +7,7 @@ from ev3proto.messages import FieldValue
 from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
-from ev3proto.text.assembly.parser import Argument, Call, Named, Raw, error_at
+from ev3proto.text.assembly.parser import Call, Named, Raw, WrittenArgument, error_at
 from ev3proto.text.assembly.symbols import suggestion
 from ev3proto.text.assembly.values import Encoder
 from ev3proto.text.assembly.words import STATUS, command_name
@@ -47,7 +47,7 @@ def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool)
         raise error_at(call.token, str(error)) from None
 
 
-def _status(arguments: list[Argument], encoder: Encoder) -> int:
+def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
     """The status of a reply, which is taken out of its arguments."""
     for index, argument in enumerate(arguments):
         if argument.name is not None and argument.name.text == STATUS:
@@ -62,7 +62,7 @@ def _status(arguments: list[Argument], encoder: Encoder) -> int:
     return SystemStatus.SUCCESS
 
 
-def _values(name: str, schema: Fields, arguments: list[Argument], encoder: Encoder) -> dict[str, FieldValue]:
+def _values(name: str, schema: Fields, arguments: list[WrittenArgument], encoder: Encoder) -> dict[str, FieldValue]:
     """The fields by name. Values without names are those of the fields in order, lengths left out."""
     in_order = iter([field for field in schema.fields if field.counts is None])
     values: dict[str, FieldValue] = {}
@@ -82,7 +82,7 @@ def _values(name: str, schema: Fields, arguments: list[Argument], encoder: Encod
     return values
 
 
-def _value(field: Field, argument: Argument, encoder: Encoder) -> FieldValue:
+def _value(field: Field, argument: WrittenArgument, encoder: Encoder) -> FieldValue:
     value = argument.value
     if field.kind in NUMBERS:
         return encoder.whole(value, field.name, 0, (1 << 8 * NUMBERS[field.kind].sizeof()) - 1)

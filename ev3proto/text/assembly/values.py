@@ -74,7 +74,7 @@ class Jump:
             raise error_at(self.token, f"{self.token.text} is {distance} bytes away: {error}") from None
 
 
-Piece = bytes | Jump
+CodePiece = bytes | Jump
 
 
 class Encoder:
@@ -173,14 +173,14 @@ class Encoder:
 
     # Arguments
 
-    def argument(self, value: Value, schema: ArgumentSchema) -> Piece:
+    def argument(self, value: Value, schema: ArgumentSchema) -> CodePiece:
         """The bytes of one argument of an operation. Raises AssemblyError."""
         try:
             return self._argument(value, schema)
         except BuildError as error:
             raise error_at(value.token, str(error)) from None
 
-    def _argument(self, value: Value, schema: ArgumentSchema) -> Piece:
+    def _argument(self, value: Value, schema: ArgumentSchema) -> CodePiece:
         match value:
             case Raw(_, data):
                 return schema.write(data)
@@ -251,7 +251,7 @@ class Encoder:
                 f" of {parameter.type.size}",
             )
 
-    def _macro(self, value: Macro, schema: ArgumentSchema) -> Piece:
+    def _macro(self, value: Macro, schema: ArgumentSchema) -> CodePiece:
         name = value.token.text
         part = value.part
         if name in ("HND", "ADR"):

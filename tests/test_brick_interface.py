@@ -295,6 +295,73 @@ class TestButtons:
             brick.press("start")
 
 
+class TestDialogues:
+    """Each waits for buttons; the variables say how far it is and what was answered."""
+
+    @pytest.fixture
+    def brick(self, tmp_path: Path) -> Brick:
+        for name in ("a.rbf", "b.rsf", "c.txt"):
+            (tmp_path / "prjs" / "demo").mkdir(parents=True, exist_ok=True)
+            (tmp_path / "prjs" / "demo" / name).write_bytes(b"")
+        return Brick(root=tmp_path)
+
+    @pytest.mark.parametrize(
+        ("dialogue", "buttons", "memory"),
+        [
+            ("DATA8 s UI_DRAW(NOTIFICATION, 1, 0, 0, 8, -1, -1, 'careful', s)", ["enter"], "00"),
+            ("DATA8 s DATA8 ok UI_DRAW(QUESTION, 1, 0, 0, 1, 2, '', s, ok)", ["enter"], "00 00"),
+            ("DATA8 s DATA8 ok UI_DRAW(QUESTION, 1, 0, 0, 1, 2, '', s, ok)", ["right", "enter"], "00 01"),
+            ("DATA8 s DATA8 ok UI_DRAW(QUESTION, 1, 0, 0, 1, 2, '', s, ok)", ["back"], "00 ff"),
+            (
+                "DATA32 i local DATA8 s MOVE32_32(0x700, i) UI_DRAW(ICON_QUESTION, 1, 0, 0, s, i)",
+                ["right", "right", "left", "enter"],
+                "00 02 00 00",
+            ),
+            ("DATA32 i local DATA8 s MOVE32_32(6, i) UI_DRAW(ICON_QUESTION, 1, 0, 0, s, i)", ["back"], "00 00 00 00"),
+            (
+                "DATAS t 4 local DATA8 c UI_DRAW(KEYBOARD, 1, 0, 0, 1, 4, 'name', c, t)",
+                ["right", "down", "enter"],
+                "42 00 00 00",
+            ),
+            (
+                "DATAS t 4 local DATA8 c STRINGS(DUPLICATE, 'ab', t) UI_DRAW(KEYBOARD, 1, 0, 0, 1, 4, 'name', c, t)",
+                ["left", "enter"],
+                "61 00 00 00",
+            ),
+            (
+                "DATAS t 4 local DATA8 c STRINGS(DUPLICATE, 'ab', t) UI_DRAW(KEYBOARD, 1, 0, 0, 1, 4, 'name', c, t)",
+                ["back"],
+                "00 62 00 00",
+            ),
+            (
+                "DATA16 n MOVE16_16(-1, n) UI_DRAW(TEXTBOX, 0, 0, 100, 40, 'one\\ntwo\\nthree', 99, DEL_LINEFEED, n)",
+                ["down", "enter"],
+                "02 00",
+            ),
+            ("DATA16 n MOVE16_16(-1, n) UI_DRAW(TEXTBOX, 0, 0, 100, 40, 'one', 99, 6, n)", ["back"], "ff ff"),
+            (
+                "DATA8 k DATAS p 24 STRINGS(DUPLICATE, '../prjs/demo', p) UI_DRAW(BROWSE, 1, 0, 0, 99, 99, 24, k, p)",
+                ["enter"],
+                "03 " + b"../prjs/demo/a.rbf".ljust(24, b"\0").hex(" "),
+            ),
+        ],
+    )
+    def test_a_dialogue(self, brick: Brick, dialogue: str, buttons: list[str], memory: str) -> None:
+        ask(brick, "UI_DRAW(FILLRECT, 1, 3, 3, 99, 99) UI_DRAW(UPDATE)")
+        before = brick.display.rows
+        brick.press("enter")
+        brick.release("enter")
+        assert ask(brick, dialogue, seconds=1) == "busy"
+        assert brick.display.rows != before
+        for button in buttons[:-1]:
+            brick.press(button)
+            brick.release(button)
+            assert answer(brick.advance(0.1)) == "busy"
+        brick.press(buttons[-1])
+        assert answer(brick.advance(0.1)) == memory
+        assert brick.display.rows == before
+
+
 class TestSound:
     TEST = "DATA8 busy SOUND_TEST(busy)"
 

@@ -23,6 +23,7 @@ from ev3proto.brick.clock import (
     TICK,
 )
 from ev3proto.brick.display import Display
+from ev3proto.brick.display.dialogue import Dialogue
 from ev3proto.brick.files import RecentFiles
 from ev3proto.brick.inputs import Inputs
 from ev3proto.brick.machine import Machine
@@ -94,6 +95,7 @@ class Brick:
         self.random = Random()
         self.machine = Machine(self, self.dialect)
         self.display = Display()
+        self.dialogue: Dialogue | None = None
         self.buttons = Buttons(self._stop_user_program)
         self.panel = Panel()
         self.console = Terminal()

@@ -19,7 +19,12 @@ from ev3proto.brick.parts import Part
 from ev3proto.brick.programs import USER_SLOT, Program
 from ev3proto.tables.enumerations import FONTTYPE, ICONTYPE, S_ICON_NO
 
-NORMAL, SMALL, LARGE = (FONTTYPE.members[name] for name in ("NORMAL_FONT", "SMALL_FONT", "LARGE_FONT"))
+NORMAL, SMALL, LARGE, TINY = (
+    FONTTYPE.members[name] for name in ("NORMAL_FONT", "SMALL_FONT", "LARGE_FONT", "TINY_FONT")
+)
+NORMAL_ICONS, SMALL_ICONS, LARGE_ICONS = (
+    ICONTYPE.members[name] for name in ("NORMAL_ICON", "SMALL_ICON", "LARGE_ICON")
+)
 STORE_LEVELS = 3
 """Pictures that STORE can save."""
 
@@ -28,7 +33,6 @@ TOP_LINE_PERIOD = 400_000
 
 _TOP_LINE_HEIGHT = 10
 _NAME_LENGTH = 12
-_SMALL_ICONS = ICONTYPE.members["SMALL_ICON"]
 _BATTERY_ICONS = tuple(S_ICON_NO.members[f"SICON_BATT_{level}"] for level in range(5))
 _BATTERY_X = 160
 
@@ -230,7 +234,7 @@ class Display(Part):
         name = line.name[:_NAME_LENGTH]
         self.text(1, (WIDTH - len(name) * FONTS[SMALL].width) // 2, 1, name, SMALL)
         for place, icon in enumerate(line.radios):
-            self.icon(1, place * ICONS[_SMALL_ICONS].width, 1, _SMALL_ICONS, icon)
+            self.icon(1, place * ICONS[SMALL_ICONS].width, 1, SMALL_ICONS, icon)
         level = min(line.battery * len(_BATTERY_ICONS) // 100, len(_BATTERY_ICONS) - 1)
-        self.icon(1, _BATTERY_X, 1, _SMALL_ICONS, _BATTERY_ICONS[level])
+        self.icon(1, _BATTERY_X, 1, SMALL_ICONS, _BATTERY_ICONS[level])
         canvas.line(1, 0, _TOP_LINE_HEIGHT, WIDTH - 1, _TOP_LINE_HEIGHT)

@@ -11,13 +11,16 @@ from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
 from pathlib import Path
 from random import Random
+from time import thread_time
 from typing import NamedTuple
 
 from ev3proto.brick.buttons import Buttons
 from ev3proto.brick.clock import (
-    MOST_FRAMES,
     MOST_OPERATIONS,
+    MOST_PROCESSOR_SECONDS,
     MOST_SECONDS,
+    MOST_WAITING,
+    OPERATIONS_OF_A_TURN,
     OPERATIONS_PER_TICK,
     OPERATIONS_PER_TURN,
     TICK,
@@ -105,6 +108,7 @@ class Brick:
         self.parts: list[Part] = [self.display, self.buttons, self.panel, self.sound, self.outputs, self.inputs]
         self._global_memory = bytearray(GRANTED_GLOBALS)
         self._waiting: deque[Incoming] = deque()
+        self._waiting_bytes = 0
         self._replies: list[Outgoing] = []
         self._command: _Command | None = None
         self._system = SystemCommands(self)
@@ -188,8 +192,9 @@ class Brick:
 
         channel  names the connection; every reply says to which it goes
         """
-        if len(self._waiting) < MOST_FRAMES:
+        if self._waiting_bytes + len(frame) <= MOST_WAITING:
             self._waiting.append(Incoming(channel, bytes(frame)))
+            self._waiting_bytes += len(frame)
         self._serve()
         return self._take()
 
@@ -206,12 +211,18 @@ class Brick:
                 self._serve()
         return self._take()
 
+    @property
+    def is_busy(self) -> bool:
+        """Whether a direct command is under way: a real brick reads from no connection until it has ended."""
+        return self._command is not None
+
     def disconnect(self, channel: Hashable) -> list[Outgoing]:
         """Ends a connection: its waiting frames are dropped, and a command of its own that waits is ended.
 
         Returns the replies that became due to others.
         """
         self._waiting = deque(waiting for waiting in self._waiting if waiting.channel != channel)
+        self._waiting_bytes = sum(len(waiting.frame) for waiting in self._waiting)
         self._system.disconnect(channel)
         if self._command is not None and self._command.channel == channel:
             self.machine.end_program(self._command.program, FAIL)
@@ -231,6 +242,7 @@ class Brick:
             if not self._waiting:
                 return
             channel, frame = self._waiting.popleft()
+            self._waiting_bytes -= len(frame)
             if not self.is_dead:
                 self._take_up(channel, frame)
 
@@ -239,7 +251,7 @@ class Brick:
             return
         _, counter, code = Header.read(frame)
         end = frame_size(frame)
-        if end > len(frame):
+        if end > len(frame) or end < HEADER_SIZE:
             return
         if code in _DIRECT:
             self._take_direct(channel, frame[:end], counter, _DIRECT[code])
@@ -274,15 +286,19 @@ class Brick:
         command = self._command
         assert command is not None
         program = command.program
+        started = thread_time()
+        has_waited = False
         while program.status == RUNNING:
-            left = MOST_OPERATIONS - program.executed
-            waited = self.microseconds - program.started
-            if left <= 0 or waited >= MOST_SECONDS * 1_000_000:
+            is_endless = program.executed >= MOST_OPERATIONS or thread_time() - started > MOST_PROCESSOR_SECONDS
+            if is_endless or self.microseconds - program.started >= MOST_SECONDS * 1_000_000:
                 self.machine.end_program(program, FAIL)
                 break
-            _, is_waiting = self.machine.turn(program, left)
-            if is_waiting:
+            executed, is_waiting = self.machine.turn(program, OPERATIONS_PER_TURN)
+            program.executed += max(0, OPERATIONS_OF_A_TURN - executed)
+            if is_waiting and has_waited:
                 return False
+            # Once more at once: some operations wait only for what they have changed themselves.
+            has_waited = is_waiting
         self._command = None
         if not self.is_dead:
             self._answer(command)

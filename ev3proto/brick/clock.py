@@ -6,14 +6,20 @@ TICK = 1_000
 OPERATIONS_PER_TURN = 200
 """Operations of one turn of an object, other than that of a direct command."""
 
-OPERATIONS_PER_TICK = 1_000
+OPERATIONS_PER_TICK = 300
 """Operations of all turns of a program in a tick: a real brick executes some hundred thousand a second."""
 
 MOST_OPERATIONS = 3_000_000
 """Operations after which a direct command is ended: the firmware would go on for ever."""
 
+OPERATIONS_OF_A_TURN = 20
+"""What a turn counts at least, where an object gives the rest of it away."""
+
+MOST_PROCESSOR_SECONDS = 5.0
+"""Seconds of this computer's processor that a direct command may take at a stretch, whatever its operations are."""
+
 MOST_SECONDS = 600
 """Seconds after which a direct command that still waits is ended."""
 
-MOST_FRAMES = 4096
-"""Frames that wait for a direct command to end; further ones are dropped. A real brick leaves them to the carrier."""
+MOST_WAITING = 4 << 20
+"""Bytes of frames that wait for a direct command to end; further frames are dropped. See `Brick.is_busy`."""

@@ -6,8 +6,11 @@ the memory that is there, an array can stand for its first element, a number is 
 
 from __future__ import annotations
 
+import struct
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from ev3proto.brick.conversions import wrap8, wrap16
 from ev3proto.brick.dispatch import Family, dispatch_table
 from ev3proto.brick.handles import ROOM, Array, Closable
 from ev3proto.brick.images import Image, Images, load
@@ -22,22 +25,41 @@ from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
 if TYPE_CHECKING:
     from ev3proto.brick.brick import Brick
 
-_SHORT_CONSTANT, _SHORT_LOCAL, _SHORT_GLOBAL, _LONG = range(4)
+_SHORT_CONSTANT, _SHORT_LOCAL, _SHORT_GLOBAL, _LONG_CONSTANT, _OTHER = range(5)
+
+_Unpack = Callable[[bytearray, int], tuple[int]]
+_Form = tuple[int, int, _Unpack | None, int]
+
+
+def _forms() -> tuple[_Form, ...]:
+    """What each identification byte announces, as far as it is read at once.
+
+    The kind; of a short form its value; of a long constant how its number is unpacked, and its bytes in all.
+    """
+    shorts = {CONSTANT: _SHORT_CONSTANT, LOCAL: _SHORT_LOCAL, GLOBAL: _SHORT_GLOBAL}
+    layouts = {1: "<xb", 2: "<xh", 4: "<xi"}
+    forms: list[_Form] = []
+    for encoding, value in zip(ENCODINGS, SHORT_VALUES, strict=True):
+        if encoding is None or encoding.handle or encoding.address:
+            forms.append((_OTHER, 0, None, 0))
+        elif value is not None:
+            forms.append((shorts[encoding.kind], value, None, 1))
+        elif encoding.kind == CONSTANT and encoding.width in layouts:
+            layout = struct.Struct(layouts[encoding.width])
+            forms.append((_LONG_CONSTANT, 0, layout.unpack_from, layout.size))
+        else:
+            forms.append((_OTHER, 0, None, 0))
+    return tuple(forms)
+
+
+_FORMS = _forms()
+
+_INTEGER8: _Unpack = struct.Struct("<b").unpack_from
+_INTEGER16: _Unpack = struct.Struct("<h").unpack_from
+_INTEGER32: _Unpack = struct.Struct("<i").unpack_from
 
 _SCRATCH = 8
 """Bytes of the one place where every constant stands while it is looked at as memory; zeros follow it."""
-
-
-def _short_forms() -> tuple[tuple[int, int], ...]:
-    """By identification byte: what kind of short form it is, and its value; `_LONG` for all others."""
-    kinds = {CONSTANT: _SHORT_CONSTANT, LOCAL: _SHORT_LOCAL, GLOBAL: _SHORT_GLOBAL}
-    return tuple(
-        (_LONG, 0) if encoding is None or value is None else (kinds[encoding.kind], value)
-        for encoding, value in zip(ENCODINGS, SHORT_VALUES, strict=True)
-    )
-
-
-_SHORT = _short_forms()
 
 
 class Machine:
@@ -128,8 +150,9 @@ class Machine:
             is_waiting = True
         except Leave:
             pass
-        except (Failure, IndexError, ValueError) as failure:
-            # Reading code beyond its end makes an IndexError, a text in it that never ends a ValueError.
+        except (Failure, IndexError, ValueError, struct.error) as failure:
+            # Reading code beyond its end makes an IndexError, a text in it that never ends a ValueError, a short
+            # variable beyond the memory a struct.error.
             if program.slot != CMD_SLOT:
                 is_unknown = isinstance(failure, NoOperation)
                 self.brick.settings.log_error("VM_PROGRAM_INSTRUCTION_BREAK" if is_unknown else "VM_PROGRAM_FAIL_BREAK")
@@ -180,27 +203,45 @@ class Machine:
 
     def int8(self) -> int:
         """Reads a parameter of type DATA8."""
-        kind, value = _SHORT[self.code[self.ip]]
+        kind, value, unpack, size = _FORMS[self.code[self.ip]]
+        if kind == _OTHER:
+            return self.place().read8()
+        if unpack is not None:
+            number = unpack(self.code, self.ip)[0]
+            self.ip += size
+            return wrap8(number)
+        self.ip += 1
         if kind == _SHORT_CONSTANT:
-            self.ip += 1
             return value
-        return self.place().read8()
+        return _INTEGER8(self.global_memory if kind == _SHORT_GLOBAL else self.local_memory, value)[0]
 
     def int16(self) -> int:
         """Reads a parameter of type DATA16, or a handle."""
-        kind, value = _SHORT[self.code[self.ip]]
+        kind, value, unpack, size = _FORMS[self.code[self.ip]]
+        if kind == _OTHER:
+            return self.place().read16()
+        if unpack is not None:
+            number = unpack(self.code, self.ip)[0]
+            self.ip += size
+            return wrap16(number)
+        self.ip += 1
         if kind == _SHORT_CONSTANT:
-            self.ip += 1
             return value
-        return self.place().read16()
+        return _INTEGER16(self.global_memory if kind == _SHORT_GLOBAL else self.local_memory, value)[0]
 
     def int32(self) -> int:
         """Reads a parameter of type DATA32."""
-        kind, value = _SHORT[self.code[self.ip]]
+        kind, value, unpack, size = _FORMS[self.code[self.ip]]
+        if kind == _OTHER:
+            return self.place().read32()
+        if unpack is not None:
+            number = unpack(self.code, self.ip)[0]
+            self.ip += size
+            return number
+        self.ip += 1
         if kind == _SHORT_CONSTANT:
-            self.ip += 1
             return value
-        return self.place().read32()
+        return _INTEGER32(self.global_memory if kind == _SHORT_GLOBAL else self.local_memory, value)[0]
 
     def float32(self) -> float:
         """Reads a parameter of type DATAF."""
@@ -229,8 +270,8 @@ class Machine:
         Every constant number stands in one and the same place until the next is read, as in the firmware.
         """
         ip = self.ip
-        kind, value = _SHORT[self.code[ip]]
-        if kind == _LONG:
+        kind, value, _, _ = _FORMS[self.code[ip]]
+        if kind >= _LONG_CONSTANT:
             return self._long_place(ip)
         self.ip = ip + 1
         if kind == _SHORT_GLOBAL:

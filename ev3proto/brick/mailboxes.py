@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 BOXES = 30
 """Numbered from 0."""
@@ -21,7 +21,8 @@ class Mailbox:
     name     what senders call it
     type     one of DATA_FORMAT: of its values
     is_open  whether a program has opened it
-    content  the message that came last; there is no queue
+    content  room for a message: the one that came last lies over the rest of those before; there is no queue
+    size     bytes of the message that came last
     written  messages that came since it was opened
     read     how often one of them was read
     """
@@ -29,7 +30,8 @@ class Mailbox:
     name: bytes = b""
     type: int = 0
     is_open: bool = False
-    content: bytes = b""
+    content: bytearray = field(default_factory=lambda: bytearray(MOST_CONTENT))
+    size: int = 0
     written: int = 0
     read: int = 0
 
@@ -56,7 +58,8 @@ class Mailboxes:
         """A message has come: the first box of that name gets it, open or closed; without one it is dropped."""
         for box in self.boxes:
             if box.name == name:
-                box.content = content[:MOST_CONTENT]
+                box.size = min(len(content), MOST_CONTENT)
+                box.content[: box.size] = content[: box.size]
                 box.written += 1
                 return
 

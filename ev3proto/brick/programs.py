@@ -118,7 +118,7 @@ class Program:
 
     def _find_labels(self) -> dict[int, int]:
         found: dict[int, int] = {}
-        starts = [entry.start for entry in self.objects.values()]
+        starts = sorted({entry.start for entry in self.objects.values()})
         for begin, behind in zip(starts, [*starts[1:], self.end], strict=True):
             code = bytes(self.code[begin:behind])
             for offset in operation_offsets(code):

@@ -66,18 +66,18 @@ def read_box(vm: Machine, number: int, length: int, values: list[Place]) -> None
 
 def _read_value(vm: Machine, box: Mailbox, at: int, place: Place) -> int:
     """Writes one value of the content to its place; returns how many bytes it took."""
-    rest = box.content[at:]
+    rest = bytes(box.content[at:])
     if box.type in _SIZES and box.type not in (_TEXT, _ARRAY):
         size = _SIZES[box.type]
-        # What the content has not got is what the firmware's buffer holds, zeros at first.
         place.write_bytes(rest[:size].ljust(size, b"\0"))
         return size
+    left = max(0, box.size - at)
     if box.type == _ARRAY:
-        if (place.handle >= 0 and vm.resize(place, len(rest))) or place.handle < 0:
-            place.write_bytes(rest)
-        return len(rest)
+        if vm.resize(place, left):
+            place.write_bytes(rest[:left])
+        return left
     text = rest.partition(b"\0")[0]
-    vm.write_text(place, text, max(len(rest), len(text) + 1))
+    vm.write_text(place, text, max(left, len(text) + 1))
     return len(text) + 1
 
 

@@ -115,7 +115,7 @@ class Brick:
 
     def used_kilobytes(self) -> int:
         """KB of the flash memory that users' files take."""
-        return 0
+        return -(-self.files.used // 1024)
 
     # What stands round the machine
 

@@ -1,7 +1,7 @@
 """The objects people hold: messages, their operations, the arguments of those. Immutable, typed, printable.
 
-An operation is kept as the bytes it has on the wire together with its declaration; arguments are read from those bytes
-when somebody looks at them. That is why building what was parsed gives the same bytes, whatever encodings it has.
+An operation is kept as the bytes that it has on the wire together with its declaration. That is why building what was
+parsed gives the same bytes, whatever encodings it has.
 """
 
 from __future__ import annotations
@@ -154,7 +154,11 @@ class OperationReader(Protocol):
         """The same where the operation ends too early."""
 
 
-class Operation(tuple["OperationReader", bytes, int, int]):
+_WITH_ARGUMENTS = 5
+"""Length of an operation that has its arguments with it."""
+
+
+class Operation(tuple[Any, ...]):
     """An opcode, its CMD if it has one, and its arguments.
 
     Made by `ev3proto.parse` and `ev3proto.operation`, not by hand.
@@ -168,7 +172,7 @@ class Operation(tuple["OperationReader", bytes, int, int]):
         offset: int
         _end: int
     else:
-        _schema, _data, offset, _end = _getters(4)
+        _schema, _data, offset, _end = _getters(4)  # a parsed operation has its arguments as the fifth
 
     is_complete: ClassVar[bool] = True
     """False for the last operation of a faulty frame, of which only the first arguments could be read."""
@@ -223,15 +227,21 @@ class Operation(tuple["OperationReader", bytes, int, int]):
     def arguments(self) -> tuple[Argument, ...]:
         """What follows opcode and CMD, in the order of the frame; list elements too, one by one.
 
-        They are read from the bytes each time they are asked for.
+        Those of a parsed operation were read when it was. Those of others are read each time they are asked for.
         """
-        schema, data, offset, _ = self
-        return schema.arguments(data, offset)
+        if len(self) == _WITH_ARGUMENTS:
+            found: tuple[Argument, ...] = self[-1]
+            return found
+        return self._schema.arguments(self._data, self.offset)
 
     def placed(self, frame: bytes, offset: int) -> Operation:
         """The same operation where it stands in a frame."""
-        schema, _, start, end = self
+        schema, _, start, end = self[:4]
         return type(self)((schema, frame, offset, offset + end - start))
+
+    def __getnewargs__(self) -> tuple[tuple[Any, ...]]:
+        """Copies and pickles have what the operation is made of, and read their arguments again."""
+        return (self[:4],)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Operation):
@@ -364,7 +374,7 @@ class DirectCommand(Message):
 
     def _body(self) -> bytes:
         return write_memory(self.global_size, self.local_size) + b"".join(
-            [data[start:end] for _, data, start, end in self.operations]
+            [one[1][one[2] : one[3]] for one in self.operations]
         )
 
 

@@ -48,7 +48,7 @@ class CheckedOperation(NamedTuple):
 
 def checked_operation(parsed: Operation) -> CheckedOperation:
     """An operation as the rules look at it."""
-    schema, _, start, end = parsed
+    schema, _, start, end = parsed[:4]
     facts = operation_facts(schema)
     return CheckedOperation(parsed, facts, facts.name, parsed.arguments, start, end)
 

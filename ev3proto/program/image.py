@@ -179,7 +179,7 @@ def _own_operations(operations: tuple[Operation, ...]) -> int | None:
     """
     furthest = 0
     for place, operation in enumerate(operations):
-        schema, _, _, end = operation
+        schema, _, _, end = operation[:4]
         name = schema.declaration.name
         if name == _OBJECT_END:
             if furthest <= operation.offset:

@@ -161,5 +161,5 @@ def _typed_fill(operation: Operation, schema: OperationSchema, handles: _Handles
 
 
 def _with_schema(operation: Operation, schema: RetypedSchema) -> Operation:
-    _, data, start, end = operation
+    _, data, start, end = operation[:4]
     return type(operation)((schema, data, start, end))

@@ -40,7 +40,7 @@ def direct_command(
         if not isinstance(operation, Operation):
             raise BuildError(f"{operation!r} is no operation: ev3proto.operation makes one")
     kind = _WITH_REPLY if reply else _WITHOUT_REPLY
-    pieces = [data[start:end] for _, data, start, end in operations]
+    pieces = [one[1][one[2] : one[3]] for one in operations]
     frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(pieces))
     at = COMMAND_HEADER_SIZE
     placed = []

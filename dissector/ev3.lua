@@ -5537,7 +5537,7 @@ do
     -- Nobody knows where the next frame starts: the packet is lost, the next one is looked at anew.
     function dissect_no_frame(tvb, at, stop, length, tree)
         local said = format("no frame (%s)", plural(stop - at, "byte"))
-        local reason = "no frame can start here: its length field would say %d, a frame has %d to %d bytes behind it"
+        local reason = "no frame can start here: its length field would say %d, a frame has %d to %d bytes after it"
         return add_faulty(tvb, at, stop, tree, said, "no_boundary", format(reason, length, MIN_LENGTH, MAX_LENGTH))
     end
 

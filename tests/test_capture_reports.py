@@ -103,7 +103,7 @@ def test_what_a_brick_sends_that_is_no_frame_is_told() -> None:
     assert isinstance(event, Skipped)
     assert (event.number, event.data, event.missing) == (sent, b"\xff\xff" + bytes(62), 0)
     assert event.reason == (
-        "the report holds no frame: its length field would say 65535, a frame has 3 to 1022 bytes behind it"
+        "the report holds no frame: its length field would say 65535, a frame has 3 to 1022 bytes after it"
     )
     assert capture.account.skipped == 64
 

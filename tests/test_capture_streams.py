@@ -476,7 +476,7 @@ def test_garbage_between_frames_is_skipped_and_told() -> None:
     garbage = b"\xff\xff\xff\xff\xff garbage"
     events, _ = of(connected(voltage(1) + garbage + voltage(2) + voltage(3), voltage(4)))
     assert frames(events) == [(voltage(1), (2,)), (voltage(2), (2,)), (voltage(3), (2,)), (voltage(4), (3,))]
-    sentence = "no frame can start here: its length field would say 65535, a frame has 3 to 1022 bytes behind it"
+    sentence = "no frame can start here: its length field would say 65535, a frame has 3 to 1022 bytes after it"
     assert complaints(events) == [(garbage, 0, 2, sentence)]
 
 

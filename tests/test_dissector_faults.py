@@ -520,7 +520,7 @@ FAULTS = {
     "0800 0900 00 0400 81 01 60": Told("unanswered", "no reply to this command was seen"),
     "FFFF 0100 80 0000 02 01": Told(
         "no_boundary",
-        "no frame can start here: its length field would say 65535, a frame has 3 to 1022 bytes behind it",
+        "no frame can start here: its length field would say 65535, a frame has 3 to 1022 bytes after it",
         "FF FF 01 00 80 00 00 02 01",
     ),
     "0500 0100 77 01 02": Told("fault", "at offset 4: 0x77 is no message type", "01 02"),
@@ -686,8 +686,8 @@ def test_no_frame(tshark: Tshark) -> None:
 EV3: no frame (8 bytes)
     Not read: 6e 6f 20 66 72 61 6d 65
     [Expert Info (Error/Malformed): no frame can start here: its length field would say 28526, a frame has 3 to 1022 \
-bytes behind it]
-        [no frame can start here: its length field would say 28526, a frame has 3 to 1022 bytes behind it]
+bytes after it]
+        [no frame can start here: its length field would say 28526, a frame has 3 to 1022 bytes after it]
         [Severity level: Error]
         [Group: Malformed]
 """

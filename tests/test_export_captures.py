@@ -156,7 +156,7 @@ def test_a_conversation_without_frames() -> None:
         (bytes.fromhex("0400010080"), "its length field says that 4 bytes follow, 3 do"),
         (
             bytes.fromhex("ff03010080") + bytes(1020),
-            "its length field says 1023; a frame has 3 to 1022 bytes behind it",
+            "its length field says 1023; a frame has 3 to 1022 bytes after it",
         ),
     ],
 )
@@ -173,7 +173,7 @@ def test_frames_that_no_receiver_could_cut(frame: bytes, reason: str | None) -> 
 def test_times_that_go_back_and_carriers_that_are_none() -> None:
     writer = CaptureWriter(io.BytesIO())
     writer.add(TimedFrame(DIALOGUE[0].build(), 2000))
-    with pytest.raises(BuildError, match="the frame has the time 1999 ns, but the one in front of it has 2000 ns"):
+    with pytest.raises(BuildError, match="the frame has the time 1999 ns, but the one before it has 2000 ns"):
         writer.add(TimedFrame(DIALOGUE[1].build(), 1999))
     with pytest.raises(ValueError, match="carrier 'serial' is not known: it must be one of usb, bluetooth, wifi"):
         write_pcapng([], io.BytesIO(), carrier="serial")

@@ -138,7 +138,7 @@ def capturing(tshark: Tshark) -> str | None:
     program = str(tshark.program)
     asked = subprocess.run([program, "-i", LOOPBACK, "-L"], capture_output=True, text=True, timeout=60, check=False)
     if asked.returncode != 0:
-        reason = f"nobody allowed {program} to capture on {LOOPBACK}: on Debian and Ubuntu run sudo dpkg-reconfigure"
+        reason = f"{program} may not capture on {LOOPBACK}: on Debian and Ubuntu run sudo dpkg-reconfigure"
     elif tshark.version >= (4, 4) and os.geteuid() == 0:
         reason = f"{program} does not load the dissector: as root, Wireshark 4.4 and later load no Lua"
     else:
@@ -270,9 +270,9 @@ def test_nobody_allowed_it(tmp_path: Path, said: str) -> None:
     program.chmod(0o755)
     assert refused("-i", LOOPBACK, "--tshark", str(program)) == (
         1,
-        f"nobody allowed {program} to capture on {LOOPBACK}: on Debian and Ubuntu run sudo dpkg-reconfigure"
+        f"{program} may not capture on {LOOPBACK}: on Debian and Ubuntu run sudo dpkg-reconfigure"
         " wireshark-common, choose Yes, join the group with sudo usermod -aG wireshark $USER, and log in again;"
-        " elsewhere run this as somebody who may\n",
+        " elsewhere run this as a user who may\n",
     )
 
 

@@ -1,4 +1,4 @@
-"""Where every captured byte went: nothing that a capture has may be lost without a word."""
+"""Where every captured byte went, so that nothing is dropped in silence."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ class Account:
     first_ns  when the first packet was captured, in nanoseconds since 1970-01-01 UTC; None where there is none
     last_ns   when the last one was
     frames    bytes of frames
-    texts     bytes of beacons, unlock texts and what is answered to them
-    padding   bytes behind the frame in USB reports
+    texts     bytes of beacons, unlock texts and the answers to them
+    padding   bytes after the frame in USB reports
     headers   bytes of what carries frames: Ethernet, IP, TCP, USB and Bluetooth headers
-    repeated  bytes that came again, sent twice
+    repeated  bytes that were sent again
     other     bytes of packets that have nothing to do with a brick
     skipped   bytes among frames that could not be read
     """

@@ -11,7 +11,7 @@ from ev3proto.semantics.transfers import Transfers
 from ev3proto.tables.frame import MessageType
 
 MOST_PENDING = 4096
-"""Commands of one conversation whose reply is awaited; a long capture may have a million that nobody answers."""
+"""Commands of one conversation whose reply is awaited; a long capture may have a million that are never answered."""
 
 _DIRECT, _SYSTEM = MessageType.DIRECT_COMMAND_REPLY.carries, MessageType.SYSTEM_COMMAND_REPLY.carries
 
@@ -22,7 +22,7 @@ _TYPES = {
 
 
 class Conversation:
-    """Pairs replies with commands by their headers alone, so that nobody must read what nobody asks for."""
+    """Pairs replies with commands by their headers alone, so that messages are read only when they are asked for."""
 
     def __init__(self, schema: FrameSchema) -> None:
         self._schema = schema

@@ -30,13 +30,13 @@ from ev3proto.tables.system import Kind, SystemStatus
 from ev3proto.tables.system import SystemCommand as SystemEntry
 
 MOST_FILES = 10_000
-"""So many files a capture can give; of further ones only the number is told."""
+"""The most files that a capture can give."""
 
 MOST_OPEN = 16
 """So many files are open at once."""
 
 PART = ".part"
-"""What is put behind the name of a file that is not whole."""
+"""What is added to the name of a file that is not whole."""
 
 LISTING = "listing.txt"
 """What the listing of a folder is called, inside that folder."""
@@ -59,7 +59,7 @@ class RecoveredFile:
     direction  `to brick` or `from brick`
     peer       the brick
     bytes      that were moved
-    size       bytes of the whole file, None where nobody said it
+    size       bytes of the whole file, None where it was not said
     outcome    complete, incomplete, or refused by the brick before anything was moved
     trouble    for what is not complete: why not, as a sentence
     packets    the first and the last packet that is about it
@@ -99,7 +99,7 @@ def recover(
     """Writes the files into a folder, which is made where it is not there, and says what was written.
 
     Nothing outside the folder is touched, whatever paths the capture says. Where there are several bricks each gets a
-    folder in it. A file that is not whole is written with `.part` behind its name, an empty one of these not at all. A
+    folder in it. A file that is not whole is written with `.part` after its name, an empty one of these not at all. A
     name that is taken gets a number: `hello (2).rbf`.
 
     force     overwrite files that were there before
@@ -221,7 +221,7 @@ class _Files:
                     self._record(event)
         except CaptureError as error:
             return error
-        return CaptureError(f"it moves more than {MOST_FILES} files: the rest is left out") if self._is_full else None
+        return CaptureError(f"it moves more than {MOST_FILES} files: the rest is omitted") if self._is_full else None
 
     def _record(self, record: Record) -> None:
         message = record.message
@@ -288,7 +288,7 @@ class _Files:
         return self._images.get(record.peer)
 
     def _of_handle(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
-        """Pieces of a file whose beginning was not captured: nobody knows its path."""
+        """Pieces of a file whose beginning was not captured: its path is not known."""
         handle = message.fields.get("handle")
         if not isinstance(handle, int):
             return None
@@ -336,7 +336,7 @@ def _begins_image(entry: SystemEntry) -> bool:
 
 
 class _Pieces:
-    """Files that grow, known by their numbers, in a folder of their own that is gone in the end."""
+    """Files that grow, known by their numbers, in a folder of their own that is removed in the end."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = Path(tempfile.mkdtemp(prefix=".ev3proto-", dir=folder))
@@ -349,7 +349,7 @@ class _Pieces:
         return path
 
     def append(self, number: int, piece: bytes) -> None:
-        """Writes a piece behind those that were written."""
+        """Writes a piece after those that were written."""
         file, oldest = self._open.use(number, lambda: (self._folder / str(number)).open("ab"))
         if oldest is not None:
             oldest.close()

@@ -61,7 +61,7 @@ class StreamPart(NamedTuple):
     kind     what it is; TEXT_END is the rest of a text that came before, OTHER is none of ours
     data     the bytes
     numbers  the packets they came in
-    reason   for LOST: why nobody can read it
+    reason   for LOST: why it cannot be read
     """
 
     kind: PartKind
@@ -73,7 +73,7 @@ class StreamPart(NamedTuple):
 class Cutter:
     """Cuts one direction of a stream. It keeps at most one unfinished frame or text beside what it was last given.
 
-    schema      reads frames, to tell whether one stands somewhere
+    schema      reads frames, to see whether one starts somewhere
     in_step     a frame starts with the first byte; else the first one is looked for
     is_claimed  the stream is known to be ours; else it is once something like a frame starts with a chunk
     """
@@ -118,7 +118,7 @@ class Cutter:
         return [number for _, number in self._marks] if self._marks else []
 
     def leave_hole(self, missing: int) -> list[StreamPart]:
-        """Says that bytes are missing in the stream here, 0 for nobody knows how many: what waits gets no rest."""
+        """Says that bytes are missing in the stream here, 0 where it is not known how many: what waits is given up."""
         what = "text" if self._is_in_text() else "frame"
         waiting = self._give_up()
         waiting += self._take_all(f"the rest of the {what} is not in the capture")
@@ -142,7 +142,7 @@ class Cutter:
         return found + self._take_all(reason)
 
     def _give_up(self) -> list[StreamPart]:
-        """What there is behind a place where a frame might have started, of which no more will come."""
+        """What there is after a place where a frame might have started, of which no more will come."""
         return [] if self._in_step or not self._is_claimed else self._cut(is_last=True)
 
     def _is_in_text(self) -> bool:
@@ -205,7 +205,7 @@ class Cutter:
         return self._reason
 
     def _next(self, buffer: bytes, at: int) -> tuple[PartKind, int]:
-        """What stands at an offset and where it ends, which is behind the buffer's end where more is needed."""
+        """What stands at an offset and where it ends, which is after the buffer's end where more is needed."""
         more = len(buffer) + 1
         text = self._text(buffer, at)
         if text is not None:
@@ -293,7 +293,7 @@ class Cutter:
         return part.startswith(_REQUEST) and len(part) < MOST_UNLOCK
 
     def _rest_of_text(self, buffer: bytes, at: int) -> tuple[PartKind, int] | None:
-        """What comes late of the text before: line ends behind an unlock text, the zero behind the answer to it."""
+        """What comes late of the text before: line ends after an unlock text, the zero after the answer to it."""
         if self._after_text is PartKind.ACCEPT:
             return (PartKind.TEXT_END, at + 1) if self._is_zero(buffer, at) else None
         end = at + len(buffer[at:]) - len(buffer[at:].lstrip(_LINE_END))
@@ -319,7 +319,7 @@ class Cutter:
         return PartKind.UNLOCK, end
 
     def _is_zero(self, buffer: bytes, at: int) -> bool:
-        """Whether the zero stands here that the firmware sends behind its answer: it is no start of a length."""
+        """Whether the zero stands here that the firmware sends after its answer: it is no start of a length."""
         return buffer[at : at + 1] == b"\0" and not self._is_frame_rather(buffer, at)
 
     def _is_frame_rather(self, buffer: bytes, at: int) -> bool:

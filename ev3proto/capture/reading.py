@@ -1,4 +1,4 @@
-"""Capture files opened, sniffed and read: `read` gives records, and everything else that a capture has beside them."""
+"""Captures opened and read: `read` gives the records of a file, and everything else that it has."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Engine = Literal["builtin", "wireshark"]
 class Capture:
     """A capture that is being read: iterate it once, for its records or with `events` for everything in it.
 
-    It is closed when it was read to its end, when nobody holds it any more, or by `close` or a `with`.
+    It is closed at its end, when it is no longer referred to, or by `close` or a `with`.
 
     account  where the captured bytes went, so far
     """
@@ -31,7 +31,7 @@ class Capture:
 
     @property
     def progress(self) -> float | None:
-        """How much of the file was read, 0 to 1; None where nobody knows its size."""
+        """How much of the file was read, 0 to 1; None where its size is not known."""
         return None if self._file is None else self._file.progress
 
     def __iter__(self) -> Iterator[Record]:
@@ -40,9 +40,14 @@ class Capture:
                 yield event
 
     def events(self) -> Iterator[Event]:
-        """Records, announcements and skipped bytes, in the order in which they became complete.
+        """Reads the capture.
 
-        Raises CaptureError for a damaged file after everything readable was given, OSError where it cannot be read.
+        Yields:
+            Records, announcements and skipped bytes, in the order in which they became complete.
+
+        Raises:
+            CaptureError: The file is damaged. Everything readable was given before.
+            OSError: The file cannot be read.
         """
         try:
             yield from self._events

@@ -1,4 +1,4 @@
-"""What is found in a capture: frames with their place and time, the texts around them, bytes that nobody can read."""
+"""What is found in a capture: frames with their place and time, the texts around them, bytes that cannot be read."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Route:
     carrier    USB, Bluetooth or WiFi
     source     address of the sender: `192.0.2.1:49152`, `host`, `1.7` (USB bus and device), `00:16:53:00:00:0a`
     target     address of the receiver
-    direction  sent or received, None where the capture does not tell
+    direction  sent or received, None where the capture does not say
     interface  name of the interface it was captured on, None where the file has none
     peer       address of the brick (with the TCP port on WiFi): the source or the target
     """
@@ -68,7 +68,7 @@ class Record:
     time_ns   when its last packet was captured, in nanoseconds since 1970-01-01 UTC
     route     from where to where, and by what
     request   for a reply: the record of the command that it answers; None when no such command was seen
-    transfer  the file that a system message is about, None where it is about none; counts on while reading goes on
+    transfer  the file that a system message is about, None where it is about none; it counts on while reading
     note      a sentence on what is odd about it beside its contents, None where nothing is
     """
 
@@ -165,7 +165,7 @@ class Record:
 
     @property
     def direction(self) -> Direction | None:
-        """Sent or received, as the computer sees it; None where the capture does not tell."""
+        """Sent or received, as the computer sees it; None where the capture does not say."""
         return self.route.direction
 
     @property
@@ -224,7 +224,7 @@ class Skipped:
     """Bytes among frames that are none, or bytes that should be there and are not.
 
     data     the bytes that were captured and could not be read
-    missing  how many bytes were not captured at all, 0 where nothing tells
+    missing  how many bytes were not captured at all, 0 where that is not known
     reason   one sentence
     number   the packet where it was noticed
     time_ns  when that was captured, in nanoseconds since 1970-01-01 UTC
@@ -243,7 +243,7 @@ class Skipped:
 
 
 Event = Record | Announcement | Skipped
-"""Everything that a capture can have."""
+"""Everything that is found in a capture."""
 
 
 def utc(time_ns: int) -> str:

@@ -86,7 +86,7 @@ class Shelf:
     def place(self, parts: tuple[str, ...], suffix: str = "") -> Path:
         """Where a file is to be put; its folder is made. Raises OSError where that does not go.
 
-        suffix  behind everything, for files that are not whole
+        suffix  after everything, for files that are not whole
         """
         folder = self._folder
         for part in parts[:-1]:

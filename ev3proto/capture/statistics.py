@@ -62,7 +62,7 @@ class Amount:
 class OperationSummary:
     """One operation or system command.
 
-    name        `SOUND.TONE`; a system or daisy command's name, its number where nobody knows it
+    name        `SOUND.TONE`; a system or daisy command's name, its number where it is not known
     kind        `direct`, `system` or `daisy`: whose messages carry it
     uses        how often it stands in commands
     commands    commands that have it
@@ -92,7 +92,7 @@ class TransferSummary:
     command    the command by which it began
     direction  `to brick` or `from brick`
     bytes      moved
-    size       of it all, None where nobody said it
+    size       of it all, None where it was not said
     seconds    from its first message to its last
     rate       bytes a second, None where that took no time
     complete   all of it was moved
@@ -169,8 +169,8 @@ class Summary:
     skipped             the first pieces that could not be read
     skipped_pieces      how many there are
     skipped_bytes       captured bytes in them
-    missing_bytes       bytes that were not captured, as far as anything tells
-    account             where the captured bytes went, None where nobody said it
+    missing_bytes       bytes that were not captured, as far as is known
+    account             where the captured bytes went, None where it was not given
     """
 
     whole: PeerSummary
@@ -446,8 +446,8 @@ class Statistics:
             found = self._peers[peer] = _Tally(peer)
         return found
 
-    # Commands and their replies. A record that nobody holds any more can have no reply, and then another one can have
-    # its id: whoever waits under that id waits in vain.
+    # Commands and their replies. A record that is no longer referred to can have no reply, and then another one can
+    # have its id: what waits under that id waits in vain.
 
     def _wait(self, record: Record, carried: dict[Carried, int]) -> None:
         same = self._waiting.pop(id(record), None)
@@ -464,7 +464,7 @@ class Statistics:
 
     def _give_up(self, waiting: _Waiting) -> None:
         self._peers.get(waiting.peer, self._further).no_reply(waiting.carried)
-        self._unanswered.append(Noted(waiting.number, waiting.peer, _told(waiting.carried)))
+        self._unanswered.append(Noted(waiting.number, waiting.peer, _listed(waiting.carried)))
         if len(self._unanswered) > 2 * MOST_LISTED:
             # Commands are not always given up in their order.
             self._unanswered.sort(key=lambda noted: noted.packet)
@@ -513,7 +513,7 @@ def _system_name(number: int) -> str:
     return f"{entry.name} (bootloader)" if entry.bootloader else entry.name
 
 
-def _told(carried: dict[Carried, int]) -> str:
+def _listed(carried: dict[Carried, int]) -> str:
     """`SOUND.TONE, UI_WRITE.LED`, not all of a long program."""
     names = [key.name for key in _first(carried, MOST_NAMED)]
     more = len(carried) - len(names)

@@ -1,4 +1,4 @@
-"""`ev3proto decode`: frames in any form people have them, or a capture, told in words, as table, assembly or JSON."""
+"""`ev3proto decode`: frames in any form, or a capture, as words, table, assembly or JSON."""
 
 from __future__ import annotations
 
@@ -42,8 +42,8 @@ class Decoding(SourceReader):
 
         before = self._show.count
         if self._as_dialogues:
-            for spoken in dialogues(self._faults(capture)):
-                self._show.dialogue(spoken, capture.account.first_ns or 0)
+            for pair in dialogues(self._faults(capture)):
+                self._show.dialogue(pair, capture.account.first_ns or 0)
         else:
             for event in self._faults(capture):
                 if isinstance(event, Announcement):
@@ -82,7 +82,7 @@ class Decoding(SourceReader):
 )
 @reading_options
 def decode(names: tuple[str, ...], style: str, as_json: bool, as_dialogues: bool, reading: CaptureOptions) -> None:
-    """Tells what frames say.
+    """Shows what frames say.
 
     Give frames themselves, files that have them in their lines, captures (pcap, pcapng, btsnoop, packed with gzip or
     not), or - (or nothing) for standard input. Any form will do: log lines with their times, hex with or without spaces

@@ -35,7 +35,7 @@ def files(file: str, reading: CaptureOptions, folder: Path | None, listings: boo
     """Puts the files that were moved to or from the brick back together.
 
     Without -o they are only listed. With it, each is written under its path on the brick, always inside the folder; a
-    file that is not whole gets .part behind its name, and the exit status is 1.
+    file that is not whole gets .part after its name, and the exit status is 1.
 
     \b
       ev3proto files robot.pcapng

@@ -92,7 +92,7 @@ def _ended_by_signals(capture: Live) -> Iterator[None]:
 
 
 class _Watching:
-    """What is shown of a capture that goes on."""
+    """Shows a capture while it lasts."""
 
     def __init__(self, reading: CaptureOptions, *, as_json: bool) -> None:
         self._chosen = reading.filter
@@ -106,9 +106,9 @@ class _Watching:
         """Shows all events until there are no more."""
         from ev3proto.capture.dialogues import dialogues
 
-        for spoken in dialogues(self._beside(events), PATIENCE_NS):
-            if self._is_wanted(spoken):
-                self._show.dialogue(spoken, self._start_ns or 0)
+        for pair in dialogues(self._beside(events), PATIENCE_NS):
+            if self._is_wanted(pair):
+                self._show.dialogue(pair, self._start_ns or 0)
         if self._skipped > MOST_COMPLAINTS:
             complain(f"and {self._skipped - MOST_COMPLAINTS} more places that could not be read")
 
@@ -128,9 +128,9 @@ class _Watching:
                     complain(str(event))
             yield event
 
-    def _is_wanted(self, spoken: RequestReply) -> bool:
+    def _is_wanted(self, pair: RequestReply) -> bool:
         chosen = self._chosen
-        return chosen is None or any(record is not None and chosen(record) for record in spoken)
+        return chosen is None or any(record is not None and chosen(record) for record in pair)
 
     def _is_new(self, announcement: Announcement) -> bool:
         from ev3proto.capture import Said

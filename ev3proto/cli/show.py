@@ -74,30 +74,30 @@ class Show:
             return
         line = origin(_seen(announcement, start_ns))
         line.append((str(announcement.said), Role.HEADING))
-        told = ", ".join(f"{name} {value}" for name, value in facts.items())
-        self._aside([*line, (f": {told}" if told else "", Role.VALUE)])
+        listed = ", ".join(f"{name} {value}" for name, value in facts.items())
+        self._aside([*line, (f": {listed}" if listed else "", Role.VALUE)])
 
-    def dialogue(self, spoken: RequestReply, start_ns: int) -> None:
+    def dialogue(self, pair: RequestReply, start_ns: int) -> None:
         """A command with its reply, on one line."""
         from ev3proto.capture.record import NANOSECONDS
 
         self.count += 1
         if self._style == "json":
             entry: dict[str, Any] = {
-                name: _json(record) for name, record in spoken._asdict().items() if record is not None
+                name: _json(record) for name, record in pair._asdict().items() if record is not None
             }
-            entry["latency"] = None if spoken.reply is None else spoken.reply.latency
+            entry["latency"] = None if pair.reply is None else pair.reply.latency
             self._printer.text(json.dumps(entry, ensure_ascii=False))
             return
-        first = spoken.command or spoken.last
-        reply = spoken.reply
+        first = pair.command or pair.last
+        reply = pair.reply
         line: Line = [
             (f"{(first.time_ns - start_ns) / NANOSECONDS:12.6f} ", Role.ASIDE),
             (f"#{first.number} ".rjust(7), Role.ASIDE),
             (f"{first.carrier} {first.peer}  ", Role.PLAIN),
         ]
         line += dialogue_line(
-            None if spoken.command is None else spoken.command.message,
+            None if pair.command is None else pair.command.message,
             None if reply is None else reply.exchange,
             None if reply is None else reply.latency,
         )

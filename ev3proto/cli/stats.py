@@ -1,4 +1,4 @@
-"""`ev3proto stats`: what a capture amounts to, in tables that people read or as JSON."""
+"""`ev3proto stats`: what is in a capture, counted, as tables or JSON."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _MILLISECONDS = 1000
 @reading_options
 @click.option("--json", "as_json", is_flag=True, help="One JSON object.")
 def stats(file: str, reading: CaptureOptions, as_json: bool) -> None:
-    """Tells what a capture amounts to.
+    """Counts what is in a capture.
 
     Messages by kind and by operation, latencies, errors, commands that got no reply, the files that were moved, and
     where every captured byte went. Everything but the last is about the frames that --filter lets through: a command

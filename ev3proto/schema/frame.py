@@ -182,7 +182,7 @@ class FrameSchema(Bytewise):
         length, _, code = unpack_header(frame)
         if not MIN_LENGTH <= length <= MAX_LENGTH:
             return DecodeError(
-                0, f"the length field says {length}; a frame can have {MIN_LENGTH} to {MAX_LENGTH} bytes behind it"
+                0, f"the length field says {length}; a frame can have {MIN_LENGTH} to {MAX_LENGTH} bytes after it"
             )
         end = length + LENGTH_FIELD
         if size < end:

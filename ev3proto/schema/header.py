@@ -95,7 +95,7 @@ def impossible_length(length: int) -> str:
     """Says why no frame can have this length field, as a sentence."""
     return (
         f"no frame can start here: its length field would say {length}, a frame has {MIN_LENGTH} to {MAX_LENGTH} bytes"
-        " behind it"
+        " after it"
     )
 
 

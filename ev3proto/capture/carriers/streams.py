@@ -64,7 +64,7 @@ class Stream:
         return events
 
     def leave_hole(self, missing: int) -> list[Event]:
-        """Says that bytes are missing here; 0 where nobody can tell how many."""
+        """Says that bytes are missing here; 0 where their number is not known."""
         events = self._events(self.cutter.leave_hole(missing))
         self._times.clear()
         if not self.cutter.is_claimed:

@@ -1,4 +1,4 @@
-"""What the values behind a name can be compared with: numbers, texts, names from a list, or nothing at all."""
+"""What the values of a name can be compared with: numbers, texts, names from a list, or nothing at all."""
 
 from __future__ import annotations
 
@@ -184,7 +184,7 @@ MOST_LISTED = 16
 
 
 class Held(NamedTuple):
-    """A value of a parameter or field in a frame; None for an argument that is a variable, whose value nobody knows."""
+    """A value of a parameter or field in a frame; None for an argument that is a variable, whose value is not known."""
 
     value: int | float | str | bytes | None
     enum: Enumeration | None = None

@@ -4,7 +4,7 @@ Lower case   what a frame is and how it came: `op`, `peer`, `latency`, ...; `NAM
 Any case     the parameters and fields of the tables: `FREQUENCY`, `path`, ... Those that have the name of the former
              (`TYPE`, `SIZE`, `TIME`, ...) are meant where they are written in upper case, as the firmware has them.
 With a dot   a parameter of one operation, family or system command (`SOUND.TONE.VOLUME`, `BEGIN_DOWNLOAD.size`),
-             or, behind `arg.`, of any.
+             or, after `arg.`, of any.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class Name:
 
 
 class Clock:
-    """When the capture begins, as far as a filter can tell: with the first record that it is asked about."""
+    """When the capture begins, as far as a filter knows: with the first record that it is asked about."""
 
     def __init__(self) -> None:
         self.start_ns: int | None = None
@@ -87,7 +87,7 @@ def _has(read: Read) -> Callable[[Record], bool]:
 
 
 def _known(found: Iterable[Held]) -> list[Held]:
-    """Those with a value: nobody knows what a variable holds."""
+    """Those with a value: what a variable holds is not known."""
     return [held for held in found if held.value is not None]
 
 
@@ -228,6 +228,6 @@ packet       number of each packet that carried it, the first in the file is 1
 latency      seconds from a command to its reply
 peer         address of the brick; on WiFi with its port or without, as `source` and `target` are
 carrier      usb, bluetooth or wifi
-direction    sent or received, where the capture tells
+direction    sent or received, where the capture says so
 interface    that it was captured on
 """

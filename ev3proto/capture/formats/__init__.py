@@ -1,4 +1,4 @@
-"""Capture files: which format a file has, told by its first bytes and not by its name, and the packets in it."""
+"""Capture files: which format a file has, recognised by its first bytes and not by its name, and the packets in it."""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ _GZIP_TROUBLE = (EOFError, zlib.error, gzip.BadGzipFile)
 
 
 class _Source(io.RawIOBase):
-    """What a function reads; the first bytes can be looked at before. Nobody's stream is closed with it.
+    """What a function reads; the first bytes can be looked at before. Streams of others are not closed with it.
 
-    A pipe may give less than what was asked for, and a gzip stream gives what stands in front of the place where it is
+    A pipe may give less than what was asked for, and a gzip stream gives what comes before the place where it is
     damaged only to who does not ask for more at once.
     """
 
@@ -49,7 +49,7 @@ class _Source(io.RawIOBase):
         self._head = b""
 
     def start(self) -> bytes:
-        """The first bytes, as many as tell what it is. Only before anything was read."""
+        """As many of the first bytes as show what it is. Only before anything was read."""
         while len(self._head) < _MOST_MAGIC and any(magic.startswith(self._head) for magic in _STARTS):
             more = self._read(_MOST_MAGIC - len(self._head))
             if not more:
@@ -103,7 +103,7 @@ class CaptureFile:
 
     @property
     def progress(self) -> float | None:
-        """How much of it was read, 0 to 1; None where nobody knows its size."""
+        """How much of it was read, 0 to 1; None where its size is not known."""
         return None if not self._size or self._file.closed else min(self._file.tell() / self._size, 1.0)
 
     def packets(self) -> Iterator[Packet]:
@@ -115,7 +115,7 @@ class CaptureFile:
             raise CaptureError(
                 f"no capture file: {what}; pcap, pcapng and btsnoop files can be read, packed with gzip or not"
             )
-        return self._told(import_module(f"{__name__}.{name}").packets)
+        return self._packets(import_module(f"{__name__}.{name}").packets)
 
     def close(self) -> None:
         """Closes the stream if it is ours."""
@@ -130,7 +130,7 @@ class CaptureFile:
     ) -> None:
         self.close()
 
-    def _told(self, reader: Reader) -> Iterator[Packet]:
+    def _packets(self, reader: Reader) -> Iterator[Packet]:
         try:
             yield from reader(self.contents)
         except _GZIP_TROUBLE as error:

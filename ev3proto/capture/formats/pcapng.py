@@ -184,5 +184,5 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
                 yield packet
         position += length
     if trouble is not None:
-        # The blocks behind it could be read.
+        # The blocks after it could be read.
         raise trouble

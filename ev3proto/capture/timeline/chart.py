@@ -14,7 +14,7 @@ from ev3proto.capture.timeline.marks import Outcome
 VERSION = "6.1"
 """The version of Vega-Lite that it is written in."""
 
-# Colours of Okabe and Ito, which people tell apart whatever their eyes, darker where they are thin lines on white. The
+# Colours of Okabe and Ito, which everybody can distinguish, darker where they are thin lines on white. The
 # symbols differ, too.
 COLOURS = {
     Outcome.ANSWERED: "#0072B2",

@@ -72,7 +72,7 @@ def collect(
 
 @dataclass(slots=True)
 class _Move:
-    """A file on its way. The transfer itself counts on while reading goes on."""
+    """A file on its way. The transfer itself counts on while the capture is read."""
 
     transfer: Transfer
     brick: str

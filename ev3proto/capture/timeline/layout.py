@@ -20,7 +20,7 @@ MOST_FILE_ROWS = 5
 """Rows for files that are moved at the same time, or whose paths would stand on each other."""
 
 SHADES = 5
-"""How many shades tell how much was counted."""
+"""How many shades show how much was counted."""
 
 FIRST_MS = 0.001
 """The shortest latency that is drawn, in milliseconds: on a logarithmic axis, nothing is at 0."""
@@ -80,7 +80,7 @@ class Picture:
     panels       one a brick, one below the other
     marks        symbols, bars and labels: `p` panel, `row`, `t` and `e` begin and end in seconds, `o` outcome, `bad`
                  for trouble, `f` for files, `ms` latency, `l` label, `x` where in time it stands, `back` whether to the
-                 left of that, `tip` what is told of it
+                 left of that, `tip` what is said of it
     cells        counts in bins: `p`, `row`, `t`, `e`, `s` shade from 1 to SHADES, `tip`
     latencies    in bins: `t`, `ms` the slowest and `low` the fastest answer, `tip`
     legend       symbols with their words: `o`, `text`, `x`, `x2`, `y` in pixels, `s` instead of `o` for shades
@@ -222,9 +222,9 @@ class _Rows:
                 continue
             left, right = self._pixel(mark.begin_ns), self._pixel(mark.end_ns or mark.begin_ns)
             width = 1.5 * _SYMBOL + _LETTER * len(mark.label)
-            # In the bar, or behind it where it is too short, or in front of it where the picture ends.
-            behind = left + width > right
-            words = right if behind else max(left, 0.0)
+            # In the bar, or after it where it is too short, or before it where the picture ends.
+            after = left + width > right
+            words = right if after else max(left, 0.0)
             backwards = words + width > WIDTH
             begin, end = (left - width, right) if backwards else (left, max(right, words + width))
             free = [number for number, taken in enumerate(ends) if taken <= begin]
@@ -237,7 +237,7 @@ class _Rows:
             datum = self._datum(mark, rows[number])
             datum["f"] = True
             if free:
-                place = datum["e"] if behind and not backwards else max(datum["t"], self._picture.domain[0])
+                place = datum["e"] if after and not backwards else max(datum["t"], self._picture.domain[0])
                 datum |= {"l": mark.label, "x": place, "back": backwards}
             self._picture.marks.append(datum)
 
@@ -262,12 +262,12 @@ class _Rows:
             width = 1.5 * _SYMBOL + _LETTER * len(mark.label)
             is_last = index + 1 == len(found)
             limit = WIDTH if is_last else self._pixel(found[index + 1][0].begin_ns) - _SYMBOL / 2
-            # In the bar, or behind it where it is too short.
-            behind = left + width > right
-            end = (right if behind else left) + width
+            # In the bar, or after it where it is too short.
+            after = left + width > right
+            end = (right if after else left) + width
             taken, before = max(right, left + _SYMBOL / 2), taken
             if mark.label and end <= limit:
-                datum |= {"l": mark.label, "x": datum.get("e", datum["t"]) if behind else datum["t"], "back": False}
+                datum |= {"l": mark.label, "x": datum.get("e", datum["t"]) if after else datum["t"], "back": False}
                 taken = end
             elif mark.label and end > WIDTH and left - width >= before:
                 datum |= {"l": mark.label, "x": datum["t"], "back": True}

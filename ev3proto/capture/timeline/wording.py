@@ -29,13 +29,13 @@ UNSEEN = "command not seen"
 
 
 def clean(text: str, most: int = MOST_LETTERS) -> str:
-    """A text with what is not printable escaped, and not longer than `most` letters: the end is left away."""
+    """A text with what is not printable escaped, and not longer than `most` letters: the end is omitted."""
     shown = printable(text[: most + 1])
     return shown if len(shown) <= most else f"{shown[: most - 1]}…"
 
 
 def clean_path(path: str, most: int = MOST_LABEL) -> str:
-    """The same for a path, whose beginning is left away."""
+    """The same for a path, whose beginning is omitted."""
     shown = printable(path[-most - 1 :])
     return shown if len(shown) <= most else f"…{shown[1 - most :]}"
 
@@ -80,10 +80,10 @@ def exchange_label(command: Record | None, reply: Record | None) -> str:
     if not isinstance(message, DirectCommand) or message.wants_reply or len(message.operations) != 1:
         return ""
     arguments = message.operations[0].arguments[:MOST_TOLD]
-    told = (
+    shown = (
         argument.symbol or f"{argument_value(argument)} {argument_meaning(argument)}".rstrip() for argument in arguments
     )
-    return clean(", ".join(told), MOST_LABEL)
+    return clean(", ".join(shown), MOST_LABEL)
 
 
 def transfer_progress(transfer: Transfer) -> str:
@@ -93,8 +93,8 @@ def transfer_progress(transfer: Transfer) -> str:
 
 def announcement_text(announcement: Announcement) -> str:
     """What a beacon or unlock text says: `serial 0016530f0f0f, port 5555, name myEV3, protocol EV3`."""
-    told = ", ".join(f"{name} {value}" for name, value in announcement.facts.items())
-    return clean(told or f"{len(announcement.data)} bytes")
+    shown = ", ".join(f"{name} {value}" for name, value in announcement.facts.items())
+    return clean(shown or f"{len(announcement.data)} bytes")
 
 
 def packets(numbers: tuple[int, ...]) -> str:

@@ -70,7 +70,7 @@ class Common:
     def route(
         self, carrier: Carrier, source: str, target: str, is_from_host: bool | None, interface: str | None
     ) -> Route:
-        """The route between two ends; `is_from_host` is None where nothing tells the direction."""
+        """The route between two ends; `is_from_host` is None where the direction is not known."""
         peer = source if is_from_host is False else target
         direction = None if is_from_host is None else Direction.SENT if is_from_host else Direction.RECEIVED
         key = carrier, source, target, direction, interface

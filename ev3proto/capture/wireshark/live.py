@@ -15,7 +15,7 @@ _STARTED = b"Capture started"
 
 
 class Live:
-    """A capture that goes on until it is stopped."""
+    """A capture that lasts until it is stopped."""
 
     def __init__(
         self,
@@ -48,7 +48,7 @@ class Live:
         self._is_stopped = False
         listed = ", ".join(map(str, sorted(ports)))
         self._words = ["-l", "-Y", f"ev3 || tcp.len > 0 && tcp.port in {{{listed}}}"]
-        # Packets of others need not even be captured, where the operating system can tell them.
+        # Packets of others need not even be captured, where the operating system can distinguish them.
         internet = " or ".join([*(f"tcp port {port}" for port in sorted(ports)), f"udp port {BEACON_PORT}"])
         for name in interfaces:
             self._words += ["-i", name, *(("-f", internet) if self._program.check_interface(name) else ())]

@@ -53,7 +53,7 @@ class Process:
         self._status: int | None = None
 
     def batches(self) -> Iterator[list[Row]]:
-        """Runs tshark, which is gone when this ends or is closed.
+        """Runs tshark, which has ended when this ends or is closed.
 
         Yields:
             The rows as they come, several at a time.

@@ -1,4 +1,4 @@
-"""The tshark on this computer: found, asked what it is, and told how to read."""
+"""The tshark on this computer: found, asked for its version, and given the arguments for reading."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ _INTERNET_LINKS = re.compile(r"^\s*(EN10MB|LINUX_SLL2?|NULL|LOOP|RAW|IPV4|IPV6|I
 
 RIGHTS = (
     "on Debian and Ubuntu run sudo dpkg-reconfigure wireshark-common, choose Yes, join the group with"
-    " sudo usermod -aG wireshark $USER, and log in again; elsewhere run this as somebody who may"
+    " sudo usermod -aG wireshark $USER, and log in again; elsewhere run this as a user who may"
 )
 """What gives somebody the right to capture."""
 
@@ -112,7 +112,7 @@ class Program:
             hint = "; USB is captured after sudo modprobe usbmon" if name.startswith("usbmon") else ""
             return f"there is no interface {name}: there are {', '.join(names)}{hint}"
         if _NO_RIGHTS.search(done.stderr) or not names:
-            return f"nobody allowed {self.path} to capture on {name}: {RIGHTS}"
+            return f"{self.path} may not capture on {name}: {RIGHTS}"
         return f"{self.path} cannot capture on {name}: {_said_last(done.stderr, done.returncode)}"
 
     def _run(self, *words: str) -> subprocess.CompletedProcess[str]:
@@ -138,7 +138,7 @@ class Program:
         if status < 0:
             return f"tshark ended by signal {-status} before it had read everything"
         if _NO_RIGHTS.search(said):
-            return f"nobody allowed {self.path} to capture: {RIGHTS}"
+            return f"{self.path} may not capture: {RIGHTS}"
         return f"tshark says: {_said_last(said, status)}"
 
     def _why_no_dissector(self, said: str) -> str:

@@ -1,7 +1,7 @@
 """Which packets carried which bytes of a TCP stream that Wireshark has put in order, and which bytes were in vain.
 
-Wireshark tells for each packet the pieces of which it made reassembled buffers, and how long those are. Frames and
-texts stand in these one behind the other, then in what is left of the packet itself.
+Wireshark names for each packet the pieces of which it made reassembled buffers, and how long those are. Frames and
+texts stand in these one after the other, then in what is left of the packet itself.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ class Waiting:
 
     number   the packet's number
     start    sequence number of the first of these bytes
-    stop     sequence number behind the last one
+    stop     sequence number after the last one
     time_ns  when it was captured
     """
 
@@ -38,7 +38,7 @@ class _Buffer:
     """A buffer that is being read.
 
     numbers  the packets of which it is made, in the order of their bytes; some may have the same bytes
-    start    sequence number of its first byte, None where nobody knows
+    start    sequence number of its first byte, None where it is not known
     size     bytes in it
     at       where the next frame starts
     """
@@ -66,7 +66,7 @@ class Segments:
     __slots__ = ("_done", "waiting")
 
     def __init__(self) -> None:
-        self._done = 0  # sequence number behind the last byte of a frame
+        self._done = 0  # sequence number after the last byte of a frame
         self.waiting: dict[int, Waiting] = {}
 
     def origins(self, row: Row, sizes: list[int]) -> list[Origin]:

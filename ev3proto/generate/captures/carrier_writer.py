@@ -22,28 +22,32 @@ class CarrierWriter(Protocol):
     """What one carrier puts around the frames of a conversation. The packets of each call follow one another."""
 
     def opening(self) -> list[bytes]:
-        """Everything in front of the first frame."""
+        """Everything before the first frame."""
 
     def between(self, is_from_host: bool) -> list[bytes]:
-        """What goes by behind a frame and in front of the next one, whose direction is given."""
+        """What goes by after a frame and before the next one, whose direction is given."""
 
     def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
         """The packets with a frame in them, the last of which makes it whole."""
 
     def closing(self) -> list[bytes]:
-        """Everything behind the last frame."""
+        """Everything after the last frame."""
 
     def stamped(self, packet: bytes, time_ns: int) -> bytes:
         """A packet with its time, for carriers whose packets have that in them."""
 
 
 def goes_to_brick(frame: bytes) -> bool:
-    """Which way a frame goes, by its message type: whatever is no reply is the host's."""
+    """Whether a frame goes to the brick, by its message type: everything but replies does."""
     return frame[HEADER_SIZE - 1] not in _REPLIES
 
 
 def check_frame(frame: bytes) -> None:
-    """Raises BuildError for bytes that no receiver could tell from those of the next frame."""
+    """Checks that a receiver sees where a frame ends.
+
+    Raises:
+        BuildError: Its length field is wrong, or it is too long.
+    """
     length = frame_size(frame) - LENGTH_FIELD if len(frame) >= LENGTH_FIELD else 0
     if len(frame) < HEADER_SIZE or length + LENGTH_FIELD != len(frame):
         raise BuildError(
@@ -53,5 +57,5 @@ def check_frame(frame: bytes) -> None:
     if length > MAX_LENGTH:
         raise BuildError(
             f"it cannot be carried: its length field says {length}; a frame has {MIN_LENGTH} to {MAX_LENGTH} bytes"
-            " behind it"
+            " after it"
         )

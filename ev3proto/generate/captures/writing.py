@@ -27,16 +27,16 @@ from ev3proto.version import VERSION
 MILLISECOND = NANOSECONDS // 1000
 
 BEGIN_NS = 1_767_261_600 * NANOSECONDS
-"""When a conversation begins of which nobody says it: 2026-01-01 10:00 UTC. The same frames make the same file."""
+"""When a conversation begins unless its frames have times: 2026-01-01 10:00 UTC. The same frames make the same file."""
 
 _NANOSECONDS_DIGITS = 9
 _MOST_CAPTURED = 1 << 18
 
 
 class CaptureWriter:
-    """Writes a capture of a computer and a brick that say frames to each other, one frame after the other.
+    """Writes a capture of a computer and a brick that exchange frames, one frame after the other.
 
-    The arguments are those of `write_pcapng`. Nothing is written before the first frame, or `close` without any.
+    Nothing is written before the first frame, or before `close` where there is none.
 
     count  how many frames were added
     """
@@ -44,6 +44,7 @@ class CaptureWriter:
     def __init__(
         self, stream: BinaryIO, *, carrier: str = DEFAULT_CARRIER, begin_ns: int = BEGIN_NS, step_ns: int = MILLISECOND
     ) -> None:
+        """The arguments are those of `write_pcapng`."""
         self.count = 0
         self._stream = stream
         self._carrier = _known(carrier)
@@ -53,14 +54,21 @@ class CaptureWriter:
         self._last_ns: int | None = None
 
     def add(self, given: Message | bytes | TimedFrame) -> None:
-        """Writes a frame. Raises BuildError, having written nothing, for one that cannot be carried."""
+        """Writes a frame.
+
+        Args:
+            given: A message, its bytes, or bytes with a time.
+
+        Raises:
+            BuildError: The frame cannot be carried, or its time is before the last one's. Nothing is written of it.
+        """
         last_ns = self._last_ns
         frame, time_ns = given if isinstance(given, TimedFrame) else (_bytes(given), None)
         if time_ns is None:
             time_ns = self._begin_ns if last_ns is None else last_ns + self._step_ns
         check_frame(frame)
         if time_ns < (last_ns or 0):
-            raise BuildError(f"the frame has the time {time_ns} ns, but the one in front of it has {last_ns or 0} ns")
+            raise BuildError(f"the frame has the time {time_ns} ns, but the one before it has {last_ns or 0} ns")
         is_from_host = goes_to_brick(frame)
         if last_ns is None:
             self._open(time_ns)
@@ -72,7 +80,7 @@ class CaptureWriter:
         self.count += 1
 
     def close(self) -> None:
-        """Writes what goes by behind the last frame. The stream stays open."""
+        """Writes what goes by after the last frame. The stream stays open."""
         if self._last_ns is None:
             self._last_ns = self._begin_ns
             self._open(self._begin_ns)
@@ -104,16 +112,22 @@ def write_pcapng(
     begin_ns: int = BEGIN_NS,
     step_ns: int = MILLISECOND,
 ) -> int:
-    """Writes a capture of a computer and a brick that say these frames to each other; returns how many those are.
+    """Writes a capture of a computer and a brick that exchange these frames.
 
-    frames    messages, their bytes, or bytes with a time; commands go to the brick, replies come from it
-    stream    takes the bytes of a pcapng file
-    carrier   "wifi", "usb" or "bluetooth"
-    begin_ns  time of the first frame, in nanoseconds since 1970-01-01 UTC
-    step_ns   from each frame to the next, in nanoseconds; times that frames bring with them come before these two
+    Args:
+        frames: Messages, their bytes, or bytes with a time. Commands go to the brick, replies come from it. They are
+            taken one by one: there may be millions.
+        stream: Takes the bytes of a pcapng file.
+        carrier: "wifi", "usb" or "bluetooth".
+        begin_ns: Time of the first frame, in nanoseconds since 1970-01-01 UTC, unless it has one.
+        step_ns: Nanoseconds from each frame to the next, unless that has a time.
 
-    Frames are taken one by one: there may be millions. Raises ValueError for an unknown carrier, and BuildError for a
-    frame whose length field does not say what it has, for one that is too long, and for times that go back.
+    Returns:
+        How many frames were written.
+
+    Raises:
+        ValueError: The carrier is not known.
+        BuildError: A frame is too long, its length field is wrong, or its time is before the last one.
     """
     writer = CaptureWriter(stream, carrier=carrier, begin_ns=begin_ns, step_ns=step_ns)
     for frame in frames:

@@ -18,7 +18,7 @@ from ev3proto.schema.packed import packed
 from ev3proto.tables.carriers import Link
 
 ACL = Struct("handle" / Int16ul, "length" / Int16ul)
-"""Head of a packet of data; the upper bits of the handle say whether it starts or goes on."""
+"""Head of a packet of data; the upper bits of the handle say whether it starts a packet or continues one."""
 
 L2CAP = Struct("length" / Int16ul, "channel" / Int16ul)
 SIGNAL = Struct("code" / Int8ul, "identifier" / Int8ul, "length" / Int16ul)
@@ -26,7 +26,7 @@ CONNECTION_REQUEST = Struct("service" / Int16ul, "source" / Int16ul)
 CONNECTION_RESPONSE = Struct("target" / Int16ul, "source" / Int16ul, "result" / Int16ul)
 DIRECTION = Struct("received" / Int32ub)
 MONITOR = Struct("adapter" / Int16ub, "kind" / Int16ub)
-"""What Linux's monitor writes in front of each packet."""
+"""What Linux's monitor writes before each packet."""
 
 _acl, _l2cap, _signal = packed(ACL), packed(L2CAP), packed(SIGNAL)
 _request, _response = packed(CONNECTION_REQUEST), packed(CONNECTION_RESPONSE)
@@ -110,16 +110,16 @@ class Ports(NamedTuple):
     device: str
 
 
-class Gone(NamedTuple):
-    """A connection that is no more.
+class Closed(NamedTuple):
+    """A connection that was closed.
 
-    key  as in what was told of it
+    key  as in `Carried`
     """
 
     key: tuple[object, int, int]
 
 
-class Told(NamedTuple):
+class Carried(NamedTuple):
     """What a packet adds to.
 
     ends     both ends of the connection
@@ -148,7 +148,7 @@ class _Connection:
     """One connection of an adapter. The channels are by direction: those in which the host gets data, and the device.
 
     asked     services that were asked for, by who asked and the identifier of the signal: service and channel
-    services  what is known of a channel: the service behind it
+    services  what is known of a channel: its service
     """
 
     address: str | None
@@ -166,7 +166,7 @@ class Bluetooth:
         self._own: dict[object, str] = {}
         self._generation = 0
 
-    def told(self, packet: Packet) -> Iterator[Told | Gone | int]:
+    def feed(self, packet: Packet) -> Iterator[Carried | Closed | int]:
         """What is complete with a packet; a number for so many captured bytes of other traffic."""
         kind, is_from_host, body = _unwrap(packet)
         adapter: object = packet.interface if packet.interface.link != Link.BLUETOOTH_MONITOR else _adapter(packet)
@@ -181,7 +181,7 @@ class Bluetooth:
         """Captured bytes of L2CAP packets whose rest never came."""
         return sum(part.weight for connection in self._connections.values() for part in connection.parts.values())
 
-    def _event(self, adapter: object, body: bytes) -> Iterator[Gone | int]:
+    def _event(self, adapter: object, body: bytes) -> Iterator[Closed | int]:
         if len(body) < 2:
             return
         event, rest = body[0], body[2:]
@@ -192,29 +192,29 @@ class Bluetooth:
         elif event == COMMAND_COMPLETE and len(rest) >= 10 and int.from_bytes(rest[1:3], "little") == READ_ADDRESS:
             self._own[adapter] = _address(rest[4:10])
 
-    def _connect(self, adapter: object, handle: int, address: str | None) -> Iterator[Gone | int]:
+    def _connect(self, adapter: object, handle: int, address: str | None) -> Iterator[Closed | int]:
         yield from self._forget(adapter, handle)
         if len(self._connections) >= _MOST_CONNECTIONS:
             yield from self._forget(*next(iter(self._connections)))
         self._generation += 1
         self._connections[adapter, handle] = _Connection(address, self._generation)
 
-    def _forget(self, adapter: object, handle: int) -> Iterator[Gone | int]:
+    def _forget(self, adapter: object, handle: int) -> Iterator[Closed | int]:
         connection = self._connections.pop((adapter, handle), None)
         if connection is not None:
             yield from (part.weight for part in connection.parts.values())
-            yield Gone((adapter, handle, connection.generation))
+            yield Closed((adapter, handle, connection.generation))
 
     def _data(
         self, adapter: object, is_from_host: bool | None, body: bytes, weight: int
-    ) -> Iterator[Told | Gone | int]:
+    ) -> Iterator[Carried | Closed | int]:
         word, length = _acl.unpack_from(body)
         handle, start = word & _HANDLE_MASK, word >> HANDLE_BITS & 3
         if (adapter, handle) not in self._connections:
             yield from self._connect(adapter, handle, None)
         connection = self._connections[adapter, handle]
         data = body[_acl.size : _acl.size + length]
-        # Without direction, the kind of start tells which of two unfinished packets goes on.
+        # Without direction, the kind of start says which of two unfinished packets is continued.
         side: object = start if is_from_host is None else is_from_host
         if start == _GOES_ON:
             if is_from_host is None:
@@ -238,7 +238,7 @@ class Bluetooth:
             return
         serial = self._channel(connection, is_from_host, part.data[: part.size])
         ends = Ports(self._own.get(adapter, HOST), connection.address or f"handle 0x{handle:04x}")
-        yield Told(ends, (adapter, handle, connection.generation), serial, part.weight)
+        yield Carried(ends, (adapter, handle, connection.generation), serial, part.weight)
 
     def _channel(self, connection: _Connection, is_from_host: bool | None, data: bytes) -> Serial | None:
         _, channel = _l2cap.unpack_from(data)
@@ -258,7 +258,7 @@ class Bluetooth:
 
 
 def _unwrap(packet: Packet) -> tuple[int | None, bool | None, bytes]:
-    """Packet type, whether it is from the host (None where nothing tells), and what follows the type."""
+    """Packet type, whether it is from the host (None where nothing says so), and what follows the type."""
     data, link = packet.data, packet.interface.link
     if link == Link.BLUETOOTH_MONITOR:
         if packet.flags is None:
@@ -294,7 +294,7 @@ def _address(data: bytes) -> str:
 
 
 def _signalled(connection: _Connection, is_from_host: bool | None, data: bytes) -> None:
-    """Remembers which service is behind a channel that is being set up."""
+    """Remembers the service of a channel that is being set up."""
     at = 0
     while at + _signal.size <= len(data):
         code, identifier, length = _signal.unpack_from(data, at)

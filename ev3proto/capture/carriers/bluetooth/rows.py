@@ -91,7 +91,7 @@ class Rows:
 
 
 def _is_from_host(row: Row) -> bool | None:
-    """Which way a Bluetooth packet goes, by whichever header tells: of HCI, of Linux's monitor, of a USB adapter."""
+    """Which way a Bluetooth packet goes, by whichever header says so: of HCI, of Linux's monitor, of a USB adapter."""
     sent = row.number("frame.p2p_dir")
     if sent is not None:
         return sent == 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Gone, Told
+from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter
@@ -25,16 +25,16 @@ class SerialPorts:
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
-        for told in self._bluetooth.told(packet):
-            if isinstance(told, int):
-                self._account.other += told
-            elif isinstance(told, Gone):
-                self._conversations.pop(told.key, None)
-                yield from self._end(told.key)
-            elif told.serial is None or told.serial.channel != RFCOMM_CHANNEL:
-                self._account.other += told.weight
+        for found in self._bluetooth.feed(packet):
+            if isinstance(found, int):
+                self._account.other += found
+            elif isinstance(found, Closed):
+                self._conversations.pop(found.key, None)
+                yield from self._end(found.key)
+            elif found.serial is None or found.serial.channel != RFCOMM_CHANNEL:
+                self._account.other += found.weight
             else:
-                yield from self._serial(packet, told)
+                yield from self._serial(packet, found)
 
     def end(self) -> Iterable[Event]:
         """What was waiting for more."""
@@ -50,20 +50,20 @@ class SerialPorts:
             if stream is not None:
                 yield from stream.end()
 
-    def _serial(self, packet: Packet, told: Told) -> Iterable[Event]:
-        serial = told.serial
+    def _serial(self, packet: Packet, found: Carried) -> Iterable[Event]:
+        serial = found.serial
         assert serial is not None
-        self._account.headers += told.weight - len(serial.data)
+        self._account.headers += found.weight - len(serial.data)
         if serial.is_turn:
-            yield from self._end(told.key)
+            yield from self._end(found.key)
         if not serial.data:
             return
-        key = told.key, serial.is_from_host
+        key = found.key, serial.is_from_host
         if key not in self._streams:
-            conversation = self._conversations.setdefault(told.key, Conversation(self._context.schema))
+            conversation = self._conversations.setdefault(found.key, Conversation(self._context.schema))
             # Other programs use the same channel: the stream is ours when something like a frame starts in it.
             cutter = Cutter(self._context.schema, in_step=False, is_claimed=False)
-            self._streams[key] = Stream(self._context, conversation, cutter, _route(packet, told, serial.is_from_host))
+            self._streams[key] = Stream(self._context, conversation, cutter, _route(packet, found, serial.is_from_host))
         stream = self._streams[key]
         stream.reach(packet)
         yield from stream.feed(serial.data, packet.number, packet.time_ns)
@@ -71,8 +71,8 @@ class SerialPorts:
             yield from stream.leave_hole(serial.missing)
 
 
-def _route(packet: Packet, told: Told, is_from_host: bool) -> Route:
-    host, device = told.ends
+def _route(packet: Packet, found: Carried, is_from_host: bool) -> Route:
+    host, device = found.ends
     ends = (host, device) if is_from_host else (device, host)
     direction = Direction.SENT if is_from_host else Direction.RECEIVED
     return Route(Carrier.BLUETOOTH, *ends, direction, packet.interface.name, device)

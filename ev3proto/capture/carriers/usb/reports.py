@@ -66,7 +66,7 @@ class Reports:
             self._account.skipped += len(found.data)
             reason = (
                 f"the report holds no frame: its length field would say {size - LENGTH_FIELD}, a frame has {MIN_LENGTH}"
-                f" to {MAX_LENGTH} bytes behind it"
+                f" to {MAX_LENGTH} bytes after it"
             )
             return (Skipped(found.data, 0, reason, packet.number, packet.time_ns, route),)
         self._account.frames += len(frame)
@@ -128,6 +128,6 @@ def _makes_sense(message: Message) -> bool:
     if isinstance(message, DaisyCommand | DaisyReply):
         return message.layer_from <= MOST_LAYERS and message.layer_to <= MOST_LAYERS
     if isinstance(message, DirectCommand):
-        # Nobody sends the opcode that stands for a fault; its number is that of the bytes of an empty report.
+        # The opcode that stands for a fault is never sent; its number is that of the bytes of an empty report.
         return bool(message.operations) and message.operations[0].opcode != _NO_OPERATION
     return True

@@ -26,7 +26,7 @@ USBMON = Struct(
     "captured" / Int32ul,
     "setup" / Bytes(8),
 )
-"""What Linux writes in front of each packet (Documentation/usb/usbmon), in the byte order of the machine."""
+"""What Linux writes before each packet (Documentation/usb/usbmon), in the byte order of the machine."""
 
 USBMON_MORE = 16
 """Bytes that newer kernels add to it."""
@@ -43,7 +43,7 @@ USBPCAP = Struct(
     "transfer" / Int8ul,
     "captured" / Int32ul,
 )
-"""What USBPcap writes in front of each packet (https://desowin.org/usbpcap/captureformat.html)."""
+"""What USBPcap writes before each packet (https://desowin.org/usbpcap/captureformat.html)."""
 
 _usbmon = {order: packed(USBMON, order) for order in "<>"}
 _usbpcap = packed(USBPCAP)

@@ -88,7 +88,7 @@ class Connections:
                 if half is not None:
                     events += self._end_half(half)
                     if not flags & TH_ACK:
-                        # Nobody answers in the new connection what was asked in the one before.
+                        # What was asked in the last connection is not answered in the new one.
                         self._conversations.pop(_ends(key), None)
                 half = self._open(packet, key, start, events)
         elif half is None:

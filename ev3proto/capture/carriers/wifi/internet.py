@@ -34,7 +34,7 @@ _VERSIONS = {4: _IPv4, 6: _IPv6}
 
 
 def _of_kind(kind: bytes, data: bytes) -> Any:
-    """What Ethernet's type says, behind any tags of virtual networks."""
+    """What Ethernet's type says, after any tags of virtual networks."""
     at = 0
     while kind in _TAGS:
         kind = data[at + 2 : at + _TAG_SIZE]
@@ -42,7 +42,7 @@ def _of_kind(kind: bytes, data: bytes) -> Any:
     return _NETWORKS[kind](data[at:])
 
 
-def _behind_type(end: int) -> Callable[[bytes], Any]:
+def _after_type(end: int) -> Callable[[bytes], Any]:
     """For links whose header ends with Ethernet's type."""
     return lambda data: _of_kind(data[end - 2 : end], data[end:])
 
@@ -52,11 +52,11 @@ def _raw(data: bytes) -> Any:
 
 
 LINKS: dict[int, Callable[[bytes], Any]] = {
-    Link.ETHERNET: _behind_type(Ethernet.__hdr_len__),
-    # Systems have different numbers for IPv6 there, in either byte order: the packet itself tells.
+    Link.ETHERNET: _after_type(Ethernet.__hdr_len__),
+    # Systems have different numbers for IPv6 there, in either byte order: the packet itself says which it is.
     Link.LOOPBACK: lambda data: _raw(data[loopback.Loopback.__hdr_len__ :]),
     Link.LOOPBACK_OPENBSD: lambda data: _raw(data[loopback.Loopback.__hdr_len__ :]),
-    Link.LINUX_COOKED: _behind_type(sll.SLL.__hdr_len__),
+    Link.LINUX_COOKED: _after_type(sll.SLL.__hdr_len__),
     Link.LINUX_COOKED_2: lambda data: _of_kind(data[:2], data[sll2.SLL2.__hdr_len__ :]),
     Link.RAW_BSD: _raw,
     Link.RAW_OPENBSD: _raw,

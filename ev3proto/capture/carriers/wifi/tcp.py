@@ -11,13 +11,13 @@ from operator import attrgetter
 from typing import NamedTuple
 
 MOST_AHEAD = 1 << 20
-"""Bytes that wait at most for what belongs in front of them: more than any brick's window."""
+"""Bytes that wait at most for what belongs before them: more than any brick's window."""
 
 MOST_SEGMENTS_AHEAD = 4096
 """Segments that wait at most."""
 
 MOST_AWAY = 1 << 24
-"""Bytes that a segment is at most away from where the stream goes on. Further away is another connection between the
+"""Bytes that a segment is at most away from where the stream continues. Further away is another connection between the
 same ports, whose beginning is not in the capture."""
 
 _HALF, _MASK = 1 << 31, (1 << 32) - 1
@@ -41,13 +41,13 @@ class Segment(NamedTuple):
 
 
 class Hole(NamedTuple):
-    """Bytes that are not in the capture: so many, before whatever comes next. 0 where nobody can tell how many."""
+    """Bytes that are not in the capture: so many, before whatever comes next. 0 where their number is not known."""
 
     missing: int
 
 
 class Late(NamedTuple):
-    """Bytes that came when the stream had already gone on without them."""
+    """Bytes that came when the stream had already continued without them."""
 
     data: bytes
     number: int
@@ -72,7 +72,7 @@ class Reassembly:
         self.repeated = 0
 
     def _offset(self, sequence: int) -> int:
-        """Where in the stream a sequence number is: of all places that have it, the one nearest to where it goes on."""
+        """Where in the stream a sequence number is: of all places that have it, the nearest to where it continues."""
         assert self._start is not None
         difference = (sequence - self._start - self._position) & _MASK
         return self._position + (difference - (1 << 32) if difference >= _HALF else difference)
@@ -121,7 +121,7 @@ class Reassembly:
         return [Hole(0)]
 
     def _look_back(self, at: int, data: bytes, number: int, found: list[Segment | Hole | Late]) -> None:
-        """Bytes behind which the stream already is: they came again, or are from a hole or before the start."""
+        """Bytes that the stream is already past: they came again, or are from a hole or before the start."""
         end = at + len(data)
         for start, stop in ((min(at, 0), 0), *self._holes):
             first, last = max(start, at), min(stop, end)
@@ -149,7 +149,7 @@ class Reassembly:
                 self._position += len(data)
 
     def _is_lost(self, at: int) -> bool:
-        """Whether what is missing in front of an offset will not come any more."""
+        """Whether what is missing before an offset will not come any more."""
         if self._waiting > MOST_AHEAD or len(self._ahead) > MOST_SEGMENTS_AHEAD:
             return True
         return self._acknowledged is not None and self._offset(self._acknowledged) >= at

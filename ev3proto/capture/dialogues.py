@@ -37,12 +37,17 @@ def is_error(message: Message) -> bool:
 
 
 def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterator[RequestReply]:
-    """Commands with their replies, as they are complete; those that wait in vain come when nothing more does.
-
-    patience_ns  nanoseconds after which a command is given without a reply, should it come after all, then with it;
-                 None: without end
+    """Joins commands and their replies.
 
     At most MOST_PENDING commands wait at the same time; the oldest is then given without a reply.
+
+    Args:
+        events: The events of a capture.
+        patience_ns: Nanoseconds after which a command is given without a reply. If that comes after all, the command is
+            given again, with it. None waits until there are no more events.
+
+    Yields:
+        Commands with their replies, as they are complete; at the end those that waited in vain.
     """
     waiting: Bounded[int, Record] = Bounded(MOST_PENDING)
     for event in events:

@@ -79,11 +79,17 @@ class RecoveredFile:
 
 
 def survey(events: Iterable[Event], *, listings: bool = False) -> Iterator[RecoveredFile]:
-    """The files that there are, in the order in which they began; nothing is written.
+    """Looks which files were moved; nothing is written.
 
-    listings  also the listings of folders
+    Args:
+        events: The events of a capture.
+        listings: Also give the listings of folders.
 
-    Raises CaptureError, as reading the capture does, after everything that there is; also beyond MOST_FILES.
+    Yields:
+        The files, in the order in which they began.
+
+    Raises:
+        CaptureError: The capture is damaged, or moves more than MOST_FILES files. All others were given before.
     """
     found = _Files(lambda _number, _piece: None, listings=listings)
     trouble = found.take(events)
@@ -102,10 +108,18 @@ def recover(
     folder in it. A file that is not whole is written with `.part` after its name, an empty one of these not at all. A
     name that is taken gets a number: `hello (2).rbf`.
 
-    force     overwrite files that were there before
-    listings  also the listings of folders, as `listing.txt` in the folder's place
+    Args:
+        events: The events of a capture.
+        folder: The folder to write into.
+        force: Overwrite files that were there before.
+        listings: Also write the listings of folders, as `listing.txt` in the folder's place.
 
-    Raises OSError where something cannot be written, and what `survey` raises.
+    Yields:
+        The files, in the order in which they began.
+
+    Raises:
+        OSError: Something cannot be written.
+        CaptureError: The capture is damaged, or moves more than MOST_FILES files. All others were given before.
     """
     folder.mkdir(parents=True, exist_ok=True)
     with _Pieces(folder) as pieces:

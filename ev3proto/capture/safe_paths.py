@@ -84,9 +84,17 @@ class Shelf:
         self._numbers: dict[tuple[Path, str], int] = {}
 
     def place(self, parts: tuple[str, ...], suffix: str = "") -> Path:
-        """Where a file is to be put; its folder is made. Raises OSError where that does not go.
+        """Finds a place for a file, and makes its folder.
 
-        suffix  after everything, for files that are not whole
+        Args:
+            parts: Names of folders, and of the file.
+            suffix: What to add to the file's name, for one that is not whole.
+
+        Returns:
+            The path, which no other file has.
+
+        Raises:
+            OSError: The folder cannot be made.
         """
         folder = self._folder
         for part in parts[:-1]:

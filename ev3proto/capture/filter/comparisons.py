@@ -36,7 +36,11 @@ class ValueType(Protocol):
     """What kind of values a name has."""
 
     def test(self, name: str, relation: Relation, value: Word) -> Test:
-        """Whether a value stands in this relation (any but NE) to the one written. Raises FilterError."""
+        """Makes the test whether a value stands in a relation (any but NE) to the one that was written.
+
+        Raises:
+            FilterError: The values of the name cannot stand in that relation to it.
+        """
 
 
 # The values as they are written

@@ -52,7 +52,17 @@ class Filter:
 
 
 def compile_filter(text: str) -> Filter:
-    """The filter that a text says. FilterError, a ValueError, says what is wrong with it and in which column."""
+    """Makes a filter.
+
+    Args:
+        text: The filter as it is written, such as `op==SOUND.TONE && FREQUENCY>400`.
+
+    Returns:
+        What says whether a record is wanted.
+
+    Raises:
+        FilterError: The text is no filter. This ValueError says why, and in which column.
+    """
     clock = Clock()
     return Filter(text, _predicate(parse_filter(text), clock), clock)
 

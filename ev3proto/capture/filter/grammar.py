@@ -151,7 +151,11 @@ Condition = Presence | Comparison | Membership | Negation | Every | Some
 
 
 def parse_filter(text: str) -> Condition:
-    """The tree of a filter. Raises FilterError."""
+    """The tree of a filter.
+
+    Raises:
+        FilterError: The text is no filter.
+    """
     if len(text) > MAX_LENGTH:
         raise FilterError(
             MAX_LENGTH + 1, f"the filter has {len(text)} characters, but it can have at most {MAX_LENGTH}"

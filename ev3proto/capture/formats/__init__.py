@@ -88,7 +88,11 @@ class CaptureFile:
 
     @classmethod
     def at(cls, path: str | os.PathLike[str]) -> Self:
-        """The file at a path. Raises OSError."""
+        """Opens a file.
+
+        Raises:
+            OSError: It cannot be opened.
+        """
         stream = Path(path).open("rb")  # noqa: SIM115 - `close` does
         try:
             return cls(stream, is_ours=True)
@@ -98,7 +102,12 @@ class CaptureFile:
 
     @property
     def is_capture(self) -> bool:
-        """Whether it starts like a capture file. Raises CaptureError for a damaged gzip, OSError."""
+        """Whether it starts like a capture file.
+
+        Raises:
+            CaptureError: The gzip stream is damaged.
+            OSError: It cannot be read.
+        """
         return self._format() is not None
 
     @property
@@ -107,7 +116,14 @@ class CaptureFile:
         return None if not self._size or self._file.closed else min(self._file.tell() / self._size, 1.0)
 
     def packets(self) -> Iterator[Packet]:
-        """The packets in it. Raises CaptureError for another format, and at what cannot be read, all before given."""
+        """Reads the capture.
+
+        Returns:
+            Its packets. They raise CaptureError where the file is damaged, after everything before that.
+
+        Raises:
+            CaptureError: It is no capture.
+        """
         name = self._format()
         if name is None:
             start = self._start().hex(" ").upper()

@@ -26,7 +26,14 @@ LINKS = {1002: Link.HCI, 2001: Link.BLUETOOTH_MONITOR}
 
 
 def packets(stream: BinaryIO) -> Iterator[Packet]:
-    """The packets of a file from its start. Raises CaptureError at what cannot be read, having given all before."""
+    """Reads a file from its start.
+
+    Yields:
+        Its packets.
+
+    Raises:
+        CaptureError: The file is damaged. Everything before that was given.
+    """
     head = stream.read(_header.size)
     if len(head) < _header.size:
         raise CaptureError("the file is cut off in its header")

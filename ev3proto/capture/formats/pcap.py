@@ -19,7 +19,14 @@ _LINK_MASK = 0xFFFF
 
 
 def packets(stream: BinaryIO) -> Iterator[Packet]:
-    """The packets of a file from its start. Raises CaptureError at what cannot be read, having given all before."""
+    """Reads a file from its start.
+
+    Yields:
+        Its packets.
+
+    Raises:
+        CaptureError: The file is damaged. Everything before that was given.
+    """
     head = stream.read(pcap.FileHdr.__hdr_len__)
     if len(head) < pcap.FileHdr.__hdr_len__:
         raise CaptureError("the file is cut off in its header")

@@ -133,7 +133,14 @@ class _Section:
 
 
 def packets(stream: BinaryIO) -> Iterator[Packet]:
-    """The packets of a file from its start. Raises CaptureError at what cannot be read, having given all before."""
+    """Reads a file from its start.
+
+    Yields:
+        Its packets.
+
+    Raises:
+        CaptureError: The file is damaged. Everything before that was given.
+    """
     section: _Section | None = None
     trouble: CaptureError | None = None
     number, position = 0, 0

@@ -58,11 +58,16 @@ def collect(
     window: Window | None = None,
     most_marks: int = MOST_MARKS,
 ) -> Timeline | None:
-    """What is to be drawn of the events of a capture; None where there is nothing.
+    """Collects what is to be drawn of a capture.
 
-    chosen      which records to draw, all without it; of a command and its reply, one is enough for both
-    window      which part of the capture to draw, all without it
-    most_marks  how many marks may be drawn one by one
+    Args:
+        events: The events of the capture.
+        chosen: Which records to draw, by default all. Of a command and its reply, one is enough for both.
+        window: Which part of the capture to draw, by default all of it.
+        most_marks: How many marks may be drawn one by one.
+
+    Returns:
+        The timeline; None where there is nothing to draw.
     """
     collector = Collector(chosen, window or Window(), most_marks)
     for event in events:

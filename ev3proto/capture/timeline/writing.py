@@ -36,7 +36,11 @@ class Form(Enum):
 
     @classmethod
     def of(cls, path: Path) -> Form:
-        """The form that a file's suffix asks for. Raises ValueError with a sentence for another suffix."""
+        """The form that a file's suffix asks for.
+
+        Raises:
+            ValueError: The suffix is that of no form.
+        """
         try:
             return cls(path.suffix.lower())
         except ValueError:
@@ -49,17 +53,28 @@ class MissingLibraryError(ImportError):
 
 
 def require_library() -> None:
-    """Raises MissingLibraryError where the library that draws is not installed. Does not import it."""
+    """Looks for the library that draws, and does not import it.
+
+    Raises:
+        MissingLibraryError: It is not installed.
+    """
     if find_spec(LIBRARY) is None:
         raise MissingLibraryError("drawing needs one library more: pip install 'ev3proto[plot]'")
 
 
 def render(timeline: Timeline, form: Form, title: str) -> bytes:
-    """The file's contents: the same bytes for the same timeline and title.
+    """Draws a timeline.
 
-    title  what stands above the picture: the name of the capture
+    Args:
+        timeline: What to draw.
+        form: What to draw it as.
+        title: What stands above the picture: the name of the capture.
 
-    Raises MissingLibraryError.
+    Returns:
+        The contents of a file: the same bytes for the same timeline and title.
+
+    Raises:
+        MissingLibraryError: The library that draws is not installed.
     """
     require_library()
     import vl_convert
@@ -90,9 +105,17 @@ def _renumbered(svg: str) -> str:
 
 
 def write(timeline: Timeline, path: Path, title: str) -> None:
-    """Writes the picture to a file: whole, or not at all.
+    """Writes the picture of a timeline to a file: whole, or not at all.
 
-    Raises ValueError for a suffix that is no Form, OSError, MissingLibraryError.
+    Args:
+        timeline: What to draw.
+        path: The file, whose suffix is that of a Form.
+        title: What stands above the picture: the name of the capture.
+
+    Raises:
+        ValueError: The suffix is that of no form.
+        OSError: The file cannot be written.
+        MissingLibraryError: The library that draws is not installed.
     """
     data = render(timeline, Form.of(path), title)
     if path.exists() and not path.is_file():

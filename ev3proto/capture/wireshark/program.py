@@ -52,9 +52,17 @@ class EngineError(CaptureError):
 
 
 class Program:
-    """A tshark. Raises EngineError where there is none, or one that cannot be used."""
+    """A tshark on this computer."""
 
     def __init__(self, name: str | None = None) -> None:
+        """Looks for it, and asks for its version.
+
+        Args:
+            name: Its path; None for the one on the path of programs, or where it usually is.
+
+        Raises:
+            EngineError: There is none, or one that cannot be used.
+        """
         self.path = _find(name)
         found = re.search(r"^TShark .*?(\d+)\.(\d+)", self.ask("-v"))
         if found is None:
@@ -91,14 +99,22 @@ class Program:
         return re.search(r"\tev3(\t|$)", self.ask("-G", "protocols"), re.MULTILINE) is not None
 
     def ask(self, *words: str) -> str:
-        """What it prints when it is run with those arguments. EngineError where it fails."""
+        """What it prints when it is run with those arguments.
+
+        Raises:
+            EngineError: It fails.
+        """
         done = self._run(*words)
         if done.returncode != 0:
             raise EngineError(f"{self.path} {' '.join(words)} failed: {_said_last(done.stderr, done.returncode)}")
         return done.stdout
 
     def check_interface(self, name: str) -> bool:
-        """Whether what is captured on an interface is internet traffic. EngineError where it cannot be captured."""
+        """Whether what is captured on an interface is internet traffic.
+
+        Raises:
+            EngineError: Nothing can be captured there.
+        """
         done = self._run("-i", name, "-L")
         if done.returncode != 0:
             raise EngineError(self._why_no_capture(name, done))

@@ -23,36 +23,33 @@ from scapy.layers.bluetooth import (
 )
 from scapy.packet import Packet, Raw
 
+from ev3proto.capture.carriers.bluetooth.adapters import CLOSED, DONE, OPEN, UIH
+from ev3proto.generate.captures.bluetooth import (
+    AGREES,
+    ASKS,
+    CREDITS,
+    ENOUGH,
+    MODEM_STATUS,
+    NEGOTIATION,
+    POLL,
+    modem_status,
+    multiplexed,
+    negotiated,
+    rfcomm_frame,
+)
+from ev3proto.tables.carriers import RFCOMM_CHANNEL
 from making import dialogue
 from making.dialogue import CONTENTS, Exchange, Host
+from making.directory import FOUND, SEARCH, Sdp
 from making.files import Record, Wire
-from making.rfcomm import (
-    CHANNEL,
-    CREDITS,
-    DISC,
-    FOUND,
-    FRAME_SIZE,
-    MSC,
-    PN,
-    SABM,
-    SEARCH,
-    UA,
-    UIH,
-    UIH_CREDITS,
-    ModemStatus,
-    Multiplexer,
-    Negotiation,
-    Rfcomm,
-    Sdp,
-)
 
 ADDRESS = "06:16:53:00:00:0a"
 CONNECTION = 0x00B
 SDP, RFCOMM = 1, 3
 SIGNALS = 1
 L2CAP_MTU = 672
-ENOUGH = 4
-"""With so few credits left an end gets more."""
+FRAME_SIZE = 250
+"""Bytes in a frame of RFCOMM: less than there could be, so that frames are cut."""
 
 # HCI and L2CAP
 
@@ -137,41 +134,40 @@ class Link:
 class SerialPort:
     """RFCOMM over an L2CAP channel that the host has opened: the brick's channel 1."""
 
-    DLCI = CHANNEL << 1
+    DLCI = RFCOMM_CHANNEL << 1
 
     def __init__(self, link: Link, ours: int = 0x0041, theirs: int = 0x0051) -> None:
         self.link = link
         self.cids = theirs, ours
         self.credits = [CREDITS, CREDITS]
 
-    def frame(self, received: bool, frame: Packet, fragment: int = 0) -> None:
+    def frame(self, received: bool, frame: bytes, fragment: int = 0) -> None:
         """An RFCOMM frame."""
-        self.link.packet(received, self.cids[received], frame, fragment)
+        self.link.packet(received, self.cids[received], Raw(frame), fragment)
 
     def ask(self, dlci: int, control: int) -> None:
         """A request of the host about a DLCI, and the brick's consent."""
-        self.frame(False, Rfcomm(dlci=dlci, command=1, control=control))
-        self.frame(True, Rfcomm(dlci=dlci, command=1, control=UA))
+        self.frame(False, rfcomm_frame(dlci << 2 | 3, control | POLL))
+        self.frame(True, rfcomm_frame(dlci << 2 | 3, DONE | POLL))
 
-    def multiplexer(self, received: bool, kind: int, command: int, body: Packet) -> None:
+    def multiplexer(self, received: bool, kind: int, is_command: bool, body: bytes) -> None:
         """A command or response about a DLCI."""
-        head = Multiplexer(kind=kind, command=command, length=len(bytes(body)))
-        self.frame(received, Rfcomm(command=not received) / head / body)
+        self.frame(received, rfcomm_frame((not received) << 1 | 1, UIH, multiplexed(kind, is_command, body)))
 
     def open(self) -> None:
         """From nothing to a serial port."""
-        self.ask(0, SABM)
-        self.multiplexer(False, PN, 1, Negotiation(dlci=self.DLCI))
-        self.multiplexer(True, PN, 0, Negotiation(dlci=self.DLCI, flow=0xE0))
-        self.ask(self.DLCI, SABM)
+        self.ask(0, OPEN)
+        self.multiplexer(False, NEGOTIATION, True, negotiated(ASKS, FRAME_SIZE))
+        self.multiplexer(True, NEGOTIATION, False, negotiated(AGREES, FRAME_SIZE))
+        self.ask(self.DLCI, OPEN)
         for received in (False, True):
-            self.multiplexer(received, MSC, 1, ModemStatus(dlci=self.DLCI))
-            self.multiplexer(not received, MSC, 0, ModemStatus(dlci=self.DLCI))
+            self.multiplexer(received, MODEM_STATUS, True, modem_status(self.DLCI))
+            self.multiplexer(not received, MODEM_STATUS, False, modem_status(self.DLCI))
 
     def close(self) -> None:
         """The end of the serial port."""
-        self.ask(self.DLCI, DISC)
-        self.ask(0, DISC)
+        self.ask(self.DLCI, CLOSED)
+        self.ask(0, CLOSED)
 
     def data(self, received: bool, *pieces: bytes, fragment: int = 0) -> None:
         """Pieces of data, one a frame. A frame brings credits when the other end has few left."""
@@ -181,9 +177,9 @@ class SerialPort:
             self.credits[not received] += granted
             if self.credits[received] < 0:
                 raise ValueError("a frame is sent without credit for it")
-            control = UIH_CREDITS if granted else UIH
-            head = Rfcomm(dlci=self.DLCI, command=not received, control=control, credits=granted)
-            self.frame(received, head / Raw(piece) if piece else head, fragment)
+            address = self.DLCI << 2 | (not received) << 1 | 1
+            control, credit = (UIH | POLL, bytes((granted,))) if granted else (UIH, b"")
+            self.frame(received, rfcomm_frame(address, control, piece, credit), fragment)
 
     def lacking(self, received: bool) -> int:
         """How many credits an end gives with its next frame: none while the other one has enough."""

@@ -26,7 +26,7 @@ class Record(NamedTuple):
     """One packet: when, what, and for carriers that record it, whether this end received it."""
 
     time: int
-    packet: Packet
+    packet: Packet | bytes
     received: bool = False
 
 
@@ -41,7 +41,7 @@ class Wire:
         """Lets time go by."""
         self.now += microseconds
 
-    def add(self, packet: Packet, received: bool = False) -> None:
+    def add(self, packet: Packet | bytes, received: bool = False) -> None:
         """A packet goes by now."""
         self.records.append(Record(self.now, packet, received))
 

@@ -5,61 +5,25 @@ from __future__ import annotations
 import struct
 from typing import Protocol
 
-from scapy.fields import (
-    ByteField,
-    LEIntField,
-    LELongField,
-    LEShortField,
-    LESignedIntField,
-    LESignedLongField,
-    StrFixedLenField,
-)
 from scapy.layers.usb import USBpcap
-from scapy.packet import Packet, Raw
+from scapy.packet import Raw
 
+from ev3proto.capture.carriers.usb.requests import IN, INTERRUPT
+from ev3proto.generate.captures.usb import DONE, SUBMITTED, record, stamped
 from ev3proto.tables.frame import MAX_FRAME
-from making.files import SECOND, Wire
+from making.files import Wire
 
-INTERRUPT, CONTROL = 1, 2
-EINPROGRESS, ESHUTDOWN = 115, 108
-"""Linux' numbers, whatever system this runs on."""
+ESHUTDOWN = 108
+"""Linux' number, whatever system this runs on."""
+
+DIRECTION_IN = 0x200
+"""Linux' flag of a request whose data goes to the host."""
+
+NANOSECONDS_EACH = 1000
+"""In a microsecond."""
 
 BULK_OR_INTERRUPT = 0x0009
 """Windows' number for what an URB on an interrupt endpoint does."""
-
-
-class Usbmon(Packet):
-    """What Linux puts in front of what an URB carries: 48 bytes."""
-
-    name = "usbmon"
-    fields_desc = [  # noqa: RUF012 - scapy's way to declare a packet, here and below
-        LELongField("urb", 0),
-        StrFixedLenField("event", b"S", 1),
-        ByteField("transfer", INTERRUPT),
-        ByteField("endpoint", 0),
-        ByteField("device", 0),
-        LEShortField("bus", 1),
-        StrFixedLenField("no_setup", b"-", 1),
-        StrFixedLenField("no_data", b"\0", 1),
-        LESignedLongField("seconds", 0),
-        LESignedIntField("microseconds", 0),
-        LESignedIntField("status", 0),
-        LEIntField("length", 0),
-        LEIntField("captured", 0),
-        StrFixedLenField("setup", b"", 8),
-    ]
-
-
-class UsbmonMapped(Packet):
-    """The 16 bytes more that there are when it is read through a mapped buffer."""
-
-    name = "usbmon, mapped"
-    fields_desc = [  # noqa: RUF012
-        LESignedIntField("interval", 0),
-        LESignedIntField("start_frame", 0),
-        LEIntField("flags", 0),
-        LEIntField("descriptors", 0),
-    ]
 
 
 class Urbs(Protocol):
@@ -87,50 +51,42 @@ class Linux:
         self.size = size
         self.mapped = mapped
 
-    def _add(self, event: bytes, endpoint: int, data: bytes, length: int, status: int = 0, setup: bytes = b"") -> None:
-        into = endpoint & 0x80
-        carried = not into if event == b"S" else into
-        head = Usbmon(
-            urb=0xFFFF888000000000 | self.device << 16 | endpoint << 8,
-            event=event,
-            transfer=INTERRUPT if endpoint & 0x0F else CONTROL,
-            endpoint=endpoint,
+    def _add(self, event: int, endpoint: int, data: bytes, size: int, status: int = 0, setup: bytes = b"") -> None:
+        packet = record(
+            event,
+            endpoint,
+            data,
             device=self.device,
             bus=self.bus,
-            no_setup=b"\0" if setup else b"-",
-            no_data=b"\0" if carried else b"<" if into else b">",
-            seconds=self.wire.now // SECOND,
-            microseconds=self.wire.now % SECOND,
             status=status,
-            length=length,
-            captured=len(data),
             setup=setup,
+            size=size,
+            flags=DIRECTION_IN if endpoint & IN else 0,
+            is_padded=self.mapped,
         )
-        if self.mapped:
-            head /= UsbmonMapped(interval=8 if endpoint & 0x0F else 0, flags=0x200 if into else 0)
-        self.wire.add(head / data if data else head)
+        self.wire.add(stamped(packet, self.wire.now * NANOSECONDS_EACH))
 
     def out(self, endpoint: int, data: bytes) -> None:
         """Data for the device: submitted, and done a little later."""
-        self._add(b"S", endpoint, data, len(data), -EINPROGRESS)
+        self._add(SUBMITTED, endpoint, data, len(data))
         self.wire.wait(900)
-        self._add(b"C", endpoint, b"", len(data))
+        self._add(DONE, endpoint, b"", len(data))
 
     def listen(self, endpoint: int) -> None:
         """The device may send a report."""
-        self._add(b"S", endpoint, b"", self.size, -EINPROGRESS)
+        self._add(SUBMITTED, endpoint, b"", self.size)
 
     def heard(self, endpoint: int, data: bytes, failure: int = 0) -> None:
         """The device sent it."""
-        self._add(b"C", endpoint, data, len(data), -failure)
+        self._add(DONE, endpoint, data, len(data), -failure)
 
     def control(self, kind: int, request: int, value: int, index: int, length: int, data: bytes = b"") -> None:
         """A request on endpoint 0; `data` is what the device gives."""
         endpoint = kind & 0x80
         setup = struct.pack("<BBHHH", kind, request, value, index, length)
-        self._add(b"S", endpoint, b"", length, -EINPROGRESS, setup)
+        self._add(SUBMITTED, endpoint, b"", length, setup=setup)
         self.wire.wait(250)
-        self._add(b"C", endpoint, data[:length], len(data[:length]))
+        self._add(DONE, endpoint, data[:length], len(data[:length]))
         self.wire.wait(120)
 
 

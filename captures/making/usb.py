@@ -8,16 +8,30 @@ from functools import reduce
 from operator import xor
 
 from ev3proto import DaisyCommand, DaisyReply, MessageType, Operation, system_command
+from ev3proto.generate.captures.descriptors import (
+    CONFIGURATION,
+    CONFIGURATION_SIZE,
+    DEVICE_DESCRIPTOR,
+    ENGLISH,
+    HID_REPORT,
+    LANGUAGES,
+    REPORT,
+    STRING,
+    configuration,
+    device,
+    string,
+)
+from ev3proto.generate.captures.usb import GET_DESCRIPTOR, NAMES, SET_CONFIGURATION, SET_IDLE
 from ev3proto.tables import daisy
+from ev3proto.tables.carriers import USB_BOOTLOADER, USB_PRODUCT
+from ev3proto.tables.carriers import USB_ENDPOINT_IN as IN
+from ev3proto.tables.carriers import USB_ENDPOINT_OUT as OUT
 from ev3proto.tables.enumerations import TYPE
 from ev3proto.tables.frame import MAX_FRAME, REPORT_SIZES
 from making import dialogue
 from making.dialogue import IMAGE, Exchange, Host
 from making.files import SECOND, Wire
 from making.urbs import ESHUTDOWN, Linux, Urbs, Windows
-
-VENDOR, EV3, BOOTLOADER = 0x0694, 0x0005, 0x0006
-OUT, IN = 0x01, 0x81
 
 
 class Brick:
@@ -54,47 +68,19 @@ class Brick:
 
 # Enumeration
 
-DEVICE, CONFIGURATION, STRING, INTERFACE, ENDPOINT = 1, 2, 3, 4, 5
-HID, HID_REPORT = 0x21, 0x22
-GET_DESCRIPTOR, SET_CONFIGURATION, SET_IDLE = 6, 9, 10
-ENGLISH = 0x0409
-
-
-def descriptor(kind: int, layout: str, *values: int) -> bytes:
-    """A descriptor: its length, its kind, its fields."""
-    fields = struct.pack("<" + layout, *values)
-    return bytes((2 + len(fields), kind)) + fields
-
-
-def report_descriptor(size: int) -> bytes:
-    """What a report consists of: so many bytes of the vendor's own, in and out."""
-    count = struct.pack("<BH", 0x96, size)
-    start = bytes.fromhex("06 00 FF 09 01 A1 01 15 00 26 FF 00 75 08")
-    return start + count + bytes.fromhex("09 01 81 02") + count + bytes.fromhex("09 01 91 02 C0")
-
 
 def enumerate_device(usb: Linux, product: int, names: tuple[str, str, str]) -> None:
     """What Linux asks a brick that was plugged in: descriptors, names (maker, product, serial number), its reports."""
-    report = report_descriptor(MAX_FRAME)
-    device = descriptor(DEVICE, "HBBBBHHHBBBB", 0x0200, 0, 0, 0, 64, VENDOR, product, 0x0100, 1, 2, 3, 1)
-    inside = (
-        descriptor(INTERFACE, "BBBBBBB", 0, 0, 2, 3, 0, 0, 0)
-        + descriptor(HID, "HBBBH", 0x0110, 0, 1, HID_REPORT, len(report))
-        + descriptor(ENDPOINT, "BBHB", IN, 3, MAX_FRAME, 4)
-        + descriptor(ENDPOINT, "BBHB", OUT, 3, MAX_FRAME, 4)
-    )
-    head = descriptor(CONFIGURATION, "HBBBBB", 9 + len(inside), 1, 1, 0, 0xC0, 1)
-    languages = descriptor(STRING, "H", ENGLISH)
-    usb.control(0x80, GET_DESCRIPTOR, DEVICE << 8, 0, 18, device)
-    usb.control(0x80, GET_DESCRIPTOR, CONFIGURATION << 8, 0, 9, head)
-    usb.control(0x80, GET_DESCRIPTOR, CONFIGURATION << 8, 0, 9 + len(inside), head + inside)
-    usb.control(0x80, GET_DESCRIPTOR, STRING << 8, 0, 255, languages)
+    whole = configuration()
+    usb.control(0x80, GET_DESCRIPTOR, DEVICE_DESCRIPTOR << 8, 0, 18, device(product))
+    usb.control(0x80, GET_DESCRIPTOR, CONFIGURATION << 8, 0, CONFIGURATION_SIZE, whole)
+    usb.control(0x80, GET_DESCRIPTOR, CONFIGURATION << 8, 0, len(whole), whole)
+    usb.control(0x80, GET_DESCRIPTOR, STRING << 8, 0, 255, LANGUAGES)
     for index in (2, 1, 3):
-        text = names[index - 1].encode("utf-16-le")
-        usb.control(0x80, GET_DESCRIPTOR, STRING << 8 | index, ENGLISH, 255, bytes((2 + len(text), STRING)) + text)
+        usb.control(0x80, GET_DESCRIPTOR, STRING << 8 | index, ENGLISH, 255, string(names[index - 1]))
     usb.control(0x00, SET_CONFIGURATION, 1, 0, 0)
     usb.control(0x21, SET_IDLE, 0, 0, 0)
-    usb.control(0x81, GET_DESCRIPTOR, HID_REPORT << 8, 0, len(report), report)
+    usb.control(0x81, GET_DESCRIPTOR, HID_REPORT << 8, 0, len(REPORT), REPORT)
     usb.wire.wait(SECOND)
 
 
@@ -104,7 +90,7 @@ def enumerate_device(usb: Linux, product: int, names: tuple[str, str, str]) -> N
 def plugged_in() -> Wire:
     """A brick is plugged in, then a program talks to it."""
     usb = Linux(Wire(), device=7)
-    enumerate_device(usb, EV3, ("LEGO Group", "EV3", "06165300000a"))
+    enumerate_device(usb, USB_PRODUCT, NAMES)
     brick, host = Brick(usb), Host()
     brick.listen()
     brick.exchange(dialogue.versions(host))
@@ -190,7 +176,7 @@ def windows() -> Wire:
 def bootloader() -> Wire:
     """A brick in its firmware updater: a new firmware, and one reply with the request written over its start."""
     usb = Linux(Wire(), device=8, bus=2)
-    enumerate_device(usb, BOOTLOADER, ("LEGO Group", "EV3 Firmware Update", "06165300000a"))
+    enumerate_device(usb, USB_BOOTLOADER, ("LEGO Group", "EV3 Firmware Update", "06165300000a"))
     brick, host = Brick(usb), Host(0)
     brick.listen()
     # The known fault: as seen in the field, byte for byte.

@@ -58,6 +58,9 @@ POLL = 0x10
 NEGOTIATION, MODEM_STATUS = 0x20, 0x38
 """Kinds of messages of RFCOMM's multiplexer."""
 
+ASKS, AGREES = 0xF0, 0xE0
+"""How the ends say in a negotiation that credits control the flow."""
+
 DLCI = RFCOMM_CHANNEL << 1
 
 _REASON = 0x13
@@ -84,7 +87,7 @@ class Writer:
 
     def opening(self) -> list[bytes]:
         """Connection, channel, serial port."""
-        modem = bytes((DLCI << 2 | 3, 0x8D))
+        modem = modem_status(DLCI)
         return [
             *self._connect(),
             self._signal(True, ASK, 1, CONNECTION_REQUEST.build({"service": SERVICE_RFCOMM, "source": OURS})),
@@ -94,8 +97,8 @@ class Writer:
             *self._configure(True, 2, THEIRS, OURS),
             *self._configure(False, 1, OURS, THEIRS),
             *self._turn(0, OPEN),
-            self._multiplexer(True, NEGOTIATION, True, _negotiated(0xF0)),
-            self._multiplexer(False, NEGOTIATION, False, _negotiated(0xE0)),
+            self._multiplexer(True, NEGOTIATION, True, negotiated(ASKS)),
+            self._multiplexer(False, NEGOTIATION, False, negotiated(AGREES)),
             *self._turn(DLCI, OPEN),
             self._multiplexer(True, MODEM_STATUS, True, modem),
             self._multiplexer(False, MODEM_STATUS, False, modem),
@@ -179,13 +182,8 @@ class Writer:
     # The serial port
 
     def _rfcomm(self, is_from_host: bool, address: int, control: int, data: bytes = b"", credits: bytes = b"") -> bytes:
-        size = len(data)
-        length = bytes((size << 1 | 1,)) if size < 0x80 else (size << 1).to_bytes(2, "little")
-        head = bytes((address, control))
-        # Frames with data are checked without their length.
-        checked = head if control & ~POLL == UIH else head + length
-        frame = head + length + credits + data + bytes((frame_check(checked),))
-        return self._packet(is_from_host, THEIRS if is_from_host else OURS, frame)
+        channel = THEIRS if is_from_host else OURS
+        return self._packet(is_from_host, channel, rfcomm_frame(address, control, data, credits))
 
     def _turn(self, dlci: int, control: int) -> list[bytes]:
         """The host opens or closes a port, the brick agrees."""
@@ -193,8 +191,7 @@ class Writer:
         return [self._rfcomm(True, address, control | POLL), self._rfcomm(False, address, DONE | POLL)]
 
     def _multiplexer(self, is_from_host: bool, kind: int, is_command: bool, body: bytes) -> bytes:
-        head = bytes((kind << 2 | is_command << 1 | 1, len(body) << 1 | 1))
-        return self._rfcomm(is_from_host, is_from_host << 1 | 1, UIH, head + body)
+        return self._rfcomm(is_from_host, is_from_host << 1 | 1, UIH, multiplexed(kind, is_command, body))
 
     def _data(self, is_from_host: bool, piece: bytes) -> bytes:
         granted = self._lacking(is_from_host)
@@ -223,6 +220,40 @@ def _event(code: int, parameters: bytes) -> bytes:
     return _hci(False, EVENT_PACKET, bytes((code, len(parameters))) + parameters)
 
 
-def _negotiated(flow: int) -> bytes:
-    port = {"dlci": DLCI, "flow": flow, "priority": 7, "timer": 0, "retransmissions": 0}
-    return bytes(NEGOTIATED.build(port | {"frame_size": FRAME_SIZE, "credits": CREDITS}))
+# RFCOMM
+
+
+def rfcomm_frame(address: int, control: int, data: bytes = b"", credits: bytes = b"") -> bytes:
+    """A frame of RFCOMM. Its length and the check at its end are worked out.
+
+    Args:
+        address: The port's number, and whose command it is.
+        control: The frame's type, with POLL.
+        data: What it carries.
+        credits: One byte where it gives the other end credits; these count as no data.
+
+    Returns:
+        The bytes of the frame.
+    """
+    size = len(data)
+    length = bytes((size << 1 | 1,)) if size < 0x80 else (size << 1).to_bytes(2, "little")
+    head = bytes((address, control))
+    # Frames with data are checked without their length.
+    checked = head if control & ~POLL == UIH else head + length
+    return head + length + credits + data + bytes((frame_check(checked),))
+
+
+def multiplexed(kind: int, is_command: bool, body: bytes) -> bytes:
+    """A message of the multiplexer: NEGOTIATION or MODEM_STATUS, as a command or the response to one."""
+    return bytes((kind << 2 | is_command << 1 | 1, len(body) << 1 | 1)) + body
+
+
+def negotiated(flow: int, frame_size: int = FRAME_SIZE, dlci: int = DLCI) -> bytes:
+    """What a port is to be like; `flow` is ASKS or AGREES."""
+    port = {"dlci": dlci, "flow": flow, "priority": 7, "timer": 0, "retransmissions": 0}
+    return bytes(NEGOTIATED.build(port | {"frame_size": frame_size, "credits": CREDITS}))
+
+
+def modem_status(dlci: int) -> bytes:
+    """The lines of a serial port: all ready."""
+    return bytes((dlci << 2 | 3, 0x8D))

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-from construct import Bytes, Const, Construct, Int8ul, Int16ul, Struct
+from construct import Int8ul, Int16ul, Int32ul, Struct
 
-from ev3proto.capture.carriers.usb.requests import CONTROL, IN, INTERRUPT, USBMON, USBMON_MORE
+from ev3proto.capture.carriers.usb.requests import CONTROL, IN, INTERRUPT, USBMON
 from ev3proto.capture.record import NANOSECONDS
-from ev3proto.schema.packed import packed
-from ev3proto.tables.carriers import USB_ENDPOINT_IN, USB_ENDPOINT_OUT, USB_PRODUCT, USB_VENDOR
+from ev3proto.generate.captures.descriptors import (
+    CONFIGURATION,
+    CONFIGURATION_SIZE,
+    DEVICE_DESCRIPTOR,
+    ENGLISH,
+    HID_REPORT,
+    LANGUAGES,
+    REPORT,
+    STRING,
+    configuration,
+    device,
+    string,
+)
+from ev3proto.tables.carriers import USB_ENDPOINT_IN, USB_ENDPOINT_OUT
 from ev3proto.tables.frame import MAX_FRAME
 
 BUS, DEVICE = 1, 7
-
-DEVICE_DESCRIPTOR, CONFIGURATION, STRING, INTERFACE, ENDPOINT, HID, HID_REPORT = 1, 2, 3, 4, 5, 0x21, 0x22
-"""Kinds of descriptors."""
 
 GET_DESCRIPTOR, SET_CONFIGURATION, SET_IDLE = 6, 9, 10
 """Requests on endpoint 0."""
@@ -21,73 +30,18 @@ GET_DESCRIPTOR, SET_CONFIGURATION, SET_IDLE = 6, 9, 10
 NAMES = ("LEGO Group", "EV3", "06165300000a")
 """Maker, product, serial number."""
 
-_ENGLISH = 0x0409
-_SUBMITTED, _DONE = ord("S"), ord("C")
-_IN_PROGRESS, _SHUT_DOWN = -115, -108
+SUBMITTED, DONE = ord("S"), ord("C")
+_IN_PROGRESS, SHUT_DOWN = -115, -108
 _HAS_SETUP, _HAS_NO_SETUP = 0, ord("-")
 _INTERVAL = 8
 
-_usbmon = packed(USBMON)
 _SECONDS_AT = 16
 """Where the time stands in what `USBMON` says: seconds in 8 bytes, microseconds in 4."""
 
+MORE = Struct("interval" / Int32ul, "start_frame" / Int32ul, "flags" / Int32ul, "descriptors" / Int32ul)
+"""What newer kernels add to the header."""
+
 SETUP = Struct("kind" / Int8ul, "request" / Int8ul, "value" / Int16ul, "index" / Int16ul, "length" / Int16ul)
-
-
-def _descriptor(kind: int, **fields: Construct) -> Struct:
-    size = 2 + sum(field.sizeof() for field in fields.values())
-    heads = ("length" / Const(size, Int8ul), "kind" / Const(kind, Int8ul))
-    return Struct(*heads, *(name / field for name, field in fields.items()))
-
-
-OF_DEVICE = _descriptor(
-    DEVICE_DESCRIPTOR,
-    usb=Int16ul,
-    device_class=Int8ul,
-    subclass=Int8ul,
-    protocol=Int8ul,
-    packet_size=Int8ul,
-    vendor=Int16ul,
-    product=Int16ul,
-    version=Int16ul,
-    maker_name=Int8ul,
-    product_name=Int8ul,
-    serial_number=Int8ul,
-    configurations=Int8ul,
-)
-OF_CONFIGURATION = _descriptor(
-    CONFIGURATION,
-    total=Int16ul,
-    interfaces=Int8ul,
-    number=Int8ul,
-    name=Int8ul,
-    attributes=Int8ul,
-    power=Int8ul,
-)
-OF_INTERFACE = _descriptor(
-    INTERFACE,
-    number=Int8ul,
-    alternative=Int8ul,
-    endpoints=Int8ul,
-    interface_class=Int8ul,
-    subclass=Int8ul,
-    protocol=Int8ul,
-    name=Int8ul,
-)
-OF_HID = _descriptor(HID, version=Int16ul, country=Int8ul, descriptors=Int8ul, kind_of_it=Int8ul, size=Int16ul)
-OF_ENDPOINT = _descriptor(ENDPOINT, address=Int8ul, attributes=Int8ul, size=Int16ul, interval=Int8ul)
-
-_COUNT = MAX_FRAME.to_bytes(2, "little")
-REPORT = (
-    bytes.fromhex("06 00 FF 09 01 A1 01 15 00 26 FF 00 75 08")  # of the vendor's own: bytes 0 to 255,
-    + b"\x96"
-    + _COUNT
-    + bytes.fromhex("09 01 81 02")  # so many of them to the host,
-    + b"\x96"
-    + _COUNT
-    + bytes.fromhex("09 01 91 02 C0")  # and as many from it
-)
-"""What the brick says of its reports."""
 
 
 class Writer:
@@ -98,90 +52,112 @@ class Writer:
 
     def opening(self) -> list[bytes]:
         """Descriptors are asked for, the configuration is set; the host then waits for a report."""
-        inside = _inside()
-        head = OF_CONFIGURATION.build(
-            {
-                "total": OF_CONFIGURATION.sizeof() + len(inside),
-                "interfaces": 1,
-                "number": 1,
-                "name": 0,
-                "attributes": 0xC0,
-                "power": 1,
-            }
-        )
-        texts = [bytes((STRING,)) + name.encode("utf-16-le") for name in NAMES]
-        languages = bytes((4, STRING)) + _ENGLISH.to_bytes(2, "little")
+        whole = configuration()
         return [
-            *_asked(DEVICE_DESCRIPTOR, 0, _device()),
-            *_asked(CONFIGURATION, 0, head),
-            *_asked(CONFIGURATION, 0, head + inside),
-            *_asked(STRING, 0, languages),
+            *_asked(DEVICE_DESCRIPTOR, 0, device()),
+            *_asked(CONFIGURATION, 0, whole[:CONFIGURATION_SIZE]),
+            *_asked(CONFIGURATION, 0, whole),
+            *_asked(STRING, 0, LANGUAGES),
             *(
                 packet
-                for number, text in enumerate(texts, 1)
-                for packet in _asked(STRING, number, bytes((1 + len(text),)) + text, _ENGLISH)
+                for number, name in enumerate(NAMES, 1)
+                for packet in _asked(STRING, number, string(name), ENGLISH)
             ),
-            *_told(SET_CONFIGURATION, 0x00, 1),
-            *_told(SET_IDLE, 0x21, 0),
+            *_set(SET_CONFIGURATION, 0x00, 1),
+            *_set(SET_IDLE, 0x21, 0),
             *_asked(HID_REPORT, 0, REPORT, of_interface=True),
-            _request(_SUBMITTED, USB_ENDPOINT_IN),
+            _request(SUBMITTED, USB_ENDPOINT_IN),
         ]
 
     def between(self, is_from_host: bool) -> list[bytes]:  # noqa: ARG002 - the same whoever is next
         """What was submitted is done, or the host waits for the next report."""
         if self._last_from_host:
-            return [_request(_DONE, USB_ENDPOINT_OUT)]
-        return [_request(_SUBMITTED, USB_ENDPOINT_IN)]
+            return [_request(DONE, USB_ENDPOINT_OUT)]
+        return [_request(SUBMITTED, USB_ENDPOINT_IN)]
 
     def frame(self, frame: bytes, is_from_host: bool) -> list[bytes]:
         """One report, whatever the size of the frame: the rest is zero."""
         self._last_from_host = is_from_host
         report = frame.ljust(MAX_FRAME, b"\0")
         if is_from_host:
-            return [_request(_SUBMITTED, USB_ENDPOINT_OUT, report)]
-        return [_request(_DONE, USB_ENDPOINT_IN, report)]
+            return [_request(SUBMITTED, USB_ENDPOINT_OUT, report)]
+        return [_request(DONE, USB_ENDPOINT_IN, report)]
 
     def closing(self) -> list[bytes]:
         """The brick is unplugged while the host waits for a report."""
         last = [] if self._last_from_host is None else self.between(True)
-        return [*last, _request(_DONE, USB_ENDPOINT_IN, status=_SHUT_DOWN)]
+        return [*last, _request(DONE, USB_ENDPOINT_IN, status=SHUT_DOWN)]
 
     def stamped(self, packet: bytes, time_ns: int) -> bytes:
-        """The packet with the time that Linux writes into each."""
-        seconds, rest = divmod(time_ns, NANOSECONDS)
-        stamp = seconds.to_bytes(8, "little") + (rest // 1000).to_bytes(4, "little")
-        return packet[:_SECONDS_AT] + stamp + packet[_SECONDS_AT + len(stamp) :]
+        """The packet with its time."""
+        return stamped(packet, time_ns)
 
 
-def _request(
-    event: int, endpoint: int, data: bytes = b"", *, status: int = 0, setup: bytes = b"", size: int | None = None
+def stamped(packet: bytes, time_ns: int) -> bytes:
+    """A packet of usbmon with the time, in nanoseconds since 1970, that Linux writes into each."""
+    seconds, rest = divmod(time_ns, NANOSECONDS)
+    stamp = seconds.to_bytes(8, "little") + (rest // 1000).to_bytes(4, "little")
+    return packet[:_SECONDS_AT] + stamp + packet[_SECONDS_AT + len(stamp) :]
+
+
+def record(
+    event: int,
+    endpoint: int,
+    data: bytes = b"",
+    *,
+    device: int = DEVICE,
+    bus: int = BUS,
+    status: int = 0,
+    setup: bytes = b"",
+    size: int = 0,
+    flags: int = 0,
+    is_padded: bool = True,
 ) -> bytes:
-    """A record of a request: submitted or done. `size` is what was asked for, where that is not what there is."""
+    """A packet of usbmon, at time 0.
+
+    Args:
+        event: SUBMITTED or DONE.
+        endpoint: The endpoint, with the bit for the direction; endpoint 0 takes control transfers.
+        data: The bytes that went over.
+        device: The number of the device on its bus.
+        bus: The bus.
+        status: How a request ended: 0, or less for an error of Linux. What was submitted is in progress.
+        setup: The request of a control transfer.
+        size: How many bytes were asked for, or went over.
+        flags: Linux's flags of the request.
+        is_padded: The header has 64 bytes, as it is read from memory, not 48.
+
+    Returns:
+        Header and data.
+    """
     is_control = endpoint & ~IN == 0
     is_in = bool(endpoint & IN)
-    carries = is_in == (event == _DONE) and not status
-    if size is None:
-        size = 0 if status else len(data) or (0 if is_control else MAX_FRAME)
+    carries = is_in == (event == DONE)
     head = USBMON.build(
         {
-            "id": 0xFFFF888000000000 | DEVICE << 16 | endpoint << 8,
+            "id": 0xFFFF888000000000 | device << 16 | endpoint << 8,
             "event": event,
             "transfer": CONTROL if is_control else INTERRUPT,
             "endpoint": endpoint,
-            "device": DEVICE,
-            "bus": BUS,
+            "device": device,
+            "bus": bus,
             "has_no_setup": _HAS_SETUP if setup else _HAS_NO_SETUP,
             "has_no_data": 0 if carries else ord("<" if is_in else ">"),
             "seconds": 0,
             "microseconds": 0,
-            "status": (_IN_PROGRESS if event == _SUBMITTED else status) % 2**32,
+            "status": (_IN_PROGRESS if event == SUBMITTED else status) % 2**32,
             "size": size,
             "captured": len(data),
             "setup": setup or bytes(8),
         }
     )
-    more = Struct("interval" / Int16ul, "rest" / Bytes(USBMON_MORE - 2))
-    return bytes(head) + bytes(more.build({"interval": 0 if is_control else _INTERVAL, "rest": b"\0" * 14})) + data
+    more = {"interval": 0 if is_control else _INTERVAL, "start_frame": 0, "flags": flags, "descriptors": 0}
+    return bytes(head) + (bytes(MORE.build(more)) if is_padded else b"") + data
+
+
+def _request(event: int, endpoint: int, data: bytes = b"", *, status: int = 0) -> bytes:
+    """A packet of a report: submitted or done."""
+    return record(event, endpoint, data, status=status, size=0 if status else len(data) or MAX_FRAME)
 
 
 def _asked(kind: int, number: int, answer: bytes, index: int = 0, *, of_interface: bool = False) -> list[bytes]:
@@ -189,44 +165,12 @@ def _asked(kind: int, number: int, answer: bytes, index: int = 0, *, of_interfac
     request = {"kind": 0x81 if of_interface else 0x80, "request": GET_DESCRIPTOR, "index": index}
     setup = SETUP.build(request | {"value": kind << 8 | number, "length": len(answer)})
     return [
-        _request(_SUBMITTED, IN, setup=setup, size=len(answer)),
-        _request(_DONE, IN, answer),
+        record(SUBMITTED, IN, setup=setup, size=len(answer)),
+        record(DONE, IN, answer, size=len(answer)),
     ]
 
 
-def _told(request: int, kind: int, value: int) -> list[bytes]:
+def _set(request: int, kind: int, value: int) -> list[bytes]:
     """The host sets something."""
     setup = SETUP.build({"kind": kind, "request": request, "value": value, "index": 0, "length": 0})
-    return [_request(_SUBMITTED, 0, setup=setup), _request(_DONE, 0)]
-
-
-def _device() -> bytes:
-    device = {
-        "usb": 0x0200,
-        "device_class": 0,
-        "subclass": 0,
-        "protocol": 0,
-        "packet_size": 64,
-        "vendor": USB_VENDOR,
-        "product": USB_PRODUCT,
-        "version": 0x0100,
-        "maker_name": 1,
-        "product_name": 2,
-        "serial_number": 3,
-        "configurations": 1,
-    }
-    return bytes(OF_DEVICE.build(device))
-
-
-def _inside() -> bytes:
-    """What a configuration has: a HID interface with an endpoint each way."""
-    interface = {"number": 0, "alternative": 0, "endpoints": 2, "interface_class": 3}
-    hid = {"version": 0x0110, "country": 0, "descriptors": 1, "kind_of_it": HID_REPORT, "size": len(REPORT)}
-    endpoint = {"attributes": 3, "size": MAX_FRAME, "interval": 4}
-    pieces = (
-        OF_INTERFACE.build(interface | {"subclass": 0, "protocol": 0, "name": 0}),
-        OF_HID.build(hid),
-        OF_ENDPOINT.build(endpoint | {"address": USB_ENDPOINT_IN}),
-        OF_ENDPOINT.build(endpoint | {"address": USB_ENDPOINT_OUT}),
-    )
-    return b"".join(pieces)
+    return [record(SUBMITTED, 0, setup=setup), record(DONE, 0)]

@@ -280,7 +280,7 @@ local OPERATIONS = {
             element = DATA32, elements = IN,
         },
     },
-    { 0x0A, "OBJECT_END", "Ends the object; the firmware puts one behind every direct command" },
+    { 0x0A, "OBJECT_END", "Ends the object; the firmware puts one after every direct command" },
     { 0x0B, "SLEEP", "Gives up the rest of the thread's time slice" },
     {
         0x0C, "PROGRAM_INFO", "Asks about a program or controls its objects",
@@ -1789,19 +1789,19 @@ local OPERATIONS = {
                 { "STATE", OUT, DATA8, "whether the button was held for 3 s", special = { [0] = "no", [1] = "yes" } },
             },
             {
-                14, "GET_BUMBED", "Tells whether a button was pressed and let go since last asked, and forgets it",
+                14, "GET_BUMBED", "Tells whether a button was pressed and released since last asked, and forgets it",
                 { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
                 {
-                    "STATE", OUT, DATA8, "whether the button was pressed and let go",
+                    "STATE", OUT, DATA8, "whether the button was pressed and released",
                     special = { [0] = "no", [1] = "yes" },
                 },
                 dialects = { "official", "xtended" },
             },
             {
-                14, "GET_BUMPED", "Tells whether a button was pressed and let go since last asked, and forgets it",
+                14, "GET_BUMPED", "Tells whether a button was pressed and released since last asked, and forgets it",
                 { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
                 {
-                    "STATE", OUT, DATA8, "whether the button was pressed and let go",
+                    "STATE", OUT, DATA8, "whether the button was pressed and released",
                     special = { [0] = "no", [1] = "yes" },
                 },
                 dialects = { "compat" },
@@ -2037,7 +2037,7 @@ local OPERATIONS = {
                 { "FIGURES", IN, DATA8, "characters in all, decimal point included" },
                 { "DECIMALS", IN, DATA8, "digits after the decimal point" },
                 { "LENGTH", IN, DATA8, "most bytes of the unit, the zero included", unit = "bytes" },
-                { "STRING", IN, STRING, "unit to draw behind the number" },
+                { "STRING", IN, STRING, "unit to draw after the number" },
             },
             {
                 24, "FILLCIRCLE", "Draws a filled circle",
@@ -2921,7 +2921,7 @@ local OPERATIONS = {
     { 0xB4, "OUTPUT_PRG_STOP", "Stops and resets all motors as the end of a program does" },
     {
         0x7E, "MEMORY_WRITE", "Writes bytes into the variables of a running program",
-        { "PRGID", IN, DATA16, "slot of the program, which has to be running", enum = ENUMERATIONS.SLOT },
+        { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT },
         {
             "OBJID", IN, DATA16, "object whose local memory is meant",
             special = { [0] = "the program's global memory" },
@@ -2932,7 +2932,7 @@ local OPERATIONS = {
     },
     {
         0x7F, "MEMORY_READ", "Reads bytes from the variables of a running program",
-        { "PRGID", IN, DATA16, "slot of the program, which has to be running", enum = ENUMERATIONS.SLOT },
+        { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT },
         {
             "OBJID", IN, DATA16, "object whose local memory is meant",
             special = { [0] = "the program's global memory" },

@@ -871,7 +871,7 @@ types:
         11: {id: get_back_block, doc: Tells whether the back button is kept from ending the running program}
         12: {id: testshortpress, doc: "Tells like SHORTPRESS whether a button was pressed, without forgetting it"}
         13: {id: testlongpress, doc: "Tells like LONGPRESS whether a button was held for 3 s, without forgetting it"}
-        14: {id: get_bumbed, doc: "Tells whether a button was pressed and let go since last asked, and forgets it"}
+        14: {id: get_bumbed, doc: "Tells whether a button was pressed and released since last asked, and forgets it"}
         15: {id: get_click, doc: "Tells whether a key click is due because a press was handled, and forgets it"}
   family_ui_draw:
     doc: "Draws on the canvas of the display, or runs a dialogue on it"
@@ -2704,10 +2704,10 @@ types:
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_get_bumbed:
-    doc: "Tells whether a button was pressed and let go since last asked, and forgets it"
+    doc: "Tells whether a button was pressed and released since last asked, and forgets it"
     seq:
       - {id: button, type: argument(false), doc: which button (a member of BUTTONTYPE)}
-      - {id: state, type: argument(false), doc: "whether the button was pressed and let go (0 to 1; 0: no; 1: yes)"}
+      - {id: state, type: argument(false), doc: "whether the button was pressed and released (0 to 1; 0: no; 1: yes)"}
     instances:
       button_name: {value: button.value, enum: buttontype, if: button.is_number}
   op_ui_button_get_click:
@@ -2924,7 +2924,7 @@ types:
       - {id: figures, type: argument(false), doc: "characters in all, decimal point included"}
       - {id: decimals, type: argument(false), doc: digits after the decimal point}
       - {id: length, type: argument(false), doc: "most bytes of the unit, the zero included (0 to 127 bytes)"}
-      - {id: string_, type: argument(false), doc: unit to draw behind the number}
+      - {id: string_, type: argument(false), doc: unit to draw after the number}
   op_ui_draw_fillcircle:
     doc: Draws a filled circle
     seq:
@@ -3506,9 +3506,7 @@ types:
   op_memory_write:
     doc: Writes bytes into the variables of a running program
     seq:
-      - id: prgid
-        type: argument(false)
-        doc: "slot of the program, which has to be running (0 to 4; a member of SLOT)"
+      - {id: prgid, type: argument(false), doc: "slot of the program, which must be running (0 to 4; a member of SLOT)"}
       - {id: objid, type: argument(false), doc: "object whose local memory is meant (0: the program's global memory)"}
       - {id: offset, type: argument(false), doc: first byte in that memory (0 to 2147483647 bytes)}
       - {id: size, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
@@ -3520,9 +3518,7 @@ types:
   op_memory_read:
     doc: Reads bytes from the variables of a running program
     seq:
-      - id: prgid
-        type: argument(false)
-        doc: "slot of the program, which has to be running (0 to 4; a member of SLOT)"
+      - {id: prgid, type: argument(false), doc: "slot of the program, which must be running (0 to 4; a member of SLOT)"}
       - {id: objid, type: argument(false), doc: "object whose local memory is meant (0: the program's global memory)"}
       - {id: offset, type: argument(false), doc: first byte in that memory (0 to 2147483647 bytes)}
       - {id: size, type: argument(false), doc: how many bytes (0 to 2147483647 bytes)}
@@ -4481,7 +4477,7 @@ enums:
       doc: "Calls a subroutine of the own program; waits while another thread is in it"
     0x0A:
       id: object_end
-      doc: "Ends the object; the firmware puts one behind every direct command"
+      doc: "Ends the object; the firmware puts one after every direct command"
     0x0B:
       id: sleep
       doc: "Gives up the rest of the thread's time slice"

@@ -162,7 +162,7 @@ enum {
      */
     opCALL = 0x09,
 
-    /* Ends the object; the firmware puts one behind every direct command */
+    /* Ends the object; the firmware puts one after every direct command */
     opOBJECT_END = 0x0A,
 
     /* Gives up the rest of the thread's time slice */
@@ -2078,17 +2078,17 @@ enum {
     TESTLONGPRESS = 13,
 
     /*
-     * Tells whether a button was pressed and let go since last asked, and forgets it (official and xtended firmware
-     *     only)
+     * Tells whether a button was pressed and released since last asked, and forgets it (official and xtended
+     *     firmware only)
      *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
-     *   STATE   out DATA8  whether the button was pressed and let go (0 to 1; 0: no; 1: yes)
+     *   STATE   out DATA8  whether the button was pressed and released (0 to 1; 0: no; 1: yes)
      */
     GET_BUMBED = 14,
 
     /*
-     * Tells whether a button was pressed and let go since last asked, and forgets it (compat firmware only)
+     * Tells whether a button was pressed and released since last asked, and forgets it (compat firmware only)
      *   BUTTON  DATA8      which button (a member of BUTTONTYPE)
-     *   STATE   out DATA8  whether the button was pressed and let go (0 to 1; 0: no; 1: yes)
+     *   STATE   out DATA8  whether the button was pressed and released (0 to 1; 0: no; 1: yes)
      */
     GET_BUMPED = 14,
 
@@ -2341,7 +2341,7 @@ enum {
      *   FIGURES   DATA8   characters in all, decimal point included
      *   DECIMALS  DATA8   digits after the decimal point
      *   LENGTH    DATA8   most bytes of the unit, the zero included (0 to 127 bytes)
-     *   STRING    string  unit to draw behind the number
+     *   STRING    string  unit to draw after the number
      */
     VIEW_UNIT = 23,
 
@@ -3069,7 +3069,7 @@ enum {
 enum {
     /*
      * Writes bytes into the variables of a running program
-     *   PRGID   DATA16  slot of the program, which has to be running (0 to 4; a member of SLOT)
+     *   PRGID   DATA16  slot of the program, which must be running (0 to 4; a member of SLOT)
      *   OBJID   DATA16  object whose local memory is meant (0: the program's global memory)
      *   OFFSET  DATA32  first byte in that memory (0 to 2147483647 bytes)
      *   SIZE    DATA32  how many bytes (0 to 2147483647 bytes)
@@ -3079,7 +3079,7 @@ enum {
 
     /*
      * Reads bytes from the variables of a running program
-     *   PRGID   DATA16     slot of the program, which has to be running (0 to 4; a member of SLOT)
+     *   PRGID   DATA16     slot of the program, which must be running (0 to 4; a member of SLOT)
      *   OBJID   DATA16     object whose local memory is meant (0: the program's global memory)
      *   OFFSET  DATA32     first byte in that memory (0 to 2147483647 bytes)
      *   SIZE    DATA32     how many bytes (0 to 2147483647 bytes)

@@ -206,7 +206,7 @@ def test_length_and_padding() -> None:
     assert codes(frame + bytes(1013)) == ["E103"]
     assert codes(frame + bytes(1013) + b"\1") == ["E103"]
     assert only(frame + b"\1").message == "the length field says that 8 bytes follow it, and there are 9"
-    assert only(frame + b"\1").help == "give 9 as the length, or leave the last 1 byte away"
+    assert only(frame + b"\1").help == "give 9 as the length, or omit the last 1 byte"
 
 
 def test_empty_commands() -> None:

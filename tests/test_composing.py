@@ -133,7 +133,9 @@ def test_sizes_and_reply_by_hand() -> None:
     assert sizes(command(ops.sound.break_(), reply=True)) == (True, 0, 0)
     assert sizes(command(ops.sound.break_(), global_size=3)) == (True, 3, 0)
     assert sizes(command(ops.ui_read.get_vbatt(GV(0)), reply=False)) == (False, 4, 0)
-    with pytest.raises(BuildError, match=r"^global_size cannot be 2: the operations use 4 of global memory$"):
+    with pytest.raises(
+        BuildError, match=r"^global_size must be 4 or more, not 2: the operations use 4 bytes of global memory$"
+    ):
         command(battery, global_size=2)
     with pytest.raises(BuildError, match=r"^local_size cannot be 0: the operations use 1 of local memory$"):
         command(ops.or8(1, 2, LV(0)), local_size=0)

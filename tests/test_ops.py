@@ -160,7 +160,7 @@ UNCHECKED = "; unchecked=True lets it through"
         ("init_bytes", (LV(0), 3, [1, 2]), "INIT_BYTES: LENGTH says 3, but 2 values follow"),
         ("init_bytes", (LV(0), 3, 1), "INIT_BYTES: SOURCE takes a list, not 1"),
         ("call", (1, "ab"), "CALL: PARAMETERS takes a list, not 'ab'"),
-        ("input_device.ready_si", (0, 0, 0, 0, 128), "VALUES cannot be 128: as a number of outputs it is 0 to 127"),
+        ("input_device.ready_si", (0, 0, 0, 0, 128), "VALUES must be 0 to 127 as a number of outputs, not 128"),
         ("com_set.set_brickname", (5,), "NAME takes a string or a variable, not 5"),
         ("com_set.set_brickname", ("\u1234",), "the brick's strings are ISO-8859-1"),
     ],
@@ -282,7 +282,7 @@ def test_places() -> None:
         "Local().as_handle()",
     ]
     for size in (0, -1, 1.5, True, "4"):
-        with pytest.raises(BuildError, match="it is a number of bytes, 1 or more"):
+        with pytest.raises(BuildError, match="must be a number of bytes, 1 or more"):
             Local(size)  # type: ignore[arg-type]
 
 

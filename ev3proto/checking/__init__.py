@@ -1,7 +1,7 @@
 """What the brick will say to a frame before anybody sends it, and what a careful sender would change in it.
 
 `checking.check` gives a report: the verdict of the firmware (`verdict`), and findings of the rules, whose codes are all
-in one table (`codes`). `fixing` mends what can be mended with certainty.
+in one table (`codes`). `fixing` fixes what can be fixed with certainty.
 """
 
 from ev3proto.checking.report import Finding, Report, Severity

@@ -43,7 +43,7 @@ def check(frame: bytes | bytearray | memoryview, *, dialect: str = "official", c
 
 
 def _without_echoes(findings: list[Finding]) -> list[Finding]:
-    """The findings without hints on bytes that have to be changed in any case."""
+    """The findings without hints on bytes that must be changed in any case."""
     wrong = {finding.offset for finding in findings if finding.severity is Severity.ERROR}
     if not wrong:
         return findings

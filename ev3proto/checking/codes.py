@@ -79,7 +79,7 @@ TOO_SHORT = _code(
     "too short for a frame",
     """
     A frame starts with five bytes: two of length, two of the message counter, one of the type. A direct command
-    has two more, which ask for memory. Here the bytes end before that, so nobody can tell what they are.
+    has two more, which ask for memory. Here the bytes end before that, so it is not known what they are.
     """,
     _frame("03:00|2A:00"),
     VOLTAGE,
@@ -98,7 +98,7 @@ INCOMPLETE = _code(
 )
 LEFT_OVER = _code(
     "E103",
-    "the frame goes on behind its end",
+    "the frame goes on after its end",
     """
     The length field counts the bytes that follow it. There are more, and the brick does not look at those: on
     USB it drops them, on Bluetooth and WiFi it takes them for the start of the next frame, and all that follows
@@ -112,7 +112,7 @@ TOO_LONG = _code(
     "longer than any frame may be",
     """
     A frame has 1024 bytes at most, its length field included. That is the size of the firmware's buffers and of
-    one USB report. A long job has to be cut into several commands.
+    one USB report. A long job must be cut into several commands.
     """,
     _sized("2A:00|80|00:00|" + "01:" * 1017 + "01"),
     _sized("2A:00|80|00:00|" + "01:" * 1016 + "01"),
@@ -121,7 +121,7 @@ UNKNOWN_TYPE = _code(
     "E105",
     "no message type",
     """
-    The byte behind the message counter tells what kind of message it is. There are twelve; a brick is sent
+    The byte after the message counter says what kind of message it is. There are twelve; a brick is sent
     direct commands (0x00 with a reply, 0x80 without) and system commands (0x01 and 0x81).
     """,
     _frame("06:00|2A:00|40|00:00|01"),
@@ -160,7 +160,7 @@ LONG_REPLY = _code(
     "W102",
     "a reply that is longer than a frame",
     """
-    A reply carries the whole global memory behind five bytes of its own, and a frame has 1024 bytes at most.
+    A reply carries the whole global memory after five bytes of its own, and a frame has 1024 bytes at most.
     The firmware grants two bytes of global memory more than that leaves room for.
     """,
     _sized("2A:00|00|FC:03|81:03:81:7F:60"),
@@ -168,9 +168,9 @@ LONG_REPLY = _code(
 )
 PADDING = _code(
     "H101",
-    "padding behind the frame",
+    "padding after the frame",
     """
-    A USB report always has 1024 bytes; what stands behind the frame in it has no meaning. That is right on USB
+    A USB report always has 1024 bytes; what comes after the frame in it has no meaning. That is right on USB
     and nowhere else: on Bluetooth and WiFi the brick would take the zeros for frames.
     """,
     _frame("06:00|2A:00|80|00:00|01") + bytes(1016),
@@ -187,17 +187,17 @@ UNKNOWN_OPCODE = _code(
     The brick refuses the whole command; nothing of it is run.
 
     Often the byte is none that was meant as an opcode: an argument before it is shorter or longer than the
-    sender thought, and everything behind it is read out of step. Look at the operation in front of it first.
+    sender thought, and everything after it is read out of step. Look at the operation before it first.
     """,
     _sized("2A:00|80|00:00|A6:00:01:00"),
     _sized("2A:00|80|00:00|A6:00:01"),
 )
 AFTER_END = _code(
     "E202",
-    "operations behind OBJECT_END",
+    "operations after OBJECT_END",
     """
     OBJECT_END ends the code. The firmware stops reading there, finds that this is not where the command ends,
-    and refuses it. It puts an OBJECT_END behind every direct command by itself, so none is needed.
+    and refuses it. It puts an OBJECT_END after every direct command by itself, so none is needed.
     """,
     _sized("2A:00|80|00:00|82:1B:02:0A:82:1B:01"),
     _sized("2A:00|80|00:00|82:1B:02:82:1B:01"),
@@ -206,10 +206,10 @@ CUT_OFF = _code(
     "E203",
     "the last operation is cut off",
     """
-    The operations have to end exactly where the command ends. This one needs more bytes than there are: an
+    The operations must end exactly where the command ends. This one needs more bytes than there are: an
     argument is missing, a text has no zero, or a list has fewer elements than its count says.
 
-    The firmware reads on behind the end, where it finds an OBJECT_END and zeros, and refuses the command
+    The firmware reads on after the end, where it finds an OBJECT_END and zeros, and refuses the command
     because the operation ends too late.
     """,
     _sized("2A:00|80|00:00|94:01:01:82:B8:01"),
@@ -232,7 +232,7 @@ MISALIGNED = _code(
     "E205",
     "a misaligned variable",
     """
-    A variable of 16 bits has to start at an even place of its memory, one of 32 bits or a float at a multiple
+    A variable of 16 bits must start at an even place of its memory, one of 32 bits or a float at a multiple
     of 4. The firmware checks that before it runs anything, and refuses the whole command.
     """,
     _sized("2A:00|00|05:00|81:01:61"),
@@ -254,7 +254,7 @@ SPINS = _code(
     """
     The operation says how many values follow, and the firmware believes it: it reads that many before it looks
     whether the command has them. It takes the count without its sign, so that -1 is more than four thousand
-    million. The brick then does nothing else for minutes, and has to be switched off.
+    million. The brick then does nothing else for minutes, and must be switched off.
     """,
     _sized("2A:00|80|00:04|2F:40:3F:01"),
     _sized("2A:00|80|00:04|2F:40:01:01"),
@@ -274,7 +274,7 @@ VARIABLE_CMD = _code(
     "E209",
     "a CMD that is no number",
     """
-    CMD decides which parameters follow, so it has to be a number in the frame itself. Where a variable stands,
+    CMD decides which parameters follow, so it must be a number in the frame itself. Where a variable stands,
     the firmware's validator takes its index for the CMD and the operation itself takes its value; where a text
     stands, CMD is 0.
     """,
@@ -285,7 +285,7 @@ UNDEFINED_FORM = _code(
     "E210",
     "no identification byte",
     """
-    The first byte of an argument tells how it is encoded. In the long forms, its last three bits say what
+    The first byte of an argument says how it is encoded. In the long forms, its last three bits say what
     follows; of the eight numbers that they can have the firmware defines five for constants and three for
     variables. For all others it reads no byte at all, and uses whatever number it had read before.
     """,
@@ -296,7 +296,7 @@ BAD_COUNT = _code(
     "E211",
     "a count that is none",
     """
-    The number of elements in a list has to be a constant: 0 to 127 where it counts parameters, anything from 0
+    The number of elements in a list must be a constant: 0 to 127 where it counts parameters, anything from 0
     on where it counts values. Where it is not, the firmware takes the list for empty, or the index of a
     variable for the number, and reads the elements as operations.
     """,
@@ -352,7 +352,7 @@ NUMBER_FOR_TEXT = _code(
     "a number where the brick reads a text",
     """
     The parameter takes a text (0x84, the characters, a zero) or a variable that holds one. The brick accepts a
-    number and reads its bytes, and what happens to stand behind them, as characters up to the next zero.
+    number and reads its bytes, and what happens to stand after them, as characters up to the next zero.
     """,
     _sized("2A:00|80|00:00|94:02:01:05"),
     _sized("2A:00|80|00:00|94:02:01:84:78:00"),
@@ -515,7 +515,7 @@ ARRAY_TOO_SHORT = _code(
     "E501",
     "fewer bytes than the length says",
     """
-    One parameter tells how many elements the other has, and there are fewer. The brick reads on behind them: in
+    One parameter tells how many elements the other has, and there are fewer. The brick reads on after them: in
     the operations that follow, or in memory that has nothing to do with it.
     """,
     _sized("2A:00|80|00:00|9F:00:00:08:84:41:42:00"),
@@ -548,7 +548,7 @@ JUMP_OUT = _code(
     "E601",
     "a jump out of the code",
     """
-    A jump counts its bytes from the end of the jump itself. This one leads behind the end of the command or in
+    A jump counts its bytes from the end of the jump itself. This one leads beyond the end of the command or in
     front of its first operation, where the brick finds something that is no byte code of yours and runs it. A
     jump to the very end is right: it ends the command.
     """,
@@ -608,7 +608,7 @@ NEEDLESS_END = _code(
     "H601",
     "an OBJECT_END that is not needed",
     """
-    The firmware puts an OBJECT_END behind every direct command by itself. One more does no harm.
+    The firmware puts an OBJECT_END after every direct command by itself. One more does no harm.
     """,
     _sized("2A:00|80|00:00|82:1B:01:0A"),
     _sized("2A:00|80|00:00|82:1B:01"),
@@ -664,7 +664,7 @@ UNKNOWN_SYSTEM = _code(
     "E801",
     "no system command",
     """
-    The byte behind the type is the system command; the firmware has 0x92 to 0xA2, the firmware updater 0xF0 to
+    The byte after the type is the system command; the firmware has 0x92 to 0xA2, the firmware updater 0xF0 to
     0xF6. To others it does not answer.
     """,
     _frame("04:00|2A:00|01|42"),
@@ -674,9 +674,9 @@ WRONG_FIELDS = _code(
     "E802",
     "fields that do not fit",
     """
-    A system command has fields of fixed kinds, one behind the other up to the end of the frame. Here one of
+    A system command has fields of fixed kinds, one after the other up to the end of the frame. Here one of
     them is cut short, bytes are left over, or a length does not say what follows it. The firmware checks none
-    of that: it reads what it finds, also behind the end.
+    of that: it reads what it finds, also beyond the end.
     """,
     _frame("06:00|2A:00|01|95:00:10"),
     _frame("07:00|2A:00|01|95:00:10:00"),

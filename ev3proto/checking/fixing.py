@@ -178,12 +178,12 @@ class _Fixing:
 
     def _tell_moves(self, moved: list[tuple[Footprint, int]]) -> None:
         """One line a variable, however often it is used."""
-        told: dict[tuple[str, int], tuple[Footprint, int]] = {}
+        moves_by_variable: dict[tuple[str, int], tuple[Footprint, int]] = {}
         for place, shift in moved:
-            found = told.get((place.argument.kind, place.start))
+            found = moves_by_variable.get((place.argument.kind, place.start))
             if found is None or _multiple(place) > _multiple(found[0]):
-                told[place.argument.kind, place.start] = place, shift
-        for place, shift in told.values():
+                moves_by_variable[place.argument.kind, place.start] = place, shift
+        for place, shift in moves_by_variable.values():
             why = (
                 f"{place.full_name} needs a multiple of {_multiple(place)}"
                 if place.start % _multiple(place)
@@ -280,7 +280,7 @@ def _places(command: DirectCommand) -> list[Footprint]:
 
 
 def _multiple(place: Footprint) -> int:
-    """What the index of a variable has to be a multiple of: 1, 2 or 4."""
+    """What the index of a variable must be a multiple of: 1, 2 or 4."""
     return max(place.validator_alignment, place.cpu_alignment)
 
 
@@ -457,8 +457,8 @@ def _spanned(command: DirectCommand) -> bytearray:
                 return bytearray(b"\1" * size)
             end = operation.offset + operation.length
             target = min(max(end + int(argument.value), 0), size)
-            first, behind = min(target, end), max(target, end)
-            spanned[first:behind] = b"\1" * (behind - first)
+            first, last = min(target, end), max(target, end)
+            spanned[first:last] = b"\1" * (last - first)
     return spanned
 
 

@@ -4,14 +4,14 @@ The firmware looks at the header of a direct command, makes a program with one o
 What is decided here is what the release of 2013 decides; where it gives up is the start of the operation that it reads
 then, the last one where that ends too late. The rules, whose numbers stand in the comments:
 
- 1  Operations stand one behind the other and end exactly where the code ends. Behind it the firmware finds an
+ 1  Operations stand one after the other and end exactly where the code ends. After it the firmware finds an
     OBJECT_END and zeros, so an operation that is cut short swallows those, and ends too late.
  2  An opcode that the tables do not have is refused, and so is ERROR. OBJECT_END ends the code: nothing may follow.
  3  An operation is bad until one of its parameters passes, and never bad again: only the first one decides.
  4  A variable passes, whatever its index.
  5  A constant passes within the range of its type, which leaves out the value that means "not a number"; a float, and a
     value whose type depends on an array, always pass.
- 6  A label counts as a constant. A form whose width is not defined takes no byte behind the first one.
+ 6  A label counts as a constant. A form whose width is not defined takes no byte after the first one.
  7  The index of a variable is a multiple of 2 for 16 bits and for handles, of 4 for 32 bits and floats, or the
     operation is refused. From a count of parameters on, nobody looks at it.
  8  CMD is the low byte of the value read last, with its sign; of a variable, of its index. One that the opcode's table
@@ -167,7 +167,7 @@ class _Validator:
         return ACCEPTED
 
     def _command(self, data: bytes, at: int, end: int, code: int) -> int | _Refusal:
-        """The offset behind an operation with CMD, or why it is refused.
+        """The offset after an operation with CMD, or why it is refused.
 
         CMD is a parameter of 8 bits (rules 3 to 7), whose value chooses those that follow (rule 8).
         """
@@ -175,13 +175,13 @@ class _Validator:
         if commands is None:
             # Rule 2.
             return _Refusal(Reason.OPCODE, at - 1)
-        number, behind = _value(data, at)
+        number, after = _value(data, at)
         first = data[at]
         if first & _LONG:
             reason = _refused(first, number, _DATA8)
             if reason is not None:
                 return _Refusal(reason, at)
-        return _parameters(data, behind, end, commands[number & 0xFF], is_good=True)
+        return _parameters(data, after, end, commands[number & 0xFF], is_good=True)
 
 
 class _Refusal(NamedTuple):
@@ -193,7 +193,7 @@ class _Refusal(NamedTuple):
 
 
 def _parameters(data: bytes, at: int, end: int, kinds: _Kinds, *, is_good: bool) -> int | _Refusal:
-    """The offset behind the parameters of an operation, or why it is refused.
+    """The offset after the parameters of an operation, or why it is refused.
 
     end      where the code ends
     is_good  whether a parameter has passed already (rule 3)
@@ -230,24 +230,24 @@ def _parameters(data: bytes, at: int, end: int, kinds: _Kinds, *, is_good: bool)
 def _special(data: bytes, at: int, end: int, kind: int, before: int) -> int | _Refusal:
     """The same for a label, a count of parameters, a list of values.
 
-    before  offset of the parameter in front of it
+    before  offset of the parameter before it
     """
     first = data[at]
     if kind == _VALUES:
         # Rule 10. Each value takes a byte at least: more of them than there are bytes end beyond the code.
         count = _value(data, before)[0] & 0xFFFFFFFF
         return _Refusal(Reason.CUT_OFF, before, count >= SPINNING) if count > end - at else _skip(data, at, count)
-    value, behind = _value(data, at)
+    value, after = _value(data, at)
     if kind == _COUNT:
         # Rule 9. What does not pass leaves the operation good all the same (rule 3), and empty.
         is_count = not first & _VARIABLE and 0 <= value <= RANGES[Type.COUNT].high
-        return _skip(data, behind, value) if is_count else behind
+        return _skip(data, after, value) if is_count else after
     if not first & _VARIABLE:
         # Rule 11.
-        return behind if 0 <= value < LABELS else _Refusal(Reason.LABEL, at)
+        return after if 0 <= value < LABELS else _Refusal(Reason.LABEL, at)
     # Rules 4 and 7.
     is_handle = first & _LONG and first & HANDLE_BIT
-    return _Refusal(Reason.ALIGNMENT, at) if is_handle and value & _MISALIGNED_HANDLE else behind
+    return _Refusal(Reason.ALIGNMENT, at) if is_handle and value & _MISALIGNED_HANDLE else after
 
 
 def _refused(first: int, value: int, kind: int) -> Reason | None:
@@ -260,7 +260,7 @@ def _refused(first: int, value: int, kind: int) -> Reason | None:
 
 
 def _value(data: bytes, at: int) -> tuple[int, int]:
-    """The value of the argument at an offset, as the validator takes it, and the offset behind it."""
+    """The value of the argument at an offset, as the validator takes it, and the offset after it."""
     first = data[at]
     if first & _LONG:
         return _long_value(data, at)
@@ -281,7 +281,7 @@ def _long_value(data: bytes, at: int) -> tuple[int, int]:
 
 
 def _skip(data: bytes, at: int, count: int) -> int:
-    """The offset behind so many arguments, none of which is looked at."""
+    """The offset after so many arguments, none of which is looked at."""
     for _ in range(count):
         size = _SIZES[data[at]]
         at = at + size if size else data.index(0, at + 1) + 1

@@ -14,7 +14,7 @@ class Need(NamedTuple):
 
     name       who needs it, for messages: `VALUE of UI_READ.GET_VBATT`
     size       bytes
-    alignment  what its index has to be a multiple of
+    alignment  what its index must be a multiple of
     """
 
     name: str

@@ -4,7 +4,7 @@
     ev3proto.command(ops.output_read(0, 0, speed=speed), ops.output_power(0, 2, speed), ops.output_start(0, 2))
 
 The same object is the same variable in every operation of a command. Its size and alignment follow from what the
-operations do with it; where they do not tell the size (texts without a length), it has to be given.
+operations do with it; where the size does not follow from them (texts without a length), it must be given.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Placeholder:
         origin: Placeholder | None = None,
     ) -> None:
         if size is not None and (isinstance(size, bool) or not isinstance(size, int) or size < 1):
-            raise BuildError(f"the size of a variable cannot be {size!r}: it is a number of bytes, 1 or more")
+            raise BuildError(f"the size of a variable must be a number of bytes, 1 or more, not {size!r}")
         self.scope = scope
         self.size = size
         self.handle = handle

@@ -110,7 +110,7 @@ def _elements(parameter: Parameter, value: Any) -> list[Any]:
         if isinstance(value, int) and not isinstance(value, bool):
             most = RANGES[Type.COUNT].high
             if not 0 <= value <= most:
-                raise BuildError(f"{parameter.name} cannot be {value}: as a number of outputs it is 0 to {most}")
+                raise BuildError(f"{parameter.name} must be 0 to {most} as a number of outputs, not {value}")
             return [OMITTED] * value
         if isinstance(value, Variable | Placeholder):
             return [value]

@@ -182,12 +182,12 @@ def testlongpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: boo
 
 @explained
 def get_bumbed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
-    """Tells whether a button was pressed and let go since last asked, and forgets it.
+    """Tells whether a button was pressed and released since last asked, and forgets it.
 
     Args:
         button: Which button; a member of BUTTONTYPE; DATA8.
-        state: Whether the button was pressed and let go; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory when
-            omitted.
+        state: Whether the button was pressed and released; 0 to 1; 0: no; 1: yes; DATA8; an output, in global memory
+            when omitted.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_BUTTON.GET_BUMBED"].draft((button, state), unchecked)

@@ -510,7 +510,7 @@ def view_unit(
         figures: Characters in all, decimal point included; DATA8.
         decimals: Digits after the decimal point; DATA8.
         length: Most bytes of the unit, the zero included; 0 to 127 bytes; DATA8.
-        string: Unit to draw behind the number; string.
+        string: Unit to draw after the number; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.VIEW_UNIT"].draft((color, x0, y0, value, figures, decimals, length, string), unchecked)

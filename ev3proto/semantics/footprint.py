@@ -226,14 +226,14 @@ def _count(known: MemoryFacts, arguments: Sequence[Argument]) -> int | None:
     if known.fixed_length is not None:
         return known.fixed_length
     number = known.length if known.length is not None else known.indexed_by
-    told = whole_number(arguments[number]) if number is not None and number < len(arguments) else None
-    if told is None or (told == NO_LIMIT and known.is_text):
+    count = whole_number(arguments[number]) if number is not None and number < len(arguments) else None
+    if count is None or (count == NO_LIMIT and known.is_text):
         return None
     if known.length is None:
         # All elements up to the one that is used.
-        return told + 1 if told >= 0 else None
+        return count + 1 if count >= 0 else None
     # Other negative lengths are those of bytes in reverse order.
-    return abs(told)
+    return abs(count)
 
 
 def whole_number(argument: Argument | None) -> int | None:

@@ -25,7 +25,7 @@ MOST_UNLOCK = 128
 """Bytes that an unlock text surely stays below: a serial number has 12."""
 
 UNLOCK_ENDINGS = 2
-"""Most line ends behind the second line: none, one, or one and an empty line."""
+"""Most line ends after the second line: none, one, or one and an empty line."""
 
 ACCEPT = b"Accept:EV340\r\n\r\n"
-"""What the brick answers to the unlock text; the firmware sends the zero behind it too."""
+"""What the brick answers to the unlock text; the firmware sends the zero after it too."""

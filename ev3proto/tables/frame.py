@@ -6,7 +6,7 @@ MAX_FRAME = 1024
 """Bytes of the largest frame, its length field included: the firmware's buffers, one USB report."""
 
 REPORT_SIZES = (64, MAX_FRAME)
-"""Bytes of a USB report between bricks of a daisy chain and to a computer; behind the frame it is padding."""
+"""Bytes of a USB report between bricks of a daisy chain and to a computer; after the frame it is padding."""
 
 LENGTH_FIELD = 2
 """Bytes of the length field, which counts what follows it."""

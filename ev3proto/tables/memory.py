@@ -29,7 +29,7 @@ NOT_NEGATIVE = (0, 2**31 - 1)
 NO_YES = {0: "no", 1: "yes"}
 
 # The VM's own memory knows the numbered slots only; arrays and images see CURRENT_SLOT (-1) as well.
-PROGRAM = In("PRGID", DATA16, "slot of the program, which has to be running", range=(0, 4), enum=SLOT)
+PROGRAM = In("PRGID", DATA16, "slot of the program, which must be running", range=(0, 4), enum=SLOT)
 OBJECT = In("OBJID", DATA16, "object whose local memory is meant", special={0: "the program's global memory"})
 OFFSET = In("OFFSET", DATA32, "first byte in that memory", range=NOT_NEGATIVE, unit="bytes")
 MEMORY_SIZE = In("SIZE", DATA32, "how many bytes", range=NOT_NEGATIVE, unit="bytes")

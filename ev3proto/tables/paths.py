@@ -6,7 +6,7 @@ WHOLE = int(CONSTANTS["FILENAMESIZE"])
 """Bytes of a whole path."""
 
 FOLDER = int(CONSTANTS["PATHSIZE"])
-"""Bytes of what stands in front of the name, its slash included."""
+"""Bytes of what comes before the name, its slash included."""
 
 NAME = int(CONSTANTS["NAMESIZE"])
 """Bytes of the name, up to its first dot."""

@@ -58,5 +58,5 @@ ALIGNED_SIZES = (2, 4)
 
 
 def aligned(offset: int, size: int) -> int:
-    """The offset, at or behind the given one, where a variable of that many bytes in all starts."""
+    """The offset, at or after the given one, where a variable of that many bytes in all starts."""
     return -(-offset // size) * size if size in ALIGNED_SIZES else offset

@@ -19,7 +19,7 @@ VARIABLE_WORDS: dict[str, Type] = {
 """The words that declare a variable, and the type of one element."""
 
 SIZED_WORDS = ("DATAS", "ARRAY8", "ARRAY16", "ARRAY32", "ARRAYF")
-"""Those behind whose name a number of elements stands."""
+"""Those whose name is followed by a number of elements."""
 
 _SUFFIXES = {"8": DATA8, "16": DATA16, "32": DATA32, "F": DATAF, "S": STRING, "H": HANDLE}
 _PREFIXES = {"IN": Direction.IN, "OUT": Direction.OUT, "IO": Direction.INOUT}

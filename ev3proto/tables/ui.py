@@ -49,7 +49,7 @@ BUTTON = In("BUTTON", DATA8, "which button", enum=BUTTONTYPE)
 IS_DOWN = Out("STATE", DATA8, "whether the button is down", range=(0, 1), special=NO_YES)
 WAS_PRESSED = Out("STATE", DATA8, "whether the button was pressed", range=(0, 1), special=NO_YES)
 WAS_HELD = Out("STATE", DATA8, "whether the button was held for 3 s", range=(0, 1), special=NO_YES)
-WAS_BUMPED = Out("STATE", DATA8, "whether the button was pressed and let go", range=(0, 1), special=NO_YES)
+WAS_BUMPED = Out("STATE", DATA8, "whether the button was pressed and released", range=(0, 1), special=NO_YES)
 
 FIGURES = In("FIGURES", DATA8, "characters in all, decimal point included")
 FIGURES_SIGNED = In("FIGURES", DATA8, "characters in all, decimal point included; negative aligns left")
@@ -488,7 +488,7 @@ UI = (
             Command(
                 14,
                 "GET_BUMBED",
-                "Tells whether a button was pressed and let go since last asked, and forgets it",
+                "Tells whether a button was pressed and released since last asked, and forgets it",
                 (BUTTON, WAS_BUMPED),
                 dialects=("official", "xtended"),
                 note="spelt so in LEGO's headers; lms2012-compat says GET_BUMPED",
@@ -496,7 +496,7 @@ UI = (
             Command(
                 14,
                 "GET_BUMPED",
-                "Tells whether a button was pressed and let go since last asked, and forgets it",
+                "Tells whether a button was pressed and released since last asked, and forgets it",
                 (BUTTON, WAS_BUMPED),
                 dialects=("compat",),
                 note="GET_BUMBED in LEGO's headers",
@@ -816,7 +816,7 @@ UI = (
                     FIGURES,
                     DECIMALS,
                     In("LENGTH", DATA8, "most bytes of the unit, the zero included", range=(0, 127), unit="bytes"),
-                    In("STRING", STRING, "unit to draw behind the number"),
+                    In("STRING", STRING, "unit to draw after the number"),
                 ),
                 effects=(Effect.DRAWS,),
             ),

@@ -143,7 +143,7 @@ VM = (
     Opcode(
         0x0A,
         "OBJECT_END",
-        "Ends the object; the firmware puts one behind every direct command",
+        "Ends the object; the firmware puts one after every direct command",
         effects=(
             Effect.ENDS,
             Effect.ENDS_CODE,

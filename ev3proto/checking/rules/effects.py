@@ -117,8 +117,8 @@ def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
 
 def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
     """Layer and bit of the motors that an operation is about; none where nobody can tell."""
-    told = {argument.parameter.role: whole_number(argument) for argument in operation.arguments}
-    layer, mask = told.get(Role.LAYER), told.get(Role.MOTORS)
+    known = {argument.parameter.role: whole_number(argument) for argument in operation.arguments}
+    layer, mask = known.get(Role.LAYER), known.get(Role.MOTORS)
     if layer is None or mask is None:
         return []
     return [(layer, 1 << bit) for bit in range(_PORTS) if mask & 1 << bit]

@@ -32,7 +32,7 @@ _SHORT_FORMS = len(SHORT)
 _CONSTANTS = ((-32, 31), (-0x7F, 0x7F), (-0x7FFF, 0x7FFF))
 _INDEXES = ((0, 31), (0, 0xFF), (0, 0xFFFF))
 _WIDTHS = (0, 1, 2)
-"""What a form holds whose value takes no byte, one byte or two bytes behind the identification byte."""
+"""What a form holds whose value takes no byte, one byte or two bytes after the identification byte."""
 
 
 def _longer(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:

@@ -144,7 +144,7 @@ class _Way:
         return following
 
     def dead_ends(self) -> Iterator[Finding]:
-        """Operations that no way leads to, and those that no way leads out of. Nothing where a jump cannot be told."""
+        """Operations that no way leads to, or that no way leads out of; nothing if it is unknown where a jump leads."""
         ways: list[list[int]] = []
         for number in range(len(self._operations)):
             following = self._next(number)

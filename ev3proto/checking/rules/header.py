@@ -51,7 +51,7 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
         yield codes.NO_COMMAND.finding(
             TYPE_OFFSET,
             1,
-            f"{context.message.type.name} is what a brick sends, not what it is sent",
+            f"{context.message.type.name} is what a brick sends, not what is sent to it",
             "check the command that it answers",
         )
 
@@ -84,13 +84,13 @@ def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) ->
             end,
             len(frame) - end,
             f"the frame ends here, and {plural(len(frame) - end, 'zero')} fill it up to a USB report",
-            "leave them away everywhere but on USB",
+            "omit them everywhere but on USB",
         )
     return codes.LEFT_OVER.finding(
         0,
         LENGTH_FIELD,
         f"the length field says that {plural(stated, 'byte')} follow it, and there are {follow}",
-        f"give {follow} as the length, or leave the last {plural(follow - stated, 'byte')} away",
+        f"give {follow} as the length, or omit the last {plural(follow - stated, 'byte')}",
     )
 
 
@@ -104,7 +104,7 @@ def check_command_header(context: CheckContext, command: DirectCommand) -> Itera
                 0,
                 "the command has no operation"
                 if context.end == COMMAND_HEADER_SIZE
-                else "the command ends in front of the two bytes that ask for memory",
+                else "the command ends before the two bytes that ask for memory",
                 "give at least one operation; NOP (0x01) does nothing",
             )
         return

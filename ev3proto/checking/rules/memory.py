@@ -176,10 +176,10 @@ def _unused(scope: str, asked: int, used: list[Footprint]) -> Iterator[Finding]:
     left = asked - needed
     if left <= 0 or (left < _LARGEST and needed and asked % _LARGEST == 0):
         return
-    told = f"{needed} of them are" if needed else "none of them is"
+    share = f"{needed} of them are" if needed else "none of them is"
     yield codes.UNUSED_MEMORY.finding(
         HEADER_SIZE,
         MEMORY_SIZE,
-        f"the header asks for {plural(asked, 'byte')} of {scope} memory, and {told} used",
+        f"the header asks for {plural(asked, 'byte')} of {scope} memory, and {share} used",
         f"ask for {needed}",
     )

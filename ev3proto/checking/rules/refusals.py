@@ -78,14 +78,14 @@ def _spins(context: CheckContext) -> Finding:
     help_ = "give the number of the values that follow, 0 or more"
     if operation is not None and argument is not None:
         counted = argument.value if argument.kind == CONSTANT else "no number"
-        told = f"{argument.name} is {counted}: the brick reads millions of values before it looks at anything else"
-        return operation.finding_at(codes.SPINS, argument, told, help_)
-    told = "the brick takes this for a count of values, and reads millions of them before it looks at anything else"
-    return codes.SPINS.finding(at, max(context.end - at, 0), told, help_)
+        message = f"{argument.name} is {counted}: the brick reads millions of values before it looks at anything else"
+        return operation.finding_at(codes.SPINS, argument, message, help_)
+    message = "the brick takes this for a count of values, and reads millions of them before it looks at anything else"
+    return codes.SPINS.finding(at, max(context.end - at, 0), message, help_)
 
 
 def _fault(context: CheckContext, fault: Fault) -> Finding:
-    """What the reader stops at. What the validator makes of the bytes behind it follows from that."""
+    """What the reader stops at. What the validator makes of the bytes after it follows from that."""
     start = _faulty_start(context)
     if context.operations and context.operations[-1].start == start:
         return _faulty_argument(context, context.operations[-1], fault)
@@ -110,8 +110,8 @@ def _unknown_opcode(context: CheckContext, start: int) -> Finding:
 
 def _out_of_step(start: int) -> str:
     if start == COMMAND_HEADER_SIZE:
-        return "give an opcode; the operations start behind the two bytes that ask for memory"
-    return "give an opcode, or look at the operation in front of it: one of its arguments may be too short or too long"
+        return "give an opcode; the operations start after the two bytes that ask for memory"
+    return "give an opcode, or look at the operation before it: one of its arguments may be too short or too long"
 
 
 def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> Finding:
@@ -137,7 +137,7 @@ def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> F
         return codes.VARIABLE_CMD.finding(
             at,
             cmd.length,
-            f"CMD of {name} is {encoding.name}, and has to be a number in the frame itself",
+            f"CMD of {name} is {encoding.name}, and must be a number in the frame itself",
             f"give one of {known}{more}",
             name,
             "CMD",
@@ -191,7 +191,7 @@ def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: 
             last,
             context.end - last,
             f"{operation.name}: {fault.reason}",
-            f"give the bytes that are missing, or the right length of what stands in front of {parameter.name}",
+            f"give the bytes that are missing, or the right length of what comes before {parameter.name}",
             operation.name,
             parameter.name,
         )
@@ -209,10 +209,10 @@ def _faulty_count(context: CheckContext, operation: CheckedOperation, count: Arg
             f"{count.name} says that {plural(int(count.value), 'value')} follow, and {plural(room, 'byte')} do",
             "give as many values as it says, or the number that there are",
         )
-    told = f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is no number"
+    state = f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is no number"
     return operation.finding_at(
         codes.BAD_COUNT,
         count,
-        f"{told}{_consequence(context, operation.start)}",
+        f"{state}{_consequence(context, operation.start)}",
         "give the number of the values that follow as a constant",
     )

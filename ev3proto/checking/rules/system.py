@@ -71,11 +71,11 @@ def _answer(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
             entry.name,
         )
     elif not command.wants_reply and _is_question(entry):
-        told = "the handle for what follows" if entry.transfer == _OPENED else "what is asked for"
+        content = "the handle for what follows" if entry.transfer == _OPENED else "what is asked for"
         yield codes.ANSWER_NEEDED.finding(
             TYPE_OFFSET,
             1,
-            f"the type says that no reply is wanted, and the reply to {entry.name} brings {told}",
+            f"the type says that no reply is wanted, and the reply to {entry.name} brings {content}",
             f"give the type 0x{MessageType.SYSTEM_COMMAND_REPLY:02X}",
             entry.name,
         )
@@ -94,7 +94,7 @@ def _wrong_fields(context: CheckContext, entry: Entry) -> Finding:
         start,
         context.end - start,
         f"{entry.name}: {fault.reason}",
-        f"give what belongs behind the command: {expected}",
+        f"give what belongs after the command: {expected}",
         entry.name,
     )
 

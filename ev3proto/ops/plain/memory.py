@@ -32,7 +32,7 @@ def memory_write(
     """Writes bytes into the variables of a running program.
 
     Args:
-        prgid: Slot of the program, which has to be running; 0 to 4; a member of SLOT; DATA16.
+        prgid: Slot of the program, which must be running; 0 to 4; a member of SLOT; DATA16.
         objid: Object whose local memory is meant; 0: the program's global memory; DATA16.
         offset: First byte in that memory; 0 to 2147483647 bytes; DATA32.
         size: How many bytes; 0 to 2147483647 bytes; DATA32.
@@ -55,7 +55,7 @@ def memory_read(
     """Reads bytes from the variables of a running program.
 
     Args:
-        prgid: Slot of the program, which has to be running; 0 to 4; a member of SLOT; DATA16.
+        prgid: Slot of the program, which must be running; 0 to 4; a member of SLOT; DATA16.
         objid: Object whose local memory is meant; 0: the program's global memory; DATA16.
         offset: First byte in that memory; 0 to 2147483647 bytes; DATA32.
         size: How many bytes; 0 to 2147483647 bytes; DATA32.

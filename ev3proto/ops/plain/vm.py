@@ -146,7 +146,7 @@ def call(objid: Number, parameters: Sequence[Number], *, unchecked: bool = False
 
 @explained
 def object_end(*, unchecked: bool = False) -> Draft:
-    """Ends the object; the firmware puts one behind every direct command."""
+    """Ends the object; the firmware puts one after every direct command."""
     return _OPERATIONS["OBJECT_END"].draft((), unchecked)
 
 

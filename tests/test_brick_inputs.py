@@ -197,6 +197,10 @@ class TestPlugging:
         with pytest.raises(ValueError, match=message):
             Brick().plug(port, type, readings)
 
+    def test_what_is_plugged_in(self, brick: Brick) -> None:
+        found = {port: device.type.number for port, device in brick.inputs.plugged().items()}
+        assert found == {1: 16, 2: 29, 3: 33, 4: 30, "A": 8}
+
     def test_unplugging(self, brick: Brick) -> None:
         brick.plug(1, 126)
         assert ask(brick, PERCENT.format(0, 0)) == "80"

@@ -130,6 +130,9 @@ class TestText:
         read = f"UI_READ(TEXTBOX_READ, '{text}', 99, DEL_LINEFEED, 16, {number}, line)"
         assert ask(brick, f"DATAS line 16 {read}").startswith(memory)
 
+    def test_without_a_delimiter_every_line_ends_at_once(self, brick: Brick) -> None:
+        assert ask(brick, "DATAS line 4 UI_READ(TEXTBOX_READ, 'one', 99, DEL_NONE, 4, 1, line)") == "00 00 00 00"
+
     def test_lines_are_appended_within_the_size(self, brick: Brick) -> None:
         append = "UI_WRITE(TEXTBOX_APPEND, text, 8, DEL_COMMA, 'abc')"
         assert ask(brick, f"DATAS text 9 {append}") == "61 62 63 2c 00 00 00 00 00"

@@ -157,6 +157,12 @@ class Inputs(Part):
             return FIRST_MOTOR + MOTOR_PORTS.index(port.upper())
         raise ValueError(f"there is no port {port!r}; it must be one of 1, 2, 3, 4, {', '.join(MOTOR_PORTS)}")
 
+    def plugged(self) -> dict[int | str, Device]:
+        """What is plugged in, by port: 1 to 4, "A" to "D"."""
+        names: list[int | str] = [*range(1, PORTS + 1), *MOTOR_PORTS]
+        found = zip(names, self._devices.values(), strict=True)
+        return {name: device for name, device in found if not device.is_empty}
+
     def advance(self, microseconds: int) -> None:
         """Time has passed."""
         self._now = microseconds

@@ -25,13 +25,13 @@ def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
 
     Args:
         text: the lines, each with the delimiter after it.
-        delimiter: what ends a line; empty where the text is one line.
+        delimiter: what ends a line. An empty one ends every line at once, as in the firmware.
         number: which line, counted from 1.
 
     Returns:
         The line without delimiter and without the byte before it that names a font; empty where there is no such line.
     """
-    lines = text.split(delimiter) if delimiter else [text]
+    lines = text.split(delimiter) if delimiter else []
     if not 1 <= number <= len(lines):
         return b""
     line = lines[number - 1]

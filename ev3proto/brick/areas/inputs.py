@@ -261,13 +261,15 @@ def get_raw(vm: Machine, layer: int, number: int, value: Place) -> None:
 @handles("INPUT_DEVICE.GET_CHANGES")
 def get_changes(vm: Machine, layer: int, number: int, value: Place) -> None:
     """How often a touch sensor was released."""
-    value.write_float(_found(vm, layer, number).changes)
+    device = vm.brick.inputs.device(layer, number)
+    value.write_float(math.nan if device is None else device.changes)
 
 
 @handles("INPUT_DEVICE.GET_BUMPS")
 def get_bumps(vm: Machine, layer: int, number: int, value: Place) -> None:
     """How often a touch sensor was pressed."""
-    value.write_float(_found(vm, layer, number).bumps)
+    device = vm.brick.inputs.device(layer, number)
+    value.write_float(math.nan if device is None else device.bumps)
 
 
 @handles("INPUT_DEVICE.CLR_CHANGES")

@@ -21,7 +21,7 @@ FULL = (1 << WIDTH) - 1
 
 _PADDING = ROW_BYTES * 8 - WIDTH
 _LEFT = 1 << (WIDTH - 1)
-_LONGEST_WALK = 1 << 17
+_LONGEST_WALK = 1 << 15
 """Steps after which a line ends whose 16-bit error sum overflowed; it would never end on a brick."""
 
 REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))

@@ -178,7 +178,7 @@ class Display(Part):
         self._view(self.font, color, x, y, number, figures, decimals, centred=True)
 
     def view_unit(self, color: int, x: int, y: int, number: float, figures: int, decimals: int, unit: bytes) -> None:
-        """Draws a number in the large font with its unit in small letters behind it."""
+        """Draws a number in the large font with its unit in small letters after it."""
         cells = self._view(LARGE, color, x, y, number, figures, decimals, centred=False)
         if cells is not None:
             self.text(color, x + FONTS[LARGE].width * cells, y, unit, SMALL)

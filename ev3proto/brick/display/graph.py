@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ev3proto.brick.conversions import single, wrap16
-from ev3proto.brick.display.canvas import Canvas
+from ev3proto.brick.display.canvas import WIDTH, Canvas
 
 MOST_ITEMS = 8
 """Values that one graph can show."""
@@ -48,6 +48,7 @@ class Summary(NamedTuple):
 class Graph:
     """A graph as GRAPH_SETUP left it.
 
+    `size` is how many samples are kept, one for each column of the display at most.
     `items` read the scale and value of each item from memory, at every use.
     """
 
@@ -58,7 +59,7 @@ class Graph:
 
     def __post_init__(self) -> None:
         self.items = self.items[:MOST_ITEMS]
-        self.samples = [deque(maxlen=max(self.size, 0)) for _ in self.items]
+        self.samples = [deque(maxlen=max(min(self.size, WIDTH), 0)) for _ in self.items]
 
     def sample(self) -> None:
         """Stores the value of each item; the oldest is lost where there are `size` of them."""

@@ -13,6 +13,9 @@ import click
 import ev3proto
 from ev3proto.generate.everything import COMMAND, outdated, write
 
+_OF_THE_PROJECT = ("pyproject.toml", "dissector", "exports")
+"""What is beside the package in the project's folder, and not where the package is installed by itself."""
+
 
 @click.command(help=__doc__)
 @click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file is not what would be written.")
@@ -25,7 +28,7 @@ def main(check: bool, root: Path | None) -> None:
     """Writes or checks the files."""
     if root is None:
         root = Path(ev3proto.__file__).parent.parent
-        if not (root / "pyproject.toml").is_file():
+        if not any((root / name).exists() for name in _OF_THE_PROJECT):
             raise click.UsageError("this ev3proto is installed without its project: give --root, the project's folder")
     if not check:
         try:

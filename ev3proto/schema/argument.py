@@ -255,8 +255,8 @@ def encode_integer(value: int) -> bytes:
     """Writes a number as the shortest constant: LC0, LC1, LC2 or LC4.
 
     Args:
-        value: -2147483647 to 2147483647. The lowest number of each width means "not a number" there, so it takes the
-            next width.
+        value: -2147483648 to 2147483647. The lowest number of 8 and of 16 bits means "not a number" there, so it takes
+            the next width. That of 32 bits has none: it is the pattern for "not a number".
 
     Returns:
         The identification byte and what follows it.
@@ -269,7 +269,7 @@ def encode_integer(value: int) -> bytes:
         return _BYTES[value + 0x7F]
     if -0x7FFF <= value <= 0x7FFF:
         return _LC2 + _pack_2(value)
-    if -0x7FFFFFFF <= value <= 0x7FFFFFFF:
+    if -0x80000000 <= value <= 0x7FFFFFFF:
         return _LC4 + _pack_4(value)
     raise BuildError(f"no constant can be {value}: the largest encoding, LC4, holds -2147483647 to 2147483647")
 

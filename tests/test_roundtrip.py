@@ -44,7 +44,7 @@ from ev3proto.testing import (
     values_for,
 )
 
-few = settings(max_examples=effort(3, 30), database=None)
+few = settings(max_examples=effort(2, 30), database=None)
 many = settings(max_examples=effort(80, 1000))
 
 HOME = {name: dialect for dialect in reversed(DIALECTS) for name in operations_of(dialect)}

@@ -16,6 +16,7 @@ from scapy.packet import Packet, Padding, Raw, fuzz
 from scapy.sendrecv import sniff
 from scapy.sessions import TCPSession
 from scapy.supersocket import StreamSocket
+from support.effort import effort
 from support.frames import drawn
 
 import ev3proto
@@ -147,7 +148,7 @@ def test_mistakes_are_found_at_the_call() -> None:
 
 
 def test_any_frame_is_built_again() -> None:
-    for frame in drawn(frames(), 600):
+    for frame in drawn(frames(), effort(200, 2000)):
         packet = EV3(frame)
         assert bytes(packet) == frame
         # And of its fields alone, without the bytes that scapy keeps.
@@ -165,7 +166,7 @@ def rebuilt(packet: Packet) -> Packet:
 
 
 def test_any_frame_says_what_the_codec_says() -> None:
-    for frame in drawn(frames(), 400):
+    for frame in drawn(frames(), effort(150, 1000)):
         message, packet = parse(frame), EV3(frame)
         assert message.type is not None
         assert (packet.type, packet.counter) == (message.type.value, message.counter)
@@ -193,7 +194,7 @@ def test_any_frame_says_what_the_codec_says() -> None:
 
 def test_faulty_frames_keep_their_bytes() -> None:
     conf.debug_dissector = False
-    for frame in drawn(mutated_frames(), 400):
+    for frame in drawn(mutated_frames(), effort(150, 1000)):
         if len(frame) >= 5:
             assert bytes(EV3(frame)) == frame
 
@@ -374,7 +375,7 @@ def test_random_values_make_frames() -> None:
 
 
 def test_operations_of_the_strategies() -> None:
-    for told in drawn(operations(), 200):
+    for told in drawn(operations(), effort(100, 1000)):
         layer = getattr(ev3, told.full_name.replace(".", "_"))
         assert bytes(layer(told.raw)) == told.raw
 

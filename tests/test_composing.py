@@ -134,10 +134,12 @@ def test_sizes_and_reply_by_hand() -> None:
     assert sizes(command(ops.sound.break_(), global_size=3)) == (True, 3, 0)
     assert sizes(command(ops.ui_read.get_vbatt(GV(0)), reply=False)) == (False, 4, 0)
     with pytest.raises(
-        BuildError, match=r"^global_size must be 4 or more, not 2: the operations use 4 bytes of global memory$"
+        BuildError, match=r"^global_size must be 4 or more, not 2: the operations use that much global memory$"
     ):
         command(battery, global_size=2)
-    with pytest.raises(BuildError, match=r"^local_size cannot be 0: the operations use 1 of local memory$"):
+    with pytest.raises(
+        BuildError, match=r"^local_size must be 1 or more, not 0: the operations use that much local memory$"
+    ):
         command(ops.or8(1, 2, LV(0)), local_size=0)
     with pytest.raises(BuildError, match="local_size cannot be 64: a header can ask for 0 to 63 bytes"):
         command(ops.sound.break_(), local_size=64)

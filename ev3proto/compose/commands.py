@@ -76,6 +76,6 @@ def _size(scope: str, needed: int, by_hand: int | None) -> int:
         return needed
     if isinstance(by_hand, int) and by_hand < needed:
         raise BuildError(
-            f"{scope}_size must be {needed} or more, not {by_hand}: the operations use {needed} bytes of {scope} memory"
+            f"{scope}_size must be {needed} or more, not {by_hand}: the operations use that much {scope} memory"
         )
     return by_hand

@@ -18,11 +18,11 @@ from ev3proto.program.source.encoding import (
     label_jump,
     long_float,
     marked,
-    shortest_jump,
     string,
     variable,
 )
 from ev3proto.program.source.errors import SourceError
+from ev3proto.program.source.jumps import shrink, starts
 from ev3proto.program.source.names import Callee, Goal, LocalNames, Meaning, Names, Place, builtin_names
 from ev3proto.program.source.numbers import single_of, wrapped
 from ev3proto.program.source.settings import ObjectSettings, SettingsReader
@@ -64,8 +64,6 @@ _CALL, _RETURN, _OBJECT_END, _OBJECT_TRIG = "CALL", "RETURN", "OBJECT_END", "OBJ
 _THREAD, _SUBCALL, _BLOCK = "vmthread", "subcall", "block"
 _MARKS = {"HND": "@", "ADR": "&"}
 _MOST_JUMP = 1 << 15
-_MOST_PASSES = 1000
-_FIRST_SIZE = JUMP_SIZES[LABEL]
 
 
 @dataclass(frozen=True, slots=True)
@@ -420,7 +418,7 @@ class Assembler:
             return encode_as(name, meaning.data.decode(STRING_CODING))
         if isinstance(meaning, Float):
             return encode_float(single_of(meaning.bits)) if name == "LCF" else encode_as(name, meaning.bits)
-        return encode_as(name, wrapped(int(meaning)))
+        return encode_as(name, int(meaning) % (1 << 32) if name[1] == "V" else wrapped(int(meaning)))
 
     # Jumps
 
@@ -431,13 +429,14 @@ class Assembler:
             return b"".join(body.parts)  # type: ignore[arg-type]
         sizes = [len(part) if isinstance(part, bytes) else JUMP_SIZES[part.form or LABEL] for part in body.parts]
         if self._shortest:
-            self._shrink(body, jumps, sizes)
-        starts = _starts(sizes)
+            free = {place: body.parts[place] for place in jumps}
+            shrink(sizes, {place: body.labels[it.name] for place, it in free.items() if _is_free(it)})  # type: ignore[union-attr]
+        at = starts(sizes)
         pieces: list[bytes] = list(body.parts)  # type: ignore[arg-type]
         for place in jumps:
             part = body.parts[place]
             assert isinstance(part, Jump)
-            distance = starts[body.labels[part.name]] - starts[place + 1]
+            distance = at[body.labels[part.name]] - at[place + 1]
             if not -_MOST_JUMP <= distance < _MOST_JUMP and part.form != "LC4":
                 self._keep(SourceError(part.at, f"{part.name[:40]} is {distance} bytes away: a jump reaches 32767"))
                 return b""
@@ -447,29 +446,6 @@ class Assembler:
                 self._keep(SourceError(part.at, f"{part.name[:40]} is {distance} bytes away: {error}"))
                 return b""
         return b"".join(pieces)
-
-    def _shrink(self, body: Body, jumps: list[int], sizes: list[int]) -> None:
-        """Makes every jump as short as it can be. They only shrink, so this comes to an end."""
-        free = [place for place in jumps if body.parts[place].form is None]  # type: ignore[union-attr]
-        for _ in range(_MOST_PASSES):
-            starts = _starts(sizes)
-            is_changed = False
-            for place in free:
-                part = body.parts[place]
-                assert isinstance(part, Jump)
-                for size in sorted(set(JUMP_SIZES.values())):
-                    if size >= sizes[place]:
-                        break
-                    target = starts[body.labels[part.name]]
-                    behind = starts[place] + size
-                    if body.labels[part.name] > place:
-                        target -= sizes[place] - size
-                    if shortest_jump(target - behind) <= size:
-                        sizes[place] = size
-                        is_changed = True
-                        break
-            if not is_changed:
-                return
 
     # The image
 
@@ -541,14 +517,9 @@ class Assembler:
         ]
 
 
-def _starts(sizes: list[int]) -> list[int]:
-    """Where each part starts, and where the last one ends."""
-    starts = [0]
-    at = 0
-    for size in sizes:
-        at += size
-        starts.append(at)
-    return starts
+def _is_free(part: bytes | Jump) -> bool:
+    """Whether nobody said how long a jump is to be."""
+    return isinstance(part, Jump) and part.form is None
 
 
 def _triggers(statement: Statement, name: str) -> bool:

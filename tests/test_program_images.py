@@ -10,7 +10,7 @@ import pytest
 from construct import Bytes, Int8ul, Struct
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from support.programs import IMAGE, SHORTEST
+from support.programs import IMAGE, SHORTEST, image_of
 
 import ev3proto
 from ev3proto import program as programs
@@ -34,7 +34,7 @@ def test_its_objects() -> None:
     assert say.places == ((0, 8), (8, 4))
 
 
-def test_its_operations_with_their_offsets_in_the_image() -> None:
+def test_its_operations_with_their_offsets_in_theimage_of() -> None:
     main, say = programs.parse(IMAGE).objects
     assert [(operation.offset, operation.full_name) for operation in main.operations] == [
         (0x28, "MOVE8_8"),
@@ -67,7 +67,7 @@ def test_it_builds_back(image: bytes) -> None:
 
 
 def test_a_float_that_a_call_hands_over_is_a_float() -> None:
-    image = _image(
+    image = image_of(
         (0, 0, "09 02 01 83 00 00 C0 3F 0A"),  # CALL(2, 1.5F)
         (0, 1, "01 83 08 0A"),
     )
@@ -78,14 +78,14 @@ def test_a_float_that_a_call_hands_over_is_a_float() -> None:
 
 def test_a_float_that_fills_an_array_is_a_float() -> None:
     # ARRAY(CREATEF, 4, GV0); ARRAY(FILL, GV0, 1.5F), and the same with 32 bits
-    floats = _image((0, 0, "C1 04 04 60 C1 06 60 83 00 00 C0 3F 0A"), global_size=2)
-    numbers = _image((0, 0, "C1 03 04 60 C1 06 60 83 00 00 C0 3F 0A"), global_size=2)
+    floats = image_of((0, 0, "C1 04 04 60 C1 06 60 83 00 00 C0 3F 0A"), global_size=2)
+    numbers = image_of((0, 0, "C1 03 04 60 C1 06 60 83 00 00 C0 3F 0A"), global_size=2)
     assert programs.parse(floats).objects[0].operations[1].arguments[1].value == 1.5
     assert programs.parse(numbers).objects[0].operations[1].arguments[1].value == 0x3FC00000
 
 
 def test_objects_may_share_their_code() -> None:
-    image = _image((0, 0, "01 0A"), (0, 1, "00 08 0A"), (0, 1, None))
+    image = image_of((0, 0, "01 0A"), (0, 1, "00 08 0A"), (0, 1, None))
     program = programs.parse(image)
     assert [part.shares for part in program.objects] == [None, None, 2]
     assert program.objects[2].operations == program.objects[1].operations
@@ -93,7 +93,7 @@ def test_objects_may_share_their_code() -> None:
 
 
 def test_a_block_has_an_owner() -> None:
-    image = _image((0, 0, "06 02 0A"), (1, 1, "01 0A"))
+    image = image_of((0, 0, "06 02 0A"), (1, 1, "01 0A"))
     assert programs.parse(image).objects[1].kind is ObjectKind.BLOCK
 
 
@@ -204,18 +204,3 @@ def test_whatever_is_changed_it_builds_back(seed: int, changes: int) -> None:
             break
     program = programs.parse(bytes(image), strict=False)
     assert program.build() == bytes(image)
-
-
-def _image(*objects: tuple[int, int, str | None], global_size: int = 0) -> bytes:
-    """An image of objects by owner, triggers and code in hex; no code: that of the object before it."""
-    at = 16 + 12 * len(objects)
-    table = codes = b""
-    start = at
-    for owner, triggers, code in objects:
-        if code is not None:
-            start = at + len(codes)
-            codes += bytes.fromhex(code)
-        table += start.to_bytes(4, "little") + owner.to_bytes(2, "little") + triggers.to_bytes(2, "little") + bytes(4)
-    size = at + len(codes)
-    head = b"LEGO" + size.to_bytes(4, "little") + b"\x6d\x00" + len(objects).to_bytes(2, "little")
-    return head + global_size.to_bytes(4, "little") + table + codes

@@ -10,6 +10,7 @@ import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
+from ev3proto.cli.programs import PROGRAM_FORMATS, read_program
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
@@ -61,6 +62,16 @@ class Decoding(SourceReader):
             if isinstance(event, Record) and event.message.fault is not None:
                 self.complain(f"{capture.label}, packet {event.number}: fault at {event.message.fault}")
 
+    def program(self, source: Source, image: bytes) -> None:
+        """A program image, in the format that was asked for."""
+        program = read_program(source.label, image, self.reading.dialect)
+        if program is None:
+            self.at_fault = True
+            return
+        self._show.program(program, image)
+        for fault in program.faults:
+            self.complain(f"{source.label}: fault at {fault}")
+
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text."""
         fault = piece.message.fault
@@ -74,25 +85,31 @@ class Decoding(SourceReader):
 @click.command()
 @click.argument("names", nargs=-1, metavar="[FRAME|FILE|-]...")
 @click.option(
-    "--format", "style", type=click.Choice(FORMATS), default="tree", show_default=True, help="How to show messages."
+    "--format",
+    "style",
+    type=click.Choice((*FORMATS, *PROGRAM_FORMATS)),
+    help="How to show messages (tree, unless you say otherwise) and programs (listing); lego is a program's source.",
 )
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line: the same as --format json.")
 @click.option(
     "--dialogues", "as_dialogues", is_flag=True, help="Of a capture: a line for each command, with its reply and time."
 )
 @reading_options
-def decode(names: tuple[str, ...], style: str, as_json: bool, as_dialogues: bool, reading: CaptureOptions) -> None:
-    """Shows what frames say.
+def decode(
+    names: tuple[str, ...], style: str | None, as_json: bool, as_dialogues: bool, reading: CaptureOptions
+) -> None:
+    """Shows what frames and programs say.
 
     Give frames themselves, files that have them in their lines, captures (pcap, pcapng, btsnoop, packed with gzip or
-    not), or - (or nothing) for standard input. Any form will do: log lines with their times, hex with or without spaces
-    and colons, C arrays, Python byte strings.
+    not), programs (.rbf), or - (or nothing) for standard input. Any form of frames will do: log lines with their times,
+    hex with or without spaces and colons, C arrays, Python byte strings.
 
     \b
       ev3proto decode "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|"
       ev3proto decode 0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03
       ev3proto decode --format table robot.log
       ev3proto decode --dialogues --filter 'op==SOUND.TONE && FREQUENCY>400' robot.pcapng
+      ev3proto decode --format lego robot.rbf
       python3 my_program.py | ev3proto decode --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
     show = Show("json" if as_json else style)

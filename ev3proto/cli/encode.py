@@ -10,12 +10,13 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
+from ev3proto.cli.programs import RBF, SUFFIX, encode_program
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
@@ -272,9 +273,30 @@ def _joined(lines: Iterable[str], between: str, most: int) -> str:
     return between.join(kept)
 
 
+class _Version(click.ParamType):
+    """A version of an image: a number of 16 bits, in hexadecimal too."""
+
+    name = "number"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """The number that was written."""
+        try:
+            number = int(str(value)[:20], 0)
+        except ValueError:
+            number = -1
+        if not 0 <= number <= 0xFFFF:
+            self.fail(f"{str(value)[:20]} is no version: a whole number from 0 to 65535, such as 0x6D", param, ctx)
+        return number
+
+
 @click.command()
 @click.argument("names", nargs=-1, metavar="[TEXT|FILE|-]...")
-@click.option("--to", "form", type=click.Choice(tuple(FORMS)), default="hex", show_default=True, help="What to write.")
+@click.option(
+    "--to",
+    "form",
+    type=click.Choice((*FORMS, RBF)),
+    help="What to write: hex, unless you say otherwise; rbf is a program's image, as -o FILE.rbf makes one.",
+)
 @click.option("-o", "--output", "path", metavar="FILE", help="Where to write it; without this: standard output.")
 @click.option(
     "--counter",
@@ -288,9 +310,27 @@ def _joined(lines: Iterable[str], between: str, most: int) -> str:
     default=None,
     help="Whether the brick is to answer assembly without a header; left out: where there is something to answer.",
 )
+@click.option(
+    "--source",
+    "source_dialect",
+    type=click.Choice(("strict", "lego")),
+    help="Of a program: the dialect that its source is in; without this, strict first and then LEGO's own.",
+)
+@click.option("--version", "version", type=_Version(), metavar="NUMBER", help="Of a program: the image's version.")
+@click.option(
+    "--shortest", is_flag=True, help="Of a program: labels as short as they can be, equal objects share their code."
+)
 @reading_options
 def encode(
-    names: tuple[str, ...], form: str, path: str | None, counter: int, reply: bool | None, reading: CaptureOptions
+    names: tuple[str, ...],
+    form: str | None,
+    path: str | None,
+    counter: int,
+    reply: bool | None,
+    source_dialect: str | None,
+    version: int | None,
+    shortest: bool,
+    reading: CaptureOptions,
 ) -> None:
     """Makes frames.
 
@@ -300,10 +340,18 @@ def encode(
     \b
       ev3proto encode 'SOUND(TONE, 1, 440, 1000)'
       ev3proto encode 'opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)' --to c
+      ev3proto encode robot.lms -o robot.rbf
       ev3proto encode --counter 42 --to raw -o tone.bin tone.lms
       ev3proto decode --json robot.log | jq -c '.counter = 7' | ev3proto encode
       ev3proto decode --format asm robot.pcapng > robot.asm; ev3proto encode robot.asm
     """  # noqa: D301 - the mark by which click leaves lines as they are
+    is_for_program = source_dialect is not None or version is not None or shortest
+    if form == RBF or (form is None and (is_for_program or (path is not None and path.lower().endswith(SUFFIX)))):
+        found = sources(names)
+        sys.exit(encode_program(found, path, dialect=source_dialect, version=version, shortest=shortest))
+    if is_for_program:
+        raise click.UsageError("--source, --version and --shortest are for programs: give --to rbf, or -o FILE.rbf")
+    form = form or "hex"
     if form == RAW and path is None and sys.stdout.isatty():
         raise click.UsageError("raw bytes would garble the terminal: give -o FILE, or pipe them into another program")
     output = Output(form, path)

@@ -18,6 +18,7 @@ from ev3proto.text.tree import tree
 if TYPE_CHECKING:
     from ev3proto.capture import Announcement, Record
     from ev3proto.capture.dialogues import RequestReply
+    from ev3proto.program import Program
 
 FORMATS = ("tree", "table", "asm", "json")
 
@@ -25,11 +26,12 @@ FORMATS = ("tree", "table", "asm", "json")
 class Show:
     """Shows one message after the other.
 
-    style  one of FORMATS
+    style  one of FORMATS, or of those that there are for programs only; None for the usual one
     """
 
-    def __init__(self, style: str) -> None:
-        self._style = style
+    def __init__(self, style: str | None) -> None:
+        self._program_style = style
+        self._style = style if style in FORMATS else FORMATS[0]
         self._printer = Printer()
         self.count = 0
 
@@ -45,6 +47,15 @@ class Show:
             self._printer.lines((table if self._style == "table" else tree)(exchange, seen))
             if padding:
                 self._printer.text(f"        {padding} bytes of padding follow the frame")
+
+    def program(self, program: Program, image: bytes) -> None:
+        """A program and its image."""
+        from ev3proto.cli.programs import show_program
+
+        if self.count and self._program_style != "json":
+            self._printer.text("")
+        self.count += 1
+        show_program(self._printer, program, image, self._program_style)
 
     def record(self, record: Record, start_ns: int) -> None:
         """A frame of a capture that began then."""

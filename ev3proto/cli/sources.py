@@ -17,6 +17,7 @@ import click
 
 from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import complain
+from ev3proto.cli.programs import is_image
 from ev3proto.text.paste import MAX_LINE, Pasted, read_argument, read_text
 from ev3proto.text.split import Piece, split
 
@@ -137,8 +138,11 @@ class SourceReader(ABC):
             if self.reading.engine != BUILTIN or self._is_capture(source, file):
                 self._captured(source, file)
                 return
-            self.refuse_text(source)
             start = file.contents.peek(_START)[:_START]
+            if is_image(start):
+                self._program(source, file)
+                return
+            self.refuse_text(source)
             if is_binary(start):
                 self.complain(
                     f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()};"
@@ -146,6 +150,22 @@ class SourceReader(ABC):
                 )
                 return
             self.text(source, self._readable(source, text_lines(file.contents)))
+
+    def program(self, source: Source, image: bytes) -> None:
+        """Takes a program image (.rbf)."""
+        self.complain(
+            f"{source.label}: a program image of {len(image)} bytes, which `ev3proto decode` shows; {self.accepted}"
+        )
+
+    def _program(self, source: Source, file: CaptureFile) -> None:
+        from ev3proto.program.image import MAX_IMAGE
+
+        try:
+            image = file.contents.read(MAX_IMAGE + 1)
+        except (OSError, EOFError, zlib.error) as error:
+            self._unreadable(source, error)
+            return
+        self.program(source, image)
 
     def complain(self, sentence: str) -> None:
         """Prints a sentence on standard error, about input that is at fault."""

@@ -5,6 +5,10 @@ r"""Programs: images (.rbf) and sources (.lms), taken apart and put together.
         print(part.number, part.kind, part.local_size, part.operations)
     ev3proto.program.build(program) == image                # always, byte for byte, whoever wrote it
 
+    made = ev3proto.program.assemble(Path("robot.lms").read_bytes())
+    made.image, made.dialect, made.warnings
+    ev3proto.program.source_of(program)                     # a source that assembles to the same image
+
 `HEADER` is the Construct of the header and the table of objects, `IMAGE` that of a whole image; both stand in anybody's
 own `Struct`.
 """
@@ -16,6 +20,7 @@ from ev3proto.program.image import IMAGE, build, parse
 from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects, Program
 from ev3proto.program.parameters import ProgramParameter
 from ev3proto.program.source.source import Assembled, SourceDialect, assemble
+from ev3proto.program.source.writing import source_of
 from ev3proto.tables.program import DEFAULT_VERSION, ObjectKind
 
 __all__ = [
@@ -33,4 +38,5 @@ __all__ = [
     "assemble",
     "build",
     "parse",
+    "source_of",
 ]

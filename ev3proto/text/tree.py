@@ -37,7 +37,7 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
             if message.global_size or message.local_size:
                 yield [(f"  memory: {message.global_size} bytes global, {message.local_size} bytes local", Role.ASIDE)]
             for operation in message.operations:
-                yield from _operation(operation)
+                yield from operation_lines(operation)
         case DirectReply():
             yield from _values(exchange)
         case SystemCommand() | SystemReply():
@@ -47,7 +47,8 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
     yield from _fault(message, seen.cut)
 
 
-def _operation(operation: Operation) -> Iterator[Line]:
+def operation_lines(operation: Operation) -> Iterator[Line]:
+    """The lines of one operation: what it is, and each argument with its encoding and meaning."""
     line: Line = [(f"  {operation.offset:4}  ", Role.ASIDE), (operation.name, Role.OPERATION)]
     if operation.command:
         line.append((f" {operation.command}", Role.OPERATION))
@@ -116,7 +117,7 @@ def _daisy(message: DaisyCommand | DaisyReply) -> Iterator[Line]:
     yield [(f"        from layer {message.layer_from} to layer {message.layer_to}", Role.PLAIN)]
     if isinstance(message, DaisyCommand) and message.operations:
         for operation in message.operations:
-            yield from _operation(operation)
+            yield from operation_lines(operation)
     elif isinstance(message, DaisyReply) and message.report is not None:
         report = message.report
         yield [

@@ -56,3 +56,19 @@ SHORTEST = bytes.fromhex(
     + "840501044E40 080A"
 )
 """What the rules of EV3-G make of it."""
+
+
+def image_of(*objects: tuple[int, int, str | None], global_size: int = 0, local_size: int = 0) -> bytes:
+    """An image of objects by owner, triggers and code in hex; no code: that of the object before it."""
+    at = 16 + 12 * len(objects)
+    table = codes = b""
+    start = at
+    for owner, triggers, code in objects:
+        if code is not None:
+            start = at + len(codes)
+            codes += bytes.fromhex(code)
+        table += start.to_bytes(4, "little") + owner.to_bytes(2, "little") + triggers.to_bytes(2, "little")
+        table += local_size.to_bytes(4, "little")
+    size = at + len(codes)
+    head = b"LEGO" + size.to_bytes(4, "little") + b"\x6d\x00" + len(objects).to_bytes(2, "little")
+    return head + global_size.to_bytes(4, "little") + table + codes

@@ -46,10 +46,10 @@ _PARAMETER_BY_KIND = {
 
 def source_of(program: Program) -> str:
     """The source of a program, in the strict dialect; `assemble` makes the same image of it, whoever wrote that."""
-    return "".join(f"{line}\n" for line in _Writer(program).lines())
+    return "".join(f"{line}\n" for line in Writer(program).lines())
 
 
-class _Code:
+class ObjectCode:
     """How the code of one object is written.
 
     word   vmthread, subcall or block
@@ -88,7 +88,7 @@ class _Code:
         if len(steps) < 2 or steps[-2].name != _RETURN:
             return False
         is_written = len(steps) > 2 and steps[-3].name == _RETURN
-        is_target = steps[-1].offset in {goal for goal in map(_goal, steps) if goal is not None}
+        is_target = steps[-1].offset in {goal for goal in map(goal_of, steps) if goal is not None}
         self.steps = steps[:-1] if is_written or is_target else steps[:-2]
         return True
 
@@ -101,19 +101,25 @@ class _Code:
         return found
 
 
-class _Writer:
-    """Writes one program."""
+class Writer:
+    """Writes one program.
+
+    codes  how the code of each object is written
+    names  of the objects
+    """
 
     def __init__(self, program: Program) -> None:
         self._program = program
-        self._codes = [_Code(part) for part in program.objects]
-        self._names = [f"{_NAMES[part.kind]}{part.number}" for part in program.objects]
+        self.codes = [ObjectCode(part) for part in program.objects]
+        self.names = [f"{_NAMES[part.kind]}{part.number}" for part in program.objects]
         self._is_shortest = _is_shortest(program)
+        self._locals_end = 0
         self._globals: dict[int, str] = {}
         self._locals: dict[int, str] = {}
         self._labels: dict[int, str] = {}
         self._forms: dict[int, str] = {}
         self._seen: dict[tuple[int, int, int, bytes], int] = {}
+        self._declared = list(self._global_lines())
 
     def lines(self) -> Iterator[str]:
         """All of it."""
@@ -132,14 +138,15 @@ class _Writer:
             yield f"{MARK} {GAP} {offset} {spaced_hex(data)}"
         for fault in program.faults:
             yield f"// fault at {fault}"
-        yield from self._global_lines()
-        for code, name in zip(self._codes, self._names, strict=True):
+        yield from self._declared
+        for code, name in zip(self.codes, self.names, strict=True):
             yield ""
             yield from self._object(code, name)
 
     def _global_lines(self) -> Iterator[str]:
+        """The lines that declare globals; notes their names."""
         uses: dict[int, Type] = {}
-        for code in self._codes:
+        for code in self.codes:
             for step in code.steps:
                 _add_uses(step, GLOBAL, uses)
         size = self._program.global_size
@@ -151,7 +158,7 @@ class _Writer:
 
     # Objects
 
-    def _object(self, code: _Code, name: str) -> Iterator[str]:
+    def _object(self, code: ObjectCode, name: str) -> Iterator[str]:
         part = code.part
         declarations = list(self._declarations(code))
         yield from self._settings(code)
@@ -166,7 +173,7 @@ class _Writer:
             label = self._labels.get(step.offset)
             if label is not None:
                 yield f"{label}:"
-            yield f"  {self._step(step)}"
+            yield f"  {self.step(step)}"
         if not code.is_open:
             behind = _end(steps[-1]) if steps else part.operations[0].offset
             if behind in self._labels:
@@ -175,7 +182,7 @@ class _Writer:
             yield from _raw(code.rest)
         yield "}"
 
-    def _settings(self, code: _Code) -> Iterator[str]:
+    def _settings(self, code: ObjectCode) -> Iterator[str]:
         part = code.part
         usual_triggers = 0 if code.word == ObjectKind.THREAD else 1
         if part.owner:
@@ -196,7 +203,7 @@ class _Writer:
                 yield f"{MARK} {OWN}"
             self._seen.setdefault(key, part.number)
 
-    def _declarations(self, code: _Code) -> Iterator[str]:
+    def _declarations(self, code: ObjectCode) -> Iterator[str]:
         """The lines that declare parameters and locals; notes their names, and where the last of them ends."""
         part = code.part
         self._locals = {}
@@ -218,13 +225,23 @@ class _Writer:
             yield _declaration(one, self._locals[one.index])
         self._locals_end = max(self._locals_end, min(part.local_size, MOST_DECLARED))
 
+    def begin(self, code: ObjectCode) -> None:
+        """Settles the names of an object's variables and labels, for those who show single operations."""
+        for _ in self._declarations(code):
+            pass
+        self._measure(code)
+
+    def label_at(self, offset: int) -> str | None:
+        """The label that stands at an offset of the object that was begun."""
+        return self._labels.get(offset)
+
     # Jumps
 
-    def _measure(self, code: _Code) -> None:
+    def _measure(self, code: ObjectCode) -> None:
         """Gives labels their names, and says of which jumps the encoding has to be written."""
         places = code.places
-        jumps = {step.offset: step for step in code.steps if _goal(step) in places}
-        goals = sorted({goal for goal in map(_goal, jumps.values()) if goal is not None})
+        jumps = {step.offset: step for step in code.steps if goal_of(step) in places}
+        goals = sorted({goal for goal in map(goal_of, jumps.values()) if goal is not None})
         self._labels = {offset: f"{_LABEL_NAME}{number}" for number, offset in enumerate(goals, 1)}
         forms = {offset: step.arguments[-1].encoding for offset, step in jumps.items()}
         if not self._is_shortest:
@@ -234,7 +251,7 @@ class _Writer:
         while self._say_longer(code, jumps, forms):
             pass
 
-    def _say_longer(self, code: _Code, jumps: Mapping[int, Operation], forms: Mapping[int, str]) -> bool:
+    def _say_longer(self, code: ObjectCode, jumps: Mapping[int, Operation], forms: Mapping[int, str]) -> bool:
         """Says the encoding of jumps that would come out otherwise; whether there were any."""
         sizes: list[int] = []
         parts: dict[int, int] = {}
@@ -254,7 +271,7 @@ class _Writer:
         for offset, number in numbers.items():
             if offset not in self._forms:
                 sizes[number] = JUMP_SIZES[LABEL]
-                goal = _goal(jumps[offset])
+                goal = goal_of(jumps[offset])
                 assert goal is not None
                 free[number] = parts[goal]
         shrink(sizes, free)
@@ -264,7 +281,8 @@ class _Writer:
 
     # Operations
 
-    def _step(self, step: Operation) -> str:
+    def step(self, step: Operation) -> str:
+        """One operation as a statement, in the object that was begun."""
         arguments = list(step.arguments)
         texts: list[str] = []
         cmd = step.cmd
@@ -280,8 +298,8 @@ class _Writer:
                 # By its name, the number of parameters would be written too.
                 number = arguments.pop(0)
                 texts.append(_encoded(number, str(number.value), int(number.value)))
-        elif step.offset in self._forms or _goal(step) in self._labels:
-            goal = _goal(step)
+        elif step.offset in self._forms or goal_of(step) in self._labels:
+            goal = goal_of(step)
             label = self._labels.get(goal) if goal is not None else None
             if label is not None:
                 form = self._forms.get(step.offset)
@@ -293,18 +311,18 @@ class _Writer:
     def _callee(self, arguments: Sequence[Argument]) -> str | None:
         """The subcall's name, where that and the number of parameters is all that the two first arguments say."""
         number, count = arguments[0], arguments[1]
-        if number.kind != CONSTANT or not 0 < int(number.value) <= len(self._codes):
+        if number.kind != CONSTANT or not 0 < int(number.value) <= len(self.codes):
             return None
-        callee = self._codes[int(number.value) - 1]
+        callee = self.codes[int(number.value) - 1]
         if callee.word != ObjectKind.SUBCALL or number.raw != integer(int(number.value)):
             return None
         # An object that shares the code of another is declared by that.
         shares = callee.part.shares
-        declaring = callee if shares is None else self._codes[shares - 1]
+        declaring = callee if shares is None else self.codes[shares - 1]
         declares = declaring.part.parameters if declaring.word == ObjectKind.SUBCALL else ()
         if count.raw != integer(len(declares)) or len(arguments) - 2 != len(declares):
             return None
-        return self._names[int(number.value) - 1]
+        return self.names[int(number.value) - 1]
 
     def _argument(self, argument: Argument) -> str:
         kind = argument.kind
@@ -331,8 +349,8 @@ class _Writer:
                 return symbol
         elif parameter.type is Type.DATAF and not value and not self._is_shortest:
             return "0.0F"
-        elif parameter.name == _OBJECT_PARAMETER and 0 < value <= len(self._names):
-            return self._names[value - 1]
+        elif parameter.name == _OBJECT_PARAMETER and 0 < value <= len(self.names):
+            return self.names[value - 1]
         return str(value)
 
     def _float(self, raw: bytes) -> str:
@@ -468,7 +486,7 @@ def _end(step: Operation) -> int:
     return step.offset + step.length
 
 
-def _goal(step: Operation) -> int | None:
+def goal_of(step: Operation) -> int | None:
     """The offset that a jump leads to, None for all other operations."""
     parameters = step.declaration.parameters
     if not parameters or parameters[-1].type is not Type.LABEL or not step.is_complete:
@@ -513,7 +531,7 @@ def _is_shortest(program: Program) -> bool:
             short += 1
             continue
         for step in part.operations:
-            if _goal(step) is None:
+            if goal_of(step) is None:
                 continue
             argument = step.arguments[-1]
             if argument.encoding == LABEL:

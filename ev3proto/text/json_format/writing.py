@@ -54,7 +54,7 @@ def _contents(message: Message) -> dict[str, Any]:
             return {
                 "globals": message.global_size,
                 "locals": message.local_size,
-                "operations": [_operation(operation) for operation in message.operations],
+                "operations": [operation_record(operation) for operation in message.operations],
             }
         case DirectReply():
             return {"status": "error" if message.is_error else "ok", "memory": message.memory.hex()}
@@ -78,7 +78,7 @@ def _contents(message: Message) -> dict[str, Any]:
                     "layer_to": message.layer_to,
                     "payload": message.payload.hex(),
                 },
-                "operations": [_operation(operation) for operation in message.operations],
+                "operations": [operation_record(operation) for operation in message.operations],
             }
         case DaisyReply():
             fields: dict[str, Any] = {
@@ -97,7 +97,8 @@ def _fields(message: SystemCommand | SystemReply) -> dict[str, Any]:
     return {name: _plain(value) for name, value in message.fields.items()}
 
 
-def _operation(operation: Operation) -> dict[str, Any]:
+def operation_record(operation: Operation) -> dict[str, Any]:
+    """The object of one operation."""
     entry: dict[str, Any] = {
         "op": operation.name,
         "opcode": operation.opcode,

@@ -1,0 +1,120 @@
+"""A program as a listing: its header, its objects, each operation with its offset, labels where jumps lead."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.errors import counted
+from ev3proto.messages import Operation
+from ev3proto.program.objects import CodeObject, Program
+from ev3proto.program.source.writing import ObjectCode, Writer
+from ev3proto.tables.declaration import Direction
+from ev3proto.tables.encoding import CONSTANT
+from ev3proto.tables.program import VERSIONS, ObjectKind
+from ev3proto.text.phrases import spaced_hex
+from ev3proto.text.spans import Line, Role
+from ev3proto.text.tree import operation_lines
+
+_CALL = "CALL"
+_MOST_REST = 32
+_MOST_NAMED = 12
+
+
+def listing(program: Program) -> Iterator[Line]:
+    """One line an operation."""
+    writer = Writer(program)
+    yield from _head(program)
+    for code, name in zip(writer.codes, writer.names, strict=True):
+        yield []
+        yield from _object_head(code.part, name)
+        writer.begin(code)
+        if code.part.shares is not None:
+            continue
+        for operation in code.part.operations:
+            label = writer.label_at(operation.offset)
+            if label is not None:
+                yield [(f"  {label}:", Role.NAME)]
+            yield _step(operation, writer.step(operation) if operation.is_complete else f"{operation.name} ...")
+        yield from _rest(code)
+    yield from _faults(program)
+
+
+def program_tree(program: Program) -> Iterator[Line]:
+    """The same with a line for every argument, its encoding and meaning."""
+    names = Writer(program).names
+    yield from _head(program)
+    for part, name in zip(program.objects, names, strict=True):
+        yield []
+        yield from _object_head(part, name)
+        if part.shares is None:
+            for operation in part.operations:
+                yield from operation_lines(operation)
+            yield from _rest(ObjectCode(part))
+    yield from _faults(program)
+
+
+def called_by(part: CodeObject) -> list[int]:
+    """The numbers of the objects that an object calls, each once, in their order."""
+    found: dict[int, None] = {}
+    for operation in part.operations:
+        if operation.name == _CALL and operation.is_complete:
+            callee = operation.arguments[0]
+            if callee.kind == CONSTANT:
+                found.setdefault(int(callee.value))
+    return list(found)
+
+
+def _head(program: Program) -> Iterator[Line]:
+    writer = VERSIONS.get(program.version)
+    told = f" ({writer})" if writer else ""
+    yield [
+        ("program", Role.HEADING),
+        (f"  version 0x{program.version:02X}{told}, {counted(len(program.objects), 'object')},", Role.PLAIN),
+        (f" {counted(program.global_size, 'byte')} of globals", Role.PLAIN),
+    ]
+
+
+def _object_head(part: CodeObject, name: str) -> Iterator[Line]:
+    line: Line = [(f"object {part.number}", Role.HEADING), (f"  {part.kind} {name}", Role.OPERATION)]
+    line.append((f" at {part.offset}, {counted(part.local_size, 'byte')} of locals", Role.PLAIN))
+    if part.owner:
+        line.append((f", of object {part.owner}", Role.PLAIN))
+    if part.triggers and (part.triggers != 1 or part.kind is ObjectKind.THREAD):
+        line.append((f", waits for {counted(part.triggers, 'trigger')}", Role.PLAIN))
+    yield line
+    if part.shares is not None:
+        yield [(f"  its code is that of object {part.shares}", Role.ASIDE)]
+        return
+    for number, (parameter, place) in enumerate(zip(part.parameters, part.places, strict=True)):
+        way = {Direction.IN: "in", Direction.OUT: "out", Direction.INOUT: "in and out"}[parameter.direction]
+        size = "" if parameter.size is None else f" of {counted(parameter.size, 'byte')}"
+        yield [
+            (f"  p{number}", Role.NAME),
+            (f"  {way}, {parameter.type}{size}", Role.PLAIN),
+            (f", local {place.offset}", Role.ASIDE),
+        ]
+    calls = called_by(part)
+    if calls:
+        shown = ", ".join(str(number) for number in calls[:_MOST_NAMED]) + (", ..." if len(calls) > _MOST_NAMED else "")
+        yield [(f"  calls {shown}", Role.ASIDE)]
+
+
+def _step(operation: Operation, text: str) -> Line:
+    name, _, arguments = text.partition("(")
+    line: Line = [(f"  {operation.offset:5}  ", Role.ASIDE), (name, Role.OPERATION)]
+    if arguments:
+        line.append((f"({arguments}", Role.PLAIN))
+    return line
+
+
+def _rest(code: ObjectCode) -> Iterator[Line]:
+    rest = code.part.rest
+    if rest:
+        shown = spaced_hex(rest[:_MOST_REST]) + (" ..." if len(rest) > _MOST_REST else "")
+        what = "not read" if code.part.fault is not None else "behind the end"
+        yield [(f"         {what}: ", Role.ASIDE), (shown, Role.PLAIN)]
+
+
+def _faults(program: Program) -> Iterator[Line]:
+    for fault in program.faults:
+        yield [(f"fault at {fault}", Role.FAULT)]

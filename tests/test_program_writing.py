@@ -1,0 +1,139 @@
+"""Images to sources and back: whatever an image has, its source assembles to the same bytes."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from support.programs import IMAGE, SHORTEST, image_of
+
+from ev3proto import program as programs
+from ev3proto.program import assemble, source_of
+from ev3proto.program.source.names import builtin_names
+
+
+@pytest.mark.parametrize("image", [IMAGE, SHORTEST])
+def test_the_example_comes_back(image: bytes) -> None:
+    assert assemble(source_of(programs.parse(image)), dialect="strict").image == image
+
+
+def test_the_source_of_the_example_is_what_people_write() -> None:
+    source = source_of(programs.parse(IMAGE))
+    assert [line.strip() for line in source.split("vmthread")[1].splitlines()] == [
+        "thread1",
+        "{",
+        "DATA32 l0",
+        "DATAS l4 6",
+        "MOVE8_8(0, g0)",
+        "to1:",
+        "UI_WRITE(LED, LED_RED)",
+        "TIMER_WAIT(500, l0)",
+        "TIMER_READY(l0)",
+        "ADD8(g0, 1, g0)",
+        "JR_LT8(g0, 2, to1)",
+        r"CALL(sub2, 'done\q', g4)",
+        "STRINGS(DUPLICATE, 'x', l4)",
+        "}",
+        "",
+        "subcall sub2",
+        "{",
+        "IN_S p0 8",
+        "OUT_F p1",
+        "ARRAY8 l12 2",
+        "DATA16 l14",
+        "MOVE16_16(-128, l14)",
+        "MOVEF_F(0.0F, p1)",
+        "UI_DRAW(TEXT, 1, 4, l14, p0)",
+        "}",
+    ]
+
+
+def test_its_own_names_hide_none_of_the_firmwares() -> None:
+    names = builtin_names()
+    assert not [name for name in names if name[:1].islower()]
+
+
+@pytest.mark.parametrize(
+    ("code", "statement"),
+    [
+        ("30 81 05 60", "MOVE8_8(LC1(5), g0)"),
+        ("30 83 05 00 00 00 60", "MOVE8_8(LC4(5), g0)"),
+        ("30 20 60", "MOVE8_8(LC0(-32), g0)"),
+        ("30 05 E2 00 00", "MOVE8_8(5, GV2(0))"),
+        ("30 05 F1 00", "MOVE8_8(5, @g0)"),
+        ("30 05 E9 00", "MOVE8_8(5, ADR(GV1(0)))"),
+        ("30 05 7F", "MOVE8_8(5, GV0(31))"),
+        ("3E 83 00 00 C0 3F 60", "MOVEF_32(1.5F, g0)"),
+        ("3E 83 00 00 00 00 60", "MOVEF_32(LCF(0.0F), g0)"),
+        ("3E 83 00 00 C0 7F 60", "MOVEF_32(DATAF_NAN, g0)"),
+        ("3E 83 00 00 80 7F 60", "MOVEF_32(0x7F800000, g0)"),
+        ("3E 00 60", "MOVEF_32(0.0F, g0)"),
+        ("3E 83 17 B7 D1 38 60", "MOVEF_32(0.0001F, g0)"),
+        ("7D 05 84 78 00 60", "STRINGS(DUPLICATE, LCS('x'), g0)"),
+        ("7D 81 05 80 78 00 60", "STRINGS(LC1(DUPLICATE), 'x', g0)"),
+        ("7D 05 80 E4 5C 00 60", r'STRINGS(DUPLICATE, "\u00e4\\", g0)'),
+        ("40 82 02 00 40 00", "JR(LC0(to1))"),
+        ("40 A0 00", "JR(LAB1(to1))"),
+        ("40 81 64", "JR(100)"),
+        ("40 82 05 00", "JR(LC2(5))"),
+        ("09 02 00", "CALL(2, 0)"),
+    ],
+)
+def test_an_encoding_that_is_not_the_usual_one_is_named(code: str, statement: str) -> None:
+    image = image_of((0, 0, f"{code} 0A"), global_size=8)
+    source = source_of(programs.parse(image, strict=False))
+    assert statement in source
+    assert assemble(source, dialect="strict").image == image
+
+
+@pytest.mark.parametrize(
+    "objects",
+    [
+        [(0, 0, "0A"), (0, 1, "00 08 0A")],
+        [(0, 1, "00 08 08 0A")],
+        [(0, 1, "00 08 08 08 0A")],
+        [(0, 1, "00 01 0A")],
+        [(0, 1, "00 40 82 01 00 08 0A")],
+        [(0, 1, "01 05 08 0A")],
+        [(0, 1, "01 84 00 08 0A")],
+        [(0, 0, "01")],
+        [(0, 0, "01 0A FF FF")],
+        [(0, 0, "DF 01 02")],
+        [(0, 0, "01 0A"), (1, 1, "0A"), (7, 3, "0A"), (0, 5, "0A")],
+        [(0, 0, "09 02 00 0A"), (0, 1, "00 08 0A"), (0, 1, None)],
+        [(0, 0, "09 03 00 0A"), (0, 1, "00 08 0A"), (0, 1, "00 08 0A")],
+        [],
+    ],
+)
+def test_objects_of_every_kind_come_back(objects: list[tuple[int, int, str | None]]) -> None:
+    for locals_of_all in (0, 3, 70_000):
+        image = image_of(*objects, global_size=5, local_size=locals_of_all)
+        source = source_of(programs.parse(image, strict=False))
+        assert assemble(source, dialect="strict").image == image
+
+
+def test_an_object_may_ask_for_more_memory_than_anybody_has() -> None:
+    image = image_of((0, 0, "30 05 E3 FF FF FF FF 0A"), global_size=0xFFFFFFFF, local_size=0xFFFFFFFF)
+    assert assemble(source_of(programs.parse(image)), dialect="strict").image == image
+
+
+@settings(max_examples=300)
+@given(st.integers(0), st.integers(1, 6), st.sampled_from((IMAGE, SHORTEST)))
+def test_whatever_is_damaged_comes_back(seed: int, changes: int, image: bytes) -> None:
+    rng = random.Random(seed)
+    damaged = bytearray(image)
+    for _ in range(changes):
+        at = rng.randrange(16, len(damaged) + 1)
+        match rng.randrange(4):
+            case 0:
+                damaged[at - 12] = rng.choice((0, 1, 2, 8, 10, 0x80, 0x82, 0x84, rng.randrange(256)))
+            case 1:
+                del damaged[at:]
+            case 2:
+                damaged[at:at] = rng.randbytes(rng.randrange(4))
+            case 3:
+                damaged[at:at] = bytes((rng.choice((0x08, 0x0A, 0x40, 0x3A)),))
+    program = programs.parse(bytes(damaged), strict=False)
+    assert assemble(source_of(program), dialect="strict").image == bytes(damaged)

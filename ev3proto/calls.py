@@ -62,7 +62,7 @@ def _misfit(function: Callable[..., Any], values: Sequence[Any], named: Mapping[
         if parameter in options:
             continue
         if parameter not in names:
-            hint = near_misses(parameter, [other.upper() for other in names]).lower()
+            hint = near_misses(parameter, [other.upper() for other in (*names, *options)]).lower()
             known = f": it has {', '.join(names) or 'none'}"
             return f"{name}() has no parameter {parameter}{hint or known}"
         if parameter in given:

@@ -116,6 +116,7 @@ def test_the_flat_constants_stay_what_they_are() -> None:
         ("sound.tone", (1,), {"frequncy": 2}, "sound.tone() has no parameter frequncy: did you mean frequency?"),
         ("sound.tone", (1,), {"x": 2}, "sound.tone() has no parameter x: it has volume, frequency, duration"),
         ("ui_flush", (), {"x": 2}, "ui_flush() has no parameter x: it has none"),
+        ("ui_flush", (), {"uncheked": True}, "ui_flush() has no parameter uncheked: did you mean unchecked?"),
         ("ui_read.get_os_vers", (), {}, "ui_read.get_os_vers() needs length, too"),
         ("init_bytes", (), {}, "init_bytes() needs source, too"),
         ("init_bytes", (None, 2), {}, "init_bytes() needs source, too"),

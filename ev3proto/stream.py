@@ -18,14 +18,20 @@ class StreamError(DecodeError):
 class Decoder:
     """Cuts a stream into frames and yields their messages.
 
-    strict   False: contents never raise, `message.fault` tells; a length that no frame can have raises all the same,
-             because nobody can say where the next frame starts
-    dialect  the firmware whose instruction set to read by
-
-    It keeps at most one unfinished frame beside the chunk it was last given.
+    It keeps at most one unfinished frame beside the chunk that it was last given.
     """
 
     def __init__(self, *, strict: bool = True, dialect: str = "official") -> None:
+        """Starts at the beginning of a stream.
+
+        Args:
+            strict: False: contents never raise, and `message.fault` says what is wrong. A length that no frame can have
+                raises all the same, because nobody can say where the next frame starts.
+            dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+
+        Raises:
+            ValueError: There is no such dialect.
+        """
         self._schema = frame_schema(dialect)
         self._strict = strict
         self._buffer = bytearray()
@@ -43,10 +49,16 @@ class Decoder:
         return bytes(self._buffer)
 
     def feed(self, chunk: bytes) -> Iterator[Message]:
-        """The messages that are complete with this chunk. What is not taken from the iterator comes with the next one.
+        """Takes the next bytes of the stream.
 
-        The iterator raises StreamError for a length that no frame can have (and again whenever it is fed after that),
-        and in strict mode DecodeError for a faulty frame; the frames behind that one can still be read.
+        Args:
+            chunk: Any number of bytes.
+
+        Returns:
+            An iterator over the messages that are complete with this chunk. What is not taken from it comes with the
+            next one. The iterator raises StreamError for a length that no frame can have, and does so again whenever
+            the decoder is fed after that. In strict mode it raises DecodeError for a faulty frame. The frames after
+            that one can still be read.
         """
         if self._lost is None:
             self._buffer += chunk
@@ -80,8 +92,11 @@ class Decoder:
     def close(self) -> Fault | None:
         """Says that nothing more will come.
 
-        Returns None when the stream ended between two frames. Otherwise raises StreamError, or with `strict=False`
-        returns what is wrong.
+        Returns:
+            None where the stream ended between two frames. With `strict=False`: what is wrong.
+
+        Raises:
+            StreamError: The stream ended inside a frame, and the decoder is strict.
         """
         if not self._buffer:
             return None

@@ -51,7 +51,19 @@ def direct_command(
 
 
 def direct_reply(memory: bytes = b"", *, counter: int = 0, error: bool = False) -> DirectReply:
-    """The reply to a direct command: its global memory. Raises BuildError when it is too long."""
+    """Makes the reply to a direct command.
+
+    Args:
+        memory: The global memory that the command asked for, at most 1019 bytes.
+        counter: The counter of the command, 0 to 65535.
+        error: Whether the command failed.
+
+    Returns:
+        The reply.
+
+    Raises:
+        BuildError: No frame can carry it.
+    """
     if not isinstance(memory, bytes):
         raise BuildError(f"memory takes bytes, not {memory!r}")
     member = MessageType.DIRECT_REPLY_ERROR if error else MessageType.DIRECT_REPLY
@@ -73,7 +85,7 @@ def _system_entry(command: int | str) -> system.SystemCommand:
 
 
 def _checked(schema: Fields, data: bytes, *, complete: bool) -> dict[str, FieldValue]:
-    """The fields as a receiver reads them. BuildError where they contradict each other, as a wrong length does."""
+    """The fields as a receiver reads them. Raises BuildError where they contradict each other."""
     values, _, fault = schema.read_leniently(data, 0, complete=complete)
     if fault is not None:
         raise BuildError(fault.reason)
@@ -81,11 +93,19 @@ def _checked(schema: Fields, data: bytes, *, complete: bool) -> dict[str, FieldV
 
 
 def system_command(command: int | str, *, counter: int = 0, reply: bool = True, **fields: FieldValue) -> SystemCommand:
-    """A system command from the values of its fields; length fields are worked out when they are left away.
+    """Makes a system command.
 
-    command  name or number (0xF1 is BEGIN_DOWNLOAD too, that of the bootloader: use the number)
+    Args:
+        command: Name or number. BEGIN_DOWNLOAD of the bootloader, 0xF1, has the name of another one: use its number.
+        counter: The message counter, 0 to 65535.
+        reply: Whether the brick is to answer.
+        fields: Values by the field's name. Lengths that are omitted are worked out.
 
-    Raises BuildError, which names the field at fault.
+    Returns:
+        The command.
+
+    Raises:
+        BuildError: There is no such command, or no frame can carry it. The error names the field at fault.
     """
     entry = _system_entry(command)
     schema = REQUESTS[entry.number]
@@ -104,7 +124,21 @@ def system_command(command: int | str, *, counter: int = 0, reply: bool = True, 
 def system_reply(
     command: int | str, *, counter: int = 0, status: int = 0, error: bool = False, **fields: FieldValue
 ) -> SystemReply:
-    """The reply to a system command; a failed one may leave its fields away. Raises BuildError."""
+    """Makes the reply to a system command.
+
+    Args:
+        command: Name or number of the command.
+        counter: The counter of the command, 0 to 65535.
+        status: The status byte: 0 for success.
+        error: Whether the message type says that the command failed.
+        fields: Values by the field's name. Lengths that are omitted are worked out. After a failure any may be omitted.
+
+    Returns:
+        The reply.
+
+    Raises:
+        BuildError: There is no such command, or no frame can carry the reply. The error names the field at fault.
+    """
     entry = _system_entry(command)
     schema = REPLIES[entry.number]
     failed = bool(status) or error

@@ -82,7 +82,18 @@ class Fields(Bytewise):
         self.by_name = {field.name: field for field in fields}
 
     def read(self, data: bytes, at: int) -> tuple[dict[str, FieldValue], int]:
-        """All fields by name, and the end. Raises DecodeError."""
+        """Reads all fields, which go to the end of the bytes.
+
+        Args:
+            data: The bytes that the fields are in.
+            at: The offset of the first field.
+
+        Returns:
+            The values by the field's name, and the end.
+
+        Raises:
+            DecodeError: A field is faulty, or something is left over.
+        """
         values, at, fault = self.read_leniently(data, at, complete=True)
         if fault is not None:
             raise fault
@@ -91,9 +102,15 @@ class Fields(Bytewise):
     def read_leniently(
         self, data: bytes, at: int, *, complete: bool
     ) -> tuple[dict[str, FieldValue], int, DecodeError | None]:
-        """The fields that can be read, the offset behind them, and what is wrong with the next one.
+        """Reads the fields up to the first that is faulty.
 
-        complete  False where the frame may end before any field, as replies to failed commands do
+        Args:
+            data: The bytes that the fields are in.
+            at: The offset of the first field.
+            complete: False where the frame may end before any field, as replies to failed commands do.
+
+        Returns:
+            The values by the field's name, the offset after them, and what is wrong with the next field.
         """
         values: dict[str, FieldValue] = {}
         for field in self.fields:
@@ -133,7 +150,17 @@ class Fields(Bytewise):
             raise DecodeError(at, f"{counter.name} says {stated!r} bytes, but {size} follow to the end of the frame")
 
     def write(self, value: Mapping[str, Any]) -> bytes:
-        """The bytes of fields given by name; lengths that are left away are worked out. Raises BuildError."""
+        """Writes fields.
+
+        Args:
+            value: Values by the field's name. Lengths that are omitted are worked out.
+
+        Returns:
+            The bytes of all fields.
+
+        Raises:
+            BuildError: A field is missing, unknown or cannot have its value.
+        """
         completed = self.completed(value)
         for field in self.fields:
             if field.name not in completed and not field.optional:
@@ -145,12 +172,32 @@ class Fields(Bytewise):
         return self.write_present(completed)
 
     def write_present(self, value: Mapping[str, Any]) -> bytes:
-        """The bytes of the fields that are there, which may be only the first few. Raises BuildError."""
+        """Writes the fields that are there, which may be only the first few.
+
+        Args:
+            value: Values by the field's name.
+
+        Returns:
+            Their bytes.
+
+        Raises:
+            BuildError: A field is unknown or cannot have its value.
+        """
         self._refuse_unknown(value)
         return b"".join(self._piece(field, value[field.name], value) for field in self.fields if field.name in value)
 
     def completed(self, value: Mapping[str, Any]) -> dict[str, Any]:
-        """The fields with the lengths that were left away. Raises BuildError."""
+        """Works out the lengths that were omitted.
+
+        Args:
+            value: Values by the field's name.
+
+        Returns:
+            The same values with those lengths, in the order of the frame.
+
+        Raises:
+            BuildError: A field is unknown, or what is to be counted is no text or bytes.
+        """
         self._refuse_unknown(value)
         found = dict(value)
         for field in self.fields:

@@ -363,20 +363,36 @@ _SCHEMAS: dict[str, FrameSchema] = {}
 
 
 def frame_schema(dialect: str = "official") -> FrameSchema:
-    """The schema of frames for a dialect, made once. ValueError for an unknown dialect."""
+    """Finds the schema of frames for a dialect, which is made once.
+
+    Args:
+        dialect: "official", "xtended" or "compat".
+
+    Returns:
+        The schema.
+
+    Raises:
+        ValueError: There is no such dialect.
+    """
     if dialect not in _SCHEMAS:
         _SCHEMAS[dialect] = FrameSchema(dialect)
     return _SCHEMAS[dialect]
 
 
 def parse(frame: bytes | bytearray | memoryview, *, strict: bool = True, dialect: str = "official") -> Message:
-    """Exactly one frame.
+    """Reads exactly one frame.
 
-    frame    from its length field to its last byte, and nothing behind it
-    strict   False: nothing in the frame's contents raises; `message.fault` says what is wrong and where
-    dialect  "official", "xtended" or "compat": the firmware whose instruction set to read by
+    Args:
+        frame: From its length field to its last byte, and nothing after it.
+        strict: False: nothing in the frame's contents raises. `message.fault` says what is wrong and where.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
 
-    `message.build()` gives the same bytes again. Raises DecodeError, a ValueError with `offset` and `reason`.
+    Returns:
+        The message. `message.build()` gives the same bytes again.
+
+    Raises:
+        DecodeError: The frame is faulty, and `strict` is true. It is a ValueError with `offset` and `reason`.
+        ValueError: There is no such dialect.
     """
     if type(frame) is not bytes:
         frame = bytes(memoryview(frame))

@@ -16,7 +16,6 @@ from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.operation import CMD, FamilySchema, OperationSchema, operation_schema
 from ev3proto.tables import OPCODES, check_dialect
 from ev3proto.tables.encoding import CONSTANT, STRING_CODING
-from ev3proto.tables.frame import MAX_FRAME
 
 _Layout = tuple[Any, int, Iterable[Reader], bool]
 """An operation as `scan` sees it: its schema, the bytes of opcode and CMD, what reads each argument, whether a list of
@@ -32,8 +31,8 @@ _PADDING = bytes(64)
 """Zeros after the byte code, each of them an argument of one byte. An operation that is cut off ends among them, since
 none has so many arguments."""
 
-_MOST_PADDED = 4 * MAX_FRAME
-"""Bytes that are copied to be padded. A program's image is longer, and would be copied for each of its objects."""
+_MOST_PADDED = 1 << 17
+"""Bytes that are copied to be padded. A longer image of a program would take too long to be copied for each object."""
 
 _ALL_UNUSUAL: list[_Layout | None] = [_UNUSUAL] * 256
 
@@ -70,14 +69,35 @@ class InstructionSet(Bytewise):
                 self._by_opcode[opcode.number] = _layout(schema)
 
     def __getitem__(self, name: str) -> OperationSchema:
-        """The schema of one operation by name (`SOUND.TONE`, in any case); KeyError suggests the nearest names."""
+        """Finds the schema of one operation.
+
+        Args:
+            name: `SOUND.TONE`, in any case.
+
+        Returns:
+            The schema.
+
+        Raises:
+            KeyError: There is no such operation. The error suggests the nearest names.
+        """
         found = self.by_name.get(name.upper())
         if found is None:
             raise KeyError(f"the {self.dialect} firmware has no operation {name}{near_misses(name, self.by_name)}")
         return found
 
     def read(self, data: bytes, at: int) -> tuple[tuple[Operation, ...], int]:
-        """All operations from an offset to the end of the bytes. Raises DecodeError."""
+        """Reads all operations from an offset to the end of the bytes.
+
+        Args:
+            data: The byte code.
+            at: The offset of the first opcode.
+
+        Returns:
+            The operations, and the end.
+
+        Raises:
+            DecodeError: An operation is faulty.
+        """
         operations, fault = self.scan(data, at, len(data))
         if fault is not None:
             raise fault
@@ -177,7 +197,7 @@ class InstructionSet(Bytewise):
         return schema, stop
 
     def write(self, value: Any) -> bytes:
-        """The byte code of a sequence of operations."""
+        """Writes a sequence of operations as byte code."""
         return b"".join(operation.raw for operation in value)
 
     def operation(self, name: str, *values: Any, **named: Any) -> Operation:
@@ -211,19 +231,41 @@ def _first(commands: dict[int, OperationSchema]) -> list[tuple[int, Any]]:
 
 
 @cache
+def _made(dialect: str) -> InstructionSet:
+    return InstructionSet(dialect)
+
+
 def instruction_set(dialect: str = "official") -> InstructionSet:
-    """The instruction set of a dialect, made once. ValueError for an unknown dialect."""
-    return InstructionSet(check_dialect(dialect))
+    """Finds the instruction set of a dialect, which is made once.
+
+    Args:
+        dialect: "official", "xtended" or "compat".
+
+    Returns:
+        The instruction set. `instruction_set()["SOUND.TONE"]` is the schema of one operation.
+
+    Raises:
+        ValueError: There is no such dialect.
+    """
+    return _made(dialect)
 
 
 def operation(name: str, *values: Any, dialect: str = "official", **named: Any) -> Operation:
-    """An operation from values, each in its shortest encoding.
+    """Makes an operation of values, each in its shortest encoding.
 
-    name     `SOUND.TONE`, `UI_FLUSH`, in any case
-    values   in the order of the parameters, or by the parameter's name: a number, a text, the name of an enumeration's
-             member, a variable (`GV(0)`, `LV(4)`), or bytes that are one encoded argument (`LC2(5)`). A list parameter
-             takes a list.
+    Args:
+        name: `SOUND.TONE`, `UI_FLUSH`, in any case.
+        values: Values in the order of the parameters: numbers, texts, names of an enumeration's members, variables
+            (`GV(0)`, `LV(4)`), or bytes that are one encoded argument (`LC2(5)`). A list parameter takes a list.
+        dialect: "official", "xtended" or "compat": the firmware whose operation it is.
+        named: Values by the parameter's name, in place of `values`.
 
-    Raises BuildError, which names the parameter, the value and what would be right.
+    Returns:
+        The operation by itself, at offset 0.
+
+    Raises:
+        BuildError: There is no such operation, or it cannot have these values. The error names the parameter, the
+            value and what would be right.
+        ValueError: There is no such dialect.
     """
     return instruction_set(dialect).operation(name, *values, **named)

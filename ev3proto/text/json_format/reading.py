@@ -56,9 +56,16 @@ class RecordError(ValueError):
 
 
 def read_records(lines: Iterable[str]) -> Iterator[tuple[int, Any]]:
-    """The objects in lines, one a line or each over several as `jq` prints them, with the number of their first line.
+    """Reads the objects in lines: one a line, or each over several lines as `jq` prints them.
 
-    Raises RecordError at what is no JSON.
+    Args:
+        lines: Lines of text.
+
+    Yields:
+        The number of an object's first line, counted from 1, and the object.
+
+    Raises:
+        RecordError: Something is no JSON, or an object has more than `MAX_RECORD` characters.
     """
     kept: list[str] = []
     start = size = 0
@@ -92,12 +99,20 @@ def _no_json(error: Exception, start: int) -> str:
 
 
 def frames_in(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
-    """The frames of one object: that of a message, the two of a dialogue, none of a beacon and other texts on WiFi.
+    """Finds the frames of one object.
 
-    dialect  the firmware whose instruction set the object was made with
+    The object's keys decide. Where they say what its key `hex` says, that is taken as it is, so every frame comes back
+    byte for byte. Where somebody changed them, the frame is made of them anew.
 
-    The object's keys decide. Where they say what its key `hex` does, that is taken as it is, so every frame comes back
-    byte for byte; where somebody changed them, the frame is made of them anew. Raises RecordError.
+    Args:
+        entry: What was read from JSON.
+        dialect: The firmware whose instruction set the object was made with.
+
+    Yields:
+        The frame of a message, or the two frames of a dialogue. Nothing for a beacon and other texts on WiFi.
+
+    Raises:
+        RecordError: No frame can be made of the object.
     """
     if not isinstance(entry, dict):
         raise RecordError(f"an object should stand here, such as decode --json prints, not {_shown(entry)}")
@@ -110,7 +125,18 @@ def frames_in(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
 
 
 def frame_of(entry: Mapping[str, Any], *, dialect: str = "official") -> bytes:
-    """The frame of the object of one message. Raises RecordError."""
+    """Makes the frame of one message's object.
+
+    Args:
+        entry: The object.
+        dialect: The firmware whose instruction set the object was made with.
+
+    Returns:
+        The frame.
+
+    Raises:
+        RecordError: No frame can be made of the object.
+    """
     if "hex" in entry:
         frame = _bytes(entry, "hex")
         if "type" not in entry or _is_told(entry, frame, dialect):

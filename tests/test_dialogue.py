@@ -159,6 +159,14 @@ def test_of_commands_of_one_counter_and_one_size_the_newest_is_answered() -> Non
     assert (value.command, value.value) == ("GET_IBATT", 0.25)
 
 
+def test_a_reply_that_fits_no_command_of_its_counter_answers_the_newest() -> None:
+    dialogue = ev3proto.Dialogue()
+    commands = [ask(ev3proto.operation("UI_READ.GET_VBATT", GV(0)), counter=5, size=size) for size in (4, 8)]
+    for command in commands:
+        dialogue.feed(command)
+    assert dialogue.follow(answer(b"", counter=5, size=2)).request is commands[1]
+
+
 def test_a_sender_that_never_changes_its_counter() -> None:
     """Two commands on their way at once: the size of the reply tells which one it answers."""
     dialogue = ev3proto.Dialogue()

@@ -169,16 +169,17 @@ class TestShowing:
         assert display.font == selected
 
     def test_the_line_at_the_top(self) -> None:
+        """The name stands in whole cells, in the middle: 22 cells, so 9 before a name of three letters."""
         display = Display()
-        display.top_line.on = True
+        display.is_headed = True
         display.canvas.fillrect(1, 0, 0, WIDTH, 20)
         display.update()
         shown = pixels(display.canvas)
         assert row(10, range(WIDTH)) <= shown
         assert not row(0, range(WIDTH)) & shown
         name = Display()
-        name.text(1, 77, 1, b"EV3", 1)
-        assert {pixel for pixel in shown if 77 <= pixel[0] < 101 and pixel[1] < 9} == pixels(name.canvas)
+        name.text(1, 72, 1, b"EV3", 1)
+        assert {pixel for pixel in shown if 16 <= pixel[0] < 160 and pixel[1] < 9} == pixels(name.canvas)
 
 
 def inked(draw: Callable[[Display], None]) -> tuple[int, int, int, int] | None:

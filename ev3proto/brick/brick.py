@@ -97,10 +97,10 @@ class Brick:
         self.log_sync = (0, 0)
         self.random = Random()
         self.machine = Machine(self, self.dialect)
-        self.display = Display()
+        self.panel = Panel()
+        self.display = Display(self.settings, self.panel.battery)
         self.dialogue: Dialogue | None = None
         self.buttons = Buttons(self._stop_user_program)
-        self.panel = Panel()
         self.console = Terminal()
         self.sound = Sound()
         self.outputs = Outputs()

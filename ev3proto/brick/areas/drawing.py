@@ -120,7 +120,7 @@ def popup(vm: Machine, is_open: int) -> None:
 @handles("UI_DRAW.TOPLINE")
 def topline(vm: Machine, is_on: int) -> None:
     """Switches the line at the top on or off."""
-    vm.brick.display.top_line.on = bool(is_on)
+    vm.brick.display.is_headed = bool(is_on)
 
 
 # Letters, icons, pictures

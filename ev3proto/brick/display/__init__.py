@@ -2,7 +2,7 @@
 
 from ev3proto.brick.display.canvas import HEIGHT, WIDTH, Canvas
 from ev3proto.brick.display.characters import braille, half_blocks
-from ev3proto.brick.display.display import Display, TopLine
+from ev3proto.brick.display.display import Display
 from ev3proto.brick.display.png import write_png
 
-__all__ = ["HEIGHT", "WIDTH", "Canvas", "Display", "TopLine", "braille", "half_blocks", "write_png"]
+__all__ = ["HEIGHT", "WIDTH", "Canvas", "Display", "braille", "half_blocks", "write_png"]

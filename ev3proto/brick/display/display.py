@@ -7,61 +7,47 @@ whole: showing, saving, the line at the top.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
+from ev3proto.brick.display import top_line
 from ev3proto.brick.display.canvas import WIDTH, Canvas
 from ev3proto.brick.display.fonts import FONTS, Font
 from ev3proto.brick.display.graph import Graph
 from ev3proto.brick.display.icons import ICONS
 from ev3proto.brick.display.pictures import Picture
 from ev3proto.brick.formatting import fixed
+from ev3proto.brick.panel import Battery
 from ev3proto.brick.parts import Part
 from ev3proto.brick.programs import USER_SLOT, Program
-from ev3proto.tables.enumerations import FONTTYPE, ICONTYPE, S_ICON_NO
+from ev3proto.brick.settings import Settings
+from ev3proto.tables.enumerations import FONTTYPE, ICONTYPE
 
 NORMAL, SMALL, LARGE, TINY = (
     FONTTYPE.members[name] for name in ("NORMAL_FONT", "SMALL_FONT", "LARGE_FONT", "TINY_FONT")
 )
-NORMAL_ICONS, SMALL_ICONS, LARGE_ICONS = (
-    ICONTYPE.members[name] for name in ("NORMAL_ICON", "SMALL_ICON", "LARGE_ICON")
-)
+NORMAL_ICONS, LARGE_ICONS = ICONTYPE.members["NORMAL_ICON"], ICONTYPE.members["LARGE_ICON"]
 STORE_LEVELS = 3
 """Pictures that STORE can save."""
 
 TOP_LINE_PERIOD = 400_000
 """Microseconds between two redraws of the line at the top while it is on."""
 
-_TOP_LINE_HEIGHT = 10
-_NAME_LENGTH = 12
-_BATTERY_ICONS = tuple(S_ICON_NO.members[f"SICON_BATT_{level}"] for level in range(5))
-_BATTERY_X = 160
-
-
-@dataclass
-class TopLine:
-    """What the line at the top of the display says."""
-
-    on: bool = False
-    name: bytes = b"EV3"
-    battery: int = 100
-    """Charge in percent."""
-    radios: tuple[int, ...] = ()
-    """Small icons shown from the left: the states of Bluetooth, WiFi and USB."""
-
 
 class Display(Part):
     """The display of a brick that was just switched on: everything is clear.
 
-    canvas    what is drawn on
-    font      number of the selected font
-    top_line  the line at the top
-    graph     what GRAPH_SETUP set up
+    canvas       what is drawn on
+    font         number of the selected font
+    is_headed    whether there is a line at the top
+    graph        what GRAPH_SETUP set up
     """
 
-    def __init__(self) -> None:
+    def __init__(self, settings: Settings | None = None, battery: Battery | None = None) -> None:
+        """Makes a display; `settings` and `battery` are what its line at the top is about."""
         self.canvas = Canvas()
         self.font = NORMAL
-        self.top_line = TopLine()
+        self.is_headed = False
+        self._settings = settings or Settings()
+        self._battery = battery or Battery()
         self.graph = Graph()
         self._popup: Canvas | None = None
         self._next_top_line = 0
@@ -78,7 +64,7 @@ class Display(Part):
     def update(self) -> None:
         """Shows the canvas, the line at the top redrawn if it is on; selects the normal font."""
         self.font = NORMAL
-        if self.top_line.on:
+        if self.is_headed:
             self._draw_top_line()
         self._shown = self.canvas.to_bytes()
 
@@ -86,7 +72,7 @@ class Display(Part):
         """The firmware redraws the line at the top every 0.4 s, and shows the canvas with it."""
         if microseconds >= self._next_top_line:
             self._next_top_line = microseconds + TOP_LINE_PERIOD
-            if self.top_line.on:
+            if self.is_headed:
                 self._draw_top_line()
                 self._shown = self.canvas.to_bytes()
 
@@ -228,13 +214,9 @@ class Display(Part):
         self.canvas.cell(x, y, picture.width, [row if color else row ^ solid for row in picture.rows])
 
     def _draw_top_line(self) -> None:
-        line = self.top_line
-        canvas = self.canvas
-        canvas.fillrect(0, 0, 0, WIDTH, _TOP_LINE_HEIGHT)
-        name = line.name[:_NAME_LENGTH]
-        self.text(1, (WIDTH - len(name) * FONTS[SMALL].width) // 2, 1, name, SMALL)
-        for place, icon in enumerate(line.radios):
-            self.icon(1, place * ICONS[SMALL_ICONS].width, 1, SMALL_ICONS, icon)
-        level = min(line.battery * len(_BATTERY_ICONS) // 100, len(_BATTERY_ICONS) - 1)
-        self.icon(1, _BATTERY_X, 1, SMALL_ICONS, _BATTERY_ICONS[level])
-        canvas.line(1, 0, _TOP_LINE_HEIGHT, WIDTH - 1, _TOP_LINE_HEIGHT)
+        self.canvas.fillrect(0, 0, 0, WIDTH, top_line.HEIGHT)
+        x, name = top_line.name_place(self._settings)
+        self.text(1, x, top_line.TOP, name, top_line.FONT)
+        for x, icon in top_line.icon_places(self._settings, self._battery):
+            self.icon(1, x, top_line.TOP, top_line.ICON_SET, icon)
+        self.canvas.line(1, 0, top_line.HEIGHT, WIDTH - 1, top_line.HEIGHT)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.carriers import CarrierReader, reader
@@ -15,34 +15,34 @@ from ev3proto.tables.carriers import Carrier
 _CARRIERS = {int(link): carrier for carrier in Carrier for link in carrier.facts.links}
 
 
-class _Packets:
-    """Reads packets of any link, each with the reader of its carrier, which is made for the first of them."""
+class _Readers(dict[int, Callable[[Packet], Iterable[Event]]]):
+    """What reads packets, by their link. The reader of a carrier is made for the first of its packets."""
 
     def __init__(self, context: Context) -> None:
+        super().__init__()
         self._context = context
         self._carriers: dict[Carrier, CarrierReader] = {}
-        self._links: dict[int, CarrierReader] = {}
         self.unknown: set[int] = set()
 
-    def feed(self, packet: Packet) -> Iterable[Event]:
-        """The events that are complete with a packet."""
-        link = packet.interface.link
-        found = self._links.get(link)
-        if found is None:
-            carrier = _CARRIERS.get(link)
-            if carrier is None:
-                self.unknown.add(link)
-                self._context.account.other += len(packet.data)
-                return ()
+    def __missing__(self, link: int) -> Callable[[Packet], Iterable[Event]]:
+        carrier = _CARRIERS.get(link)
+        if carrier is None:
+            self.unknown.add(link)
+            self[link] = self._pass_over
+        else:
             if carrier not in self._carriers:
                 self._carriers[carrier] = reader(carrier, self._context)
-            found = self._links[link] = self._carriers[carrier]
-        return found.feed(packet)
+            self[link] = self._carriers[carrier].feed
+        return self[link]
 
     def end(self) -> Iterator[Event]:
         """The events that are left once there are no more packets."""
         for each in self._carriers.values():
             yield from each.end()
+
+    def _pass_over(self, packet: Packet) -> Iterable[Event]:
+        self._context.account.other += len(packet.data)
+        return ()
 
 
 def events(packets: Iterator[Packet], account: Account, *, dialect: str, ports: Collection[int]) -> Iterator[Event]:
@@ -61,7 +61,7 @@ def events(packets: Iterator[Packet], account: Account, *, dialect: str, ports: 
         CaptureError: After everything readable, where the packets raised it or have links that nothing here knows.
 
     """
-    reading = _Packets(Context(frame_schema(dialect), account, frozenset(ports)))
+    readers = _Readers(Context(frame_schema(dialect), account, frozenset(ports)))
     trouble: CaptureError | None = None
     try:
         for packet in packets:
@@ -70,14 +70,14 @@ def events(packets: Iterator[Packet], account: Account, *, dialect: str, ports: 
             account.last_ns = packet.time_ns
             account.packets += 1
             account.captured += len(packet.data)
-            yield from reading.feed(packet)
+            yield from readers[packet.interface.link](packet)
     except CaptureError as error:
         trouble = error
-    yield from reading.end()
+    yield from readers.end()
     if trouble is not None:
         raise trouble
-    if reading.unknown:
+    if readers.unknown:
         raise CaptureError(
-            f"packets of link type {', '.join(map(str, sorted(reading.unknown)))} were passed over, which is none of"
+            f"packets of link type {', '.join(map(str, sorted(readers.unknown)))} were passed over, which is none of"
             " those that are known here; --engine wireshark reads all that Wireshark knows"
         )

@@ -42,8 +42,8 @@ _DAISY = {
 
 
 @dataclass(slots=True)
-class Places:
-    """Where a name stands.
+class NamedFields:
+    """What a name stands for in frames: parameters of operations, fields of system commands.
 
     operations  the parameter of each operation that has one of this name, by the operation's full name
     commands    the system commands that have a field of this name
@@ -75,12 +75,12 @@ class Places:
             data=Kind.DATA in kinds,
         )
 
-    def of(self, owner: str) -> Places:
+    def of(self, owner: str) -> NamedFields:
         """Those of one operation, one family, or one system command, in upper case."""
         names = operation_names().get(owner, frozenset())
         operations = {name: parameter for name, parameter in self.operations.items() if name in names}
         commands = self.commands & {owner}
-        return Places(operations, commands, self.fields if commands else {}, self.element)
+        return NamedFields(operations, commands, self.fields if commands else {}, self.element)
 
     def read(self, record: Record) -> Iterator[Held]:
         """What stands there in a message: arguments of commands, values and fields of replies."""
@@ -139,7 +139,7 @@ def _daisy_fields(message: Message) -> dict[str, int | str | bytes]:
     return found
 
 
-def find_places(name: str) -> Places:
+def find_fields(name: str) -> NamedFields:
     """Where a name stands, which is in lower case; nowhere for a name that there is not.
 
     `volume`, `sound.tone.volume`, `arg.size`, `values[0]`. The name of a command that has a single parameter stands for
@@ -148,7 +148,7 @@ def find_places(name: str) -> Places:
     owner, _, base = name.rpartition(".")
     base, bracket, index = base.partition(_LIST)
     places = _index().get(base) or _single(base)
-    found = Places(places.operations, places.commands, places.fields, f"{base}{bracket}{index}" if bracket else "")
+    found = NamedFields(places.operations, places.commands, places.fields, f"{base}{bracket}{index}" if bracket else "")
     return found.of(owner.upper()) if owner and owner != ANY else found
 
 
@@ -203,22 +203,22 @@ def _fields() -> dict[str, list[tuple[str | None, Kind]]]:
 
 
 @cache
-def _index() -> dict[str, Places]:
-    found: dict[str, Places] = {}
+def _index() -> dict[str, NamedFields]:
+    found: dict[str, NamedFields] = {}
     for entry in _declared():
         for parameter in entry.parameters:
-            found.setdefault(parameter.name.lower(), Places()).operations[entry.name] = parameter
+            found.setdefault(parameter.name.lower(), NamedFields()).operations[entry.name] = parameter
     for name, places in _fields().items():
-        place = found.setdefault(name.lower(), Places())
+        place = found.setdefault(name.lower(), NamedFields())
         for command, kind in places:
             place.commands.add(command)
             place.fields.setdefault(name, set()).add(kind)
     return found
 
 
-def _single(command: str) -> Places:
+def _single(command: str) -> NamedFields:
     """The parameter of the commands of this name, which have no other."""
-    found = Places()
+    found = NamedFields()
     for entry in _declared():
         named = entry.command is not None and entry.command.name.lower() == command
         if named and len(entry.parameters) == 1:

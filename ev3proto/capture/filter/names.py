@@ -19,7 +19,7 @@ from ev3proto.capture.filter.comparisons import Choice, Flags, Held, Numbers, Te
 from ev3proto.capture.filter.fields import (
     PATH,
     command_names,
-    find_places,
+    find_fields,
     is_parameter,
     operation_names,
     operations_of_opcode,
@@ -74,7 +74,7 @@ def find_name(word: Word, clock: Clock) -> Name:
         return Name(word.text, kind, read, (lambda record: any(read(record))) if kind is _FLAG else _has(read))
     if lower == TIME and not word.text.isupper():
         return Name(word.text, Numbers(" of seconds"), lambda record: (clock.elapsed(record),), lambda _: True)
-    places = find_places(lower)
+    places = find_fields(lower)
     if not places:
         raise FilterError(word.column, _unknown(word.text))
     # The path is said once, when a transfer begins; it is asked for to find all of the transfer.
@@ -163,7 +163,7 @@ def _is_an_operation(word: str) -> str:
 
 def _is_a_member(word: str, name: str) -> str:
     """For a name that is a parameter's, too, and a value that is the parameter's."""
-    known = any(word.upper() in enum.members for enum in find_places(name).kind.enums)
+    known = any(word.upper() in enum.members for enum in find_fields(name).kind.enums)
     return f": it is a value of the parameter {name.upper()}, in upper case" if known else ""
 
 

@@ -210,6 +210,11 @@ def test_label_0_is_the_number_0_and_one_that_is_nowhere_set_fails(brick: Brick)
     assert run(brick, bytes.fromhex("40 A0 09"), op("MOVE8_8", 1, GV(0)), globals=1)[0] == FAIL
 
 
+def test_a_label_constant_beyond_the_labels_is_a_short_jump(brick: Brick) -> None:
+    backward = op("ADD8", GV(0), 1, GV(0)), bytes.fromhex("64 60 05 A0 F7")  # JR_LT8 GV0, 5, -9
+    assert run(brick, op("MOVE8_8", 0, GV(0)), *backward, globals=1) == (OK, b"\x05")
+
+
 # Time
 
 
@@ -248,9 +253,11 @@ def test_an_endless_loop_is_ended_and_fails(brick: Brick, monkeypatch: pytest.Mo
     assert run(brick, op("SLEEP"), op("JR", -3))[0] == FAIL
 
 
-def test_a_command_that_waits_too_long_is_ended_and_fails(brick: Brick) -> None:
+def test_a_command_that_waits_too_long_is_ended_and_fails(brick: Brick, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.brick.brick.MOST_SECONDS", 2)
     assert brick.receive(command(op("OBJECT_WAIT", 1))) == []
-    assert [taken_apart(reply)[0] for reply in brick.advance(601)] == [FAIL]
+    assert brick.advance(1.9) == []
+    assert [taken_apart(reply)[0] for reply in brick.advance(0.2)] == [FAIL]
 
 
 def test_a_loop_of_100_000_rounds_is_done_at_once(brick: Brick) -> None:

@@ -14,8 +14,10 @@ from ev3proto.brick.conversions import single
 from ev3proto.brick.outputs import PORTS as MOTOR_PORTS
 from ev3proto.brick.outputs import Motor, Outputs
 from ev3proto.brick.parts import Part
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32
 from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE, DeviceType, Mode, Range
-from ev3proto.tables.enumerations import CONN, SLOT, TYPE
+from ev3proto.tables.encoding import RANGES
+from ev3proto.tables.enumerations import CONN, FORMAT_TYPES, SLOT, TYPE
 
 PORTS = 4
 FIRST_MOTOR = 16
@@ -40,6 +42,10 @@ _ANSWER_TIME = 20_000
 _CHANGE_TIMES = {_UART: 22_000}
 _CHANGE_TIME, _INFRARED_CHANGE_TIME = 10_000, 1_100_000
 """Microseconds that a device is busy after a change of its mode."""
+
+
+_NANS = {number: RANGES[kind].nan for number, kind in FORMAT_TYPES.items() if kind in (DATA8, DATA16, DATA32)}
+"""By DATA_FORMAT: the raw value with which a sensor says that it has none."""
 
 
 @dataclass
@@ -109,7 +115,9 @@ class Device:
             if self.type.number == _NXT_TOUCH:
                 return self.bumps
         values = self.readings.get(self.mode, (0.0,) * self.mode_data.datasets)
-        return values[dataset] if dataset < len(values) else math.nan
+        if dataset >= len(values) or values[dataset] == _NANS.get(self.mode_data.format):
+            return math.nan
+        return values[dataset]
 
 
 class Inputs(Part):

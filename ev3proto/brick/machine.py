@@ -21,6 +21,7 @@ from ev3proto.schema.argument import SIZES, STRINGS
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
+from ev3proto.tables.validation import LABELS
 
 if TYPE_CHECKING:
     from ev3proto.brick.brick import Brick
@@ -322,9 +323,9 @@ class Machine:
         return Place(place.buffer, place.at, handle) if array is None else Place(array.data, 0, handle)
 
     def _label(self, number: int) -> int:
-        """How far a label is from here. Label 0 is the number 0. WildAccess for one that is nowhere set."""
-        if number == 0:
-            return 0
+        """How far a label is from here; any other number is itself. WildAccess for a label that is nowhere set."""
+        if not 0 < number < LABELS:
+            return number
         offset = self.program.label(number)
         if offset is None:
             raise WildAccess

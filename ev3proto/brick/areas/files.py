@@ -162,7 +162,8 @@ def read_text(vm: Machine, handle: int, delimiter: int, length: int, destination
 def read_value(vm: Machine, handle: int, delimiter: int, value: Place) -> None:
     """0 where the text is no number."""
     text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), _MOST_NUMBER)
-    value.write_float(read_number(text) or 0.0)
+    number = read_number(text)
+    value.write_float(0.0 if number is None else number)
 
 
 @handles("FILE.READ_BYTES")

@@ -89,7 +89,8 @@ def string_to_value(_: Machine, source: Place, destination: Place) -> None:
     """A comma is a point, in the source itself from now on. Without a number the firmware gives any, this brick 0."""
     text = source.read_text().replace(b",", b".")
     source.write_bytes(text)
-    destination.write_float(read_number(text) or 0.0)
+    number = read_number(text)
+    destination.write_float(0.0 if number is None else number)
 
 
 @handles("STRINGS.VALUE_FORMATTED")

@@ -1,1 +1,1 @@
-"""What the tests share and is no test itself: captures built by hand, drawn frames, tshark and what it shows."""
+"""What the tests share and is no test itself: captures built by hand, drawn frames, tshark, the command line."""

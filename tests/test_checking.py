@@ -137,7 +137,7 @@ def test_findings_stand_in_the_order_of_their_offsets() -> None:
 
 
 def test_options() -> None:
-    with pytest.raises(ValueError, match="carrier 'pigeon' is not known: it is one of usb, bluetooth, wifi"):
+    with pytest.raises(ValueError, match="carrier must be one of usb, bluetooth, wifi, not 'pigeon'"):
         check(b"", carrier="pigeon")
     with pytest.raises(ValueError, match="dialect"):
         check(b"", dialect="nxt")

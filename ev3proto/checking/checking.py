@@ -26,17 +26,22 @@ from ev3proto.tables.frame import LENGTH_FIELD
 def check(frame: bytes | bytearray | memoryview, *, dialect: str = "official", carrier: str | None = None) -> Report:
     """What is wrong with a frame, and whether the brick takes it. Never raises for what is in a frame.
 
-    frame    from its length field to its last byte
-    dialect  "official", "xtended" or "compat": the firmware whose instruction set to read by
-    carrier  "usb", "bluetooth" or "wifi": what is to carry it; None where that does not matter
+    Args:
+        frame: From its length field to its last byte.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+        carrier: "usb", "bluetooth" or "wifi": what is to carry it; None where that does not matter.
 
-    ValueError for an unknown dialect or carrier.
+    Returns:
+        The brick's verdict, and the findings in the order of their offsets.
+
+    Raises:
+        ValueError: The dialect or the carrier is unknown.
     """
     if carrier is not None and carrier not in CARRIERS:
-        raise ValueError(f"carrier {carrier!r} is not known: it is one of {', '.join(CARRIERS)}")
+        raise ValueError(f"carrier must be one of {', '.join(CARRIERS)}, not {carrier!r}")
     if type(frame) is not bytes:
         frame = bytes(memoryview(frame))
-    context = _subject(frame, dialect, carrier)
+    context = _context(frame, dialect, carrier)
     findings = sorted(_without_echoes(list(_findings(context))), key=_order)
     accepted, rejected_at = _answer(context, findings)
     return Report(frame, accepted, rejected_at, tuple(findings))
@@ -57,7 +62,7 @@ def _order(finding: Finding) -> tuple[int, int]:
     return finding.offset, _RANKS[finding.severity]
 
 
-def _subject(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
+def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
     """The frame with its length field made right, so that the rules see what is wrong inside."""
     size = end = len(frame)
     content = frame

@@ -83,8 +83,16 @@ class Fix:
 def fix(frame: bytes | bytearray | memoryview, *, dialect: str = "official", carrier: str | None = None) -> Fix:
     """The frame with everything fixed that can be fixed with certainty. Never raises for what is in a frame.
 
-    dialect  the firmware whose instruction set to read by; ValueError for an unknown one
-    carrier  what is to carry it, None where that does not matter
+    Args:
+        frame: From its length field to its last byte.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+        carrier: "usb", "bluetooth" or "wifi": what is to carry it; None where that does not matter.
+
+    Returns:
+        The frame, what was fixed in it, what was not and why, and what a check says of it.
+
+    Raises:
+        ValueError: The dialect or the carrier is unknown.
     """
     given = bytes(frame)
     report = check(given, dialect=dialect, carrier=carrier)

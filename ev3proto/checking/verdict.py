@@ -343,10 +343,18 @@ def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
 def verdict(frame: bytes, dialect: str = "official") -> Verdict:
     """What the brick says to the frame of a direct command. Never raises for what is in a frame.
 
-    dialect  the firmware whose instruction set to go by; the rules are those of LEGO's. ValueError for an unknown one.
-
     A frame with more bytes than its length field says is validated as far as that goes, as the firmware does. One with
     fewer bytes than that is refused where what is there is refused, or else where it ends: the brick waits for more.
+
+    Args:
+        frame: From its length field to its last byte.
+        dialect: The firmware whose instruction set to go by; the rules are those of LEGO's.
+
+    Returns:
+        Whether it runs the command, and where it stops if not.
+
+    Raises:
+        ValueError: The dialect is unknown.
     """
     validator = _validator(dialect)
     size = len(frame)

@@ -44,11 +44,25 @@ class Dialogue:
         return self._pairing.unanswered
 
     def feed(self, message: Message) -> list[Value]:
-        """What a reply says, by name; an empty list for commands and for replies to commands that were not seen."""
+        """What a reply says, by name. Feed or follow each message once, in order, both directions.
+
+        Args:
+            message: The next message.
+
+        Returns:
+            The values of a reply; an empty list for commands and for replies to commands that were not seen.
+        """
         return self.follow(message).values
 
     def follow(self, message: Message) -> Exchange:
-        """The same with all that is known: command answered, values, file. Feed or follow each message once."""
+        """The same with all that is known: the command that is answered, the values, the file.
+
+        Args:
+            message: The next message.
+
+        Returns:
+            What the messages before make of it.
+        """
         if message.type is None:
             return Exchange(message)
         key, size = _pairing(message)

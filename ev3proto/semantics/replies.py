@@ -64,7 +64,16 @@ class Value(NamedTuple):
 
 
 def values_of(reply: Message, request: Message | None) -> list[Value]:
-    """What a reply says; an empty list where the command that it answers is not known or is of another kind."""
+    """What a reply says.
+
+    Args:
+        reply: A direct or a system reply; nothing is known of others.
+        request: The command that it answers; None where that was not seen.
+
+    Returns:
+        Its values in the order of the request's outputs; an empty list where the request is not known or is of another
+        kind.
+    """
     if isinstance(reply, SystemReply):
         return list(system_values(reply))
     if isinstance(reply, DirectReply) and isinstance(request, DirectCommand):
@@ -92,7 +101,11 @@ _TERMINATED = (Kind.TEXT, Kind.COUNTED_TEXT)
 
 
 def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
-    """What the reply's memory holds, by the output parameters of the command it answers; nothing for an error."""
+    """What the reply's memory holds, by the output parameters of the command that it answers.
+
+    Yields:
+        A value for each output in global memory that the reply carries in whole; nothing for an error.
+    """
     if reply.is_error:
         return
     for operation in command.operations:

@@ -45,7 +45,7 @@ OPCODES: tuple[Opcode, ...] = tuple(opcode for area in AREAS.values() for opcode
 def check_dialect(dialect: str) -> str:
     """The dialect itself; ValueError names the ones there are when it is none of them."""
     if dialect not in DIALECTS:
-        raise ValueError(f"dialect {dialect!r} is not known: it is one of {', '.join(DIALECTS)}")
+        raise ValueError(f"dialect must be one of {', '.join(DIALECTS)}, not {dialect!r}")
     return dialect
 
 

@@ -4702,6 +4702,11 @@ local function stated_length(parameter, lengths, most)
     return floor(math.abs(length))
 end
 
+-- Whether an argument is a number in the frame itself that tells how long another parameter is.
+local function tells_length(parameter, encoding)
+    return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
+end
+
 local reply_values
 do
     -- The type of an output that has that of the array it comes from: what fits before the next output.
@@ -4727,7 +4732,7 @@ do
             output.size = #output.value
             return start < most
         end
-        local is_list = parameter.length and type ~= ARRAY_TYPED
+        local is_list = parameter.length and type ~= ARRAY_TYPED and not output.is_handle
         if type == ARRAY_TYPED then type = untyped(outputs, start, most) end
         local read = READ_TYPE[type]
         if not read then return false end
@@ -4753,7 +4758,7 @@ do
             outputs[#outputs + 1] = {
                 parameter = parameter, index = value, is_handle = encoding.handle, is_address = encoding.address,
             }
-        elseif parameter.tells_length and encoding.kind == CONSTANT then
+        elseif tells_length(parameter, encoding) then
             outputs.lengths[parameter.name] = value
         end
     end
@@ -4979,7 +4984,7 @@ do
             check_variable(added, view, parameter, encoding, value)
         else
             added = add_value(item, range, parameter, name, value)
-            if parameter.tells_length and encoding.kind == CONSTANT then view.lengths[name] = value end
+            if tells_length(parameter, encoding) then view.lengths[name] = value end
         end
         added:add(field.encoding, stop == at + 1 and range or tvb(base, 1), encoding.label)
         add_phrase(view, parameter, encoding, value)
@@ -5022,7 +5027,7 @@ do
     local function say_argument(view, parameter, encoding, value)
         if encoding.scope then
             check_variable(view.target, view, parameter, encoding, value)
-        elseif parameter.tells_length and encoding.kind == CONSTANT then
+        elseif tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
         if view.is_first then add_phrase(view, parameter, encoding, value) end

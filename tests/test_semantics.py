@@ -91,3 +91,14 @@ def test_a_variable_that_holds_a_handle_or_an_address_takes_the_bytes_of_that() 
     assert [(found.size, found.validator_alignment, found.cpu_alignment) for found in footprints(name)] == [(2, 2, 2)]
     level = ev3proto.operation("SOUND.PLAY", LV(4, address=True), "a")
     assert [(found.size, found.validator_alignment, found.cpu_alignment) for found in footprints(level)] == [(4, 1, 4)]
+
+
+def test_a_reply_carries_one_handle_where_an_array_is_written_to_what_a_handle_names() -> None:
+    """The footprint says two bytes, whatever the length; the array is not in the reply."""
+    asked = ev3proto.operation("TST.TST_READ_PINS", 0, 5, GV(2, handle=True))
+    assert [(found.start, found.size) for found in footprints(asked)] == [(2, 2)]
+    message = ev3proto.direct_command(asked, reply=True, global_size=8)
+    dialogue = ev3proto.Dialogue()
+    dialogue.feed(message)
+    (value,) = dialogue.feed(ev3proto.direct_reply(bytes((0, 0, 7, 1, 5, 5, 5, 5))))
+    assert (value.value, value.type, value.offset, value.length) == (0x107, "handle", 7, 2)

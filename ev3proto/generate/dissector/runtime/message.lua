@@ -73,7 +73,7 @@ do
             check_variable(added, view, parameter, encoding, value)
         else
             added = add_value(item, range, parameter, name, value)
-            if parameter.tells_length and encoding.kind == CONSTANT then view.lengths[name] = value end
+            if tells_length(parameter, encoding) then view.lengths[name] = value end
         end
         added:add(field.encoding, stop == at + 1 and range or tvb(base, 1), encoding.label)
         add_phrase(view, parameter, encoding, value)
@@ -116,7 +116,7 @@ do
     local function say_argument(view, parameter, encoding, value)
         if encoding.scope then
             check_variable(view.target, view, parameter, encoding, value)
-        elseif parameter.tells_length and encoding.kind == CONSTANT then
+        elseif tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
         if view.is_first then add_phrase(view, parameter, encoding, value) end

@@ -14,6 +14,11 @@ local function stated_length(parameter, lengths, most)
     return floor(math.abs(length))
 end
 
+-- Whether an argument is a number in the frame itself that tells how long another parameter is.
+local function tells_length(parameter, encoding)
+    return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
+end
+
 local reply_values
 do
     -- The type of an output that has that of the array it comes from: what fits before the next output.
@@ -39,7 +44,7 @@ do
             output.size = #output.value
             return start < most
         end
-        local is_list = parameter.length and type ~= ARRAY_TYPED
+        local is_list = parameter.length and type ~= ARRAY_TYPED and not output.is_handle
         if type == ARRAY_TYPED then type = untyped(outputs, start, most) end
         local read = READ_TYPE[type]
         if not read then return false end
@@ -65,7 +70,7 @@ do
             outputs[#outputs + 1] = {
                 parameter = parameter, index = value, is_handle = encoding.handle, is_address = encoding.address,
             }
-        elseif parameter.tells_length and encoding.kind == CONSTANT then
+        elseif tells_length(parameter, encoding) then
             outputs.lengths[parameter.name] = value
         end
     end

@@ -80,9 +80,15 @@ class Checks:
 
     def _one(self, operation: str, parameter: Parameter, argument: Value, value: Meaning | None) -> None:
         """One argument for one parameter."""
-        if value is None or isinstance(value, Goal | Fraction | Callee):
+        kind = type(value)
+        if kind is Place:
+            if value.type is parameter.type:  # type: ignore[union-attr]
+                return
+            reason = _place(parameter, value)  # type: ignore[arg-type]
+        elif kind is int or kind is Float or kind is Text:
+            reason = _constant(parameter, value)  # type: ignore[arg-type]
+        else:
             return
-        reason = _place(parameter, value) if isinstance(value, Place) else _constant(parameter, value)
         if reason is not None:
             shown = f" {argument.text[:40]}" if isinstance(argument, Name) else ""
             self._warn(argument.at, f"{parameter.name} of {operation} {reason}{shown}")

@@ -32,6 +32,7 @@ from ev3proto.program.source.statements import (
 )
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.source import (
+    BYTES,
     DEFINE,
     FORMS,
     OBJECT_WORDS,
@@ -47,18 +48,20 @@ MAX_DEPTH = 50
 """How deep expressions may stand in each other."""
 
 _TOKEN = re.compile(
-    r"""(?P<blank>[ \t\r\n\f\v\ufeff]+ | //[^\r\n]*)
-      | (?P<raw>bytes\((?:[0-9A-Fa-f]{2}|\s)*\))
-      | (?P<name>[A-Za-z_]\w*)
+    r"""(?:[ \t\r\n\f\v\ufeff]+ | //[^\r\n]*)*
+      (?:(?P<name>[A-Za-z_]\w*)(?!\w)
+      | (?P<mark>[{}(),:@&!+*-])
       | (?P<float>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?F(?![\w.]))
       | (?P<number>(?:0[xX][0-9a-fA-F]+|\d+)(?![\w.]))
-      | (?P<mark>[{}(),:@&!+*-])
-      | (?P<comment>/\*)
       | (?P<text>'[^'\r\n]*')
+      | (?P<comment>/\*)
       | (?P<quoted>"(?:[^"\\\r\n]|\\[^\r\n])*")
-      | (?P<slash>/)""",
+      | (?P<slash>/)
+      | (?P<end>\Z))""",
     re.VERBOSE | re.ASCII,
 )
+_RAW = re.compile(r"bytes\((?:[0-9A-Fa-f]{2}|\s)*\)")
+_BLANK = re.compile(r"(?:[ \t\r\n\f\v\ufeff]+|//[^\r\n]*)*")
 _ESCAPED = re.compile(r"\\(?P<known>[nqrt\\])?", re.DOTALL)
 _END = ""
 _MARKS = frozenset("{}(),:@&!+-*/")
@@ -96,28 +99,39 @@ class StrictParser:
         kinds, texts, ats = self._kinds, self._texts, self._ats
         match = _TOKEN.match
         at, size = 0, len(text)
-        while at < size:
+        while True:
             found = match(text, at)
             if found is None:
+                blank = _BLANK.match(text, at)
+                at = blank.end() if blank else at
                 if len(self.errors) < MOST_ERRORS:
                     self.errors.append(SourceError(at, self._stray(at)))
                 at = self._behind_line(at)
                 continue
-            kind = found.lastgroup
-            if kind == "blank":
-                at = found.end()
-                continue
-            if kind == "comment":
-                end = text.find("*/", at + 2)
+            kind = found.lastgroup or ""
+            start = found.start(kind)
+            at = found.end()
+            if kind == "name":
+                if found[kind] == BYTES and text.startswith("(", at):
+                    raw = _RAW.match(text, start)
+                    if raw is not None:
+                        kinds.append("raw")
+                        texts.append(raw[0])
+                        ats.append(start)
+                        at = raw.end()
+                        continue
+            elif kind == "comment":
+                end = text.find("*/", at)
                 if end < 0:
-                    self.errors.append(SourceError(at, "the comment that starts here has no */"))
+                    self.errors.append(SourceError(start, "the comment that starts here has no */"))
                     break
                 at = end + 2
                 continue
-            kinds.append("mark" if kind == "slash" else kind or "")
-            texts.append(found[0])
-            ats.append(at)
-            at = found.end()
+            elif kind == "end":
+                break
+            kinds.append("mark" if kind == "slash" else kind)
+            texts.append(found[kind])
+            ats.append(start)
         kinds.append("end")
         texts.append(_END)
         ats.append(size)

@@ -57,6 +57,7 @@ class ObjectCode:
     open   neither RETURN nor OBJECT_END is added
     raw    the table of parameters in bytes, where it cannot be said otherwise
     rest   bytes behind the operations
+    uses   by the kind of memory: as what the steps use each place in it
     """
 
     def __init__(self, part: CodeObject) -> None:
@@ -64,6 +65,7 @@ class ObjectCode:
         self.word = str(part.kind)
         self.raw = b""
         self.rest = part.rest
+        self.uses: dict[str, dict[int, Type]] = {GLOBAL: {}, LOCAL: {}}
         self.steps: Sequence[Operation] = part.operations
         if part.shares is not None:
             self.steps, self.rest, self.is_open = (), b"", True
@@ -76,6 +78,8 @@ class ObjectCode:
             self.rest = self.steps[-1].raw + self.rest
             self.steps = self.steps[:-1]
         self.is_open = bool(self.rest) or not self._leave_end_out()
+        for step in self.steps:
+            _add_uses(step, self.uses)
 
     def _leave_end_out(self) -> bool:
         """Whether the code ends as the assembler ends it; that end is taken from the steps."""
@@ -147,8 +151,8 @@ class Writer:
         """The lines that declare globals; notes their names."""
         uses: dict[int, Type] = {}
         for code in self.codes:
-            for step in code.steps:
-                _add_uses(step, GLOBAL, uses)
+            for index, kind in code.uses[GLOBAL].items():
+                uses[index] = _wider(uses.get(index), kind)
         size = self._program.global_size
         if size > MOST_DECLARED:
             yield f"{MARK} globals {size}"
@@ -217,10 +221,7 @@ class Writer:
                 self._locals.setdefault(place.offset, name)
                 self._locals_end = place.offset + place.size
                 yield f"{word} {name}{'' if parameter.size is None else f' {parameter.size}'}"
-        uses: dict[int, Type] = {}
-        for step in code.steps:
-            _add_uses(step, LOCAL, uses)
-        for one in declared(self._locals_end, part.local_size, uses):
+        for one in declared(self._locals_end, part.local_size, code.uses[LOCAL]):
             self._locals[one.index] = f"{_LOCAL_NAME}{one.index}"
             yield _declaration(one, self._locals[one.index])
         self._locals_end = max(self._locals_end, min(part.local_size, MOST_DECLARED))
@@ -504,10 +505,11 @@ def goal_of(step: Operation) -> int | None:
 _BUFFERS = (Type.STRING, Type.ARRAY_TYPED, Type.COUNT, Type.VALUES, Type.LABEL)
 
 
-def _add_uses(step: Operation, scope: str, uses: dict[int, Type]) -> None:
-    """Adds as what an operation uses each place in a memory. The widest number counts, unless it is a buffer."""
+def _add_uses(step: Operation, uses: Mapping[str, dict[int, Type]]) -> None:
+    """Adds as what an operation uses each place in local and global memory."""
     for argument in step.arguments:
-        if argument.kind != scope:
+        found = uses.get(argument.kind)
+        if found is None:
             continue
         parameter = argument.parameter
         kind = parameter.type
@@ -518,9 +520,14 @@ def _add_uses(step: Operation, scope: str, uses: dict[int, Type]) -> None:
         elif kind in _BUFFERS:
             kind = Type.DATA8
         index = int(argument.value)
-        known = uses.get(index)
-        if known is None or (known is not Type.STRING and (kind is Type.STRING or kind.size > known.size)):
-            uses[index] = kind
+        found[index] = _wider(found.get(index), kind)
+
+
+def _wider(known: Type | None, kind: Type) -> Type:
+    """What a place is that is used in two ways: a buffer where it is one of them, else the wider number."""
+    if known is None or kind is Type.STRING:
+        return kind
+    return kind if known is not Type.STRING and kind.size > known.size else known
 
 
 def _is_shortest(program: Program) -> bool:

@@ -6,9 +6,8 @@ The bytes do not depend on any of it. A `!` in front of an argument keeps them q
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 
-from ev3proto.program.source.names import Callee, Goal, Meaning, Place
+from ev3proto.program.source.names import Callee, Meaning, Place
 from ev3proto.program.source.statements import Float, Name, Step, Text, Value
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import FamilySchema, OperationSchema

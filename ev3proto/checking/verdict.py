@@ -340,6 +340,11 @@ def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
     return starts
 
 
+def code_verdict(code: bytes, dialect: str = "official") -> Verdict:
+    """What the validator says to the code of one object of a program, OBJECT_END included; offsets are those in it."""
+    return _validator(dialect).scan(code, 0, len(code))
+
+
 def verdict(frame: bytes, dialect: str = "official") -> Verdict:
     """What the brick says to the frame of a direct command. Never raises for what is in a frame.
 

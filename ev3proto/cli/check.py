@@ -13,6 +13,14 @@ import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.programs import (
+    SOURCE_SUFFIX,
+    complain_of,
+    complain_of_warnings,
+    finding_lines,
+    program_explanation,
+    read_source,
+)
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import near_misses
 from ev3proto.tables.carriers import CARRIERS
@@ -109,6 +117,51 @@ class Checking(SourceReader):
             place = Place(f"{capture.label}, packet {event.number}", {"source": capture.label, "packet": event.number})
             self._frame(event.frame, place, self._options.carrier or str(event.carrier))
         return self.frames - before
+
+    def read(self, source: Source) -> None:
+        """Reads everything in a source; one that ends in .lms is that of a program."""
+        if not source.is_frame and source.name.lower().endswith(SOURCE_SUFFIX):
+            self._source(source)
+        else:
+            super().read(source)
+
+    def program(self, source: Source, image: bytes) -> None:
+        """A program image."""
+        from ev3proto.program import check_program
+
+        if self._options.fixes:
+            raise click.UsageError(f"--fix is for frames, and {source.label[:60]} is a program")
+        self.frames += 1
+        report = check_program(image, dialect=self.reading.dialect)
+        place = Place("" if self._is_single else source.label, {"source": source.label})
+        if self._options.as_json:
+            self._json(place, report.as_dict(), report)
+        else:
+            shown = self._options.shown(report)
+            label = f"{place.label}, " if place.label else ""
+            self._paragraph(finding_lines(report, shown, label), len(shown) > 0)
+        self.counts.update(str(finding.severity) for finding in report.findings)
+        self.at_fault |= bool(report.errors or (self._options.strict and report.warnings))
+
+    def _source(self, source: Source) -> None:
+        """The source of a program: what is wrong with it, or else with the image that it becomes."""
+        from ev3proto.program import assemble
+        from ev3proto.text.assembly.errors import AssemblyError
+
+        text = read_source(source)
+        if text is None:
+            self.at_fault = True
+            return
+        try:
+            made = assemble(text)
+        except AssemblyError as error:
+            self.frames += 1
+            self.at_fault = True
+            complain_of(source.label, error)
+            return
+        complain_of_warnings(source.label, made.warnings)
+        self.at_fault |= self._options.strict and bool(made.warnings)
+        self.program(source, made.image)
 
     def summary(self) -> None:
         """How many frames there were and what was found, where there was more than one."""
@@ -211,6 +264,7 @@ def check(
       ev3proto check 08 00 2a 00 80 00 00 81 01 60
       ev3proto check --fix "0x|09:00|2A:00|80|00:00|81|01|60|"
       ev3proto check --strict --no-hints robot.log
+      ev3proto check robot.rbf; ev3proto check robot.lms
       ev3proto check --explain E101
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if code is not None:
@@ -244,11 +298,13 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
     """Prints what a code means, or the list of all. Raises click.BadParameter for one that there is not."""
     from ev3proto.checking.checking import check as check_frame
     from ev3proto.checking.codes import CODES
+    from ev3proto.checking.program_codes import PROGRAM_CODES
     from ev3proto.text.diagnostics import explanation
 
-    found = list(CODES.values()) if name == ALL_CODES else [CODES[name.upper()]] if name.upper() in CODES else []
+    known = PROGRAM_CODES | CODES
+    found = list(known.values()) if name == ALL_CODES else [known[name.upper()]] if name.upper() in known else []
     if not found:
-        hint = near_misses(name, CODES) or f"; --explain {ALL_CODES} lists those that there are"
+        hint = near_misses(name, known) or f"; --explain {ALL_CODES} lists those that there are"
         raise click.BadParameter(f"there is no code {name}{hint}", param_hint="--explain")
     printer = Printer()
     for code in found:
@@ -258,6 +314,8 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
             printer.lines(
                 [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]
             )
+        elif code.code in PROGRAM_CODES:
+            printer.lines(program_explanation(code, dialect))
         else:
             report = check_frame(code.example, dialect=dialect, carrier=code.carrier)
             printer.lines(explanation(code, report, dialect))

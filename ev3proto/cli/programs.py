@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,10 +12,14 @@ import click
 
 from ev3proto.cli.output import Printer, complain
 from ev3proto.tables.program import SIGN
+from ev3proto.text.spans import Line, Role
 
 if TYPE_CHECKING:
+    from ev3proto.checking.codes import Code
+    from ev3proto.checking.report import Finding, Report
     from ev3proto.cli.sources import Source
     from ev3proto.program import Program
+    from ev3proto.program.source.errors import SourceWarning
     from ev3proto.text.assembly.errors import AssemblyError
 
 SUFFIX, SOURCE_SUFFIX = ".rbf", ".lms"
@@ -28,6 +33,7 @@ PROGRAM_FORMATS = ("listing", LEGO)
 """The formats of `decode` that there are for programs only."""
 
 _MOST_WARNINGS = 20
+_TEXT_WIDTH = 100
 
 
 def is_image(start: bytes) -> bool:
@@ -74,12 +80,67 @@ def complain_of(label: str, error: AssemblyError) -> None:
             complain("\n".join(f"  {line}" for line in one.excerpt.split("\n")))
 
 
+def complain_of_warnings(label: str, warnings: Sequence[SourceWarning]) -> None:
+    """Prints the first warnings of a source, and how many more there are."""
+    for warning in warnings[:_MOST_WARNINGS]:
+        complain(f"{label}, {warning} (warning)")
+    if len(warnings) > _MOST_WARNINGS:
+        complain(f"{label}: and {len(warnings) - _MOST_WARNINGS} more warnings")
+
+
+def read_source(source: Source) -> bytes | None:
+    """The bytes of a source; None, and a complaint, where it cannot be read."""
+    from ev3proto.program.source.source import MAX_SOURCE
+
+    try:
+        with source.open() as stream:
+            return stream.read(MAX_SOURCE + 1)
+    except OSError as error:
+        complain(f"{source.label}: cannot be read: {error.strerror or error}")
+        return None
+
+
+def program_explanation(code: Code, dialect: str) -> Iterator[Line]:
+    """What a code of programs means, and what a check says of its example."""
+    from textwrap import wrap
+
+    from ev3proto.program import check_program
+    from ev3proto.text.diagnostics import ROLES
+    from ev3proto.text.phrases import spaced_hex
+
+    yield [(f"{code.severity}[{code.code}]", ROLES[code.severity]), (f": {code.title}", Role.HEADING)]
+    yield []
+    for text in wrap(" ".join(code.explanation.split()), _TEXT_WIDTH):
+        yield [(text, Role.PLAIN)]
+    yield []
+    yield [("example: ", Role.ASIDE), (spaced_hex(code.example), Role.VALUE)]
+    report = check_program(code.example, dialect=dialect)
+    yield from finding_lines(report, report.findings, "")
+    yield []
+    yield [("without it: ", Role.ASIDE), (spaced_hex(code.counterexample), Role.VALUE)]
+
+
+def finding_lines(report: Report, shown: Sequence[Finding], place: str) -> Iterator[Line]:
+    """The findings of a program as lines, and the brick's verdict."""
+    from ev3proto.text.diagnostics import ROLES
+
+    for finding in shown:
+        yield [
+            (f"{finding.severity}[{finding.code}]", ROLES[finding.severity]),
+            (f": {place}offset {finding.offset}: {finding.message}", Role.PLAIN),
+        ]
+        yield [(f"  help: {finding.help}", Role.ASIDE)]
+    if report.accepted:
+        yield [(f"{place}the brick takes the program", Role.HEADING)]
+    else:
+        yield [(f"{place}the brick refuses the program at offset {report.rejected_at}", Role.FAULT)]
+
+
 def encode_program(
     found: list[Source], path: str | None, *, dialect: str | None, version: int | None, shortest: bool
 ) -> int:
     """Makes an image of one source and writes it; the exit status."""
     from ev3proto.program import assemble
-    from ev3proto.program.source.source import MAX_SOURCE
     from ev3proto.text.assembly.errors import AssemblyError
 
     if len(found) != 1:
@@ -90,22 +151,17 @@ def encode_program(
     if source.is_frame:
         text: str | bytes = source.name
     else:
-        try:
-            with source.open() as stream:
-                text = stream.read(MAX_SOURCE + 1)
-        except OSError as error:
-            complain(f"{source.label}: cannot be read: {error.strerror or error}")
+        read = read_source(source)
+        if read is None:
             return 1
+        text = read
     label = "the source" if source.is_frame else source.label
     try:
         made = assemble(text, dialect=dialect, version=version, shortest=shortest)
     except AssemblyError as error:
         complain_of(label, error)
         return 1
-    for warning in made.warnings[:_MOST_WARNINGS]:
-        complain(f"{label}, {warning} (warning)")
-    if len(made.warnings) > _MOST_WARNINGS:
-        complain(f"{label}: and {len(made.warnings) - _MOST_WARNINGS} more warnings")
+    complain_of_warnings(label, made.warnings)
     if path is None:
         stdout = click.get_binary_stream("stdout")
         stdout.write(made.image)

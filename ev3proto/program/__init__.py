@@ -15,6 +15,7 @@ own `Struct`.
 
 from __future__ import annotations
 
+from ev3proto.program.checking import check_program
 from ev3proto.program.header import HEADER
 from ev3proto.program.image import IMAGE, build, parse
 from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects, Program
@@ -37,6 +38,7 @@ __all__ = [
     "SourceDialect",
     "assemble",
     "build",
+    "check_program",
     "parse",
     "source_of",
 ]

@@ -1,0 +1,146 @@
+"""Every code that a check of a program can give. They start with 0, beside those of frames, and are as stable.
+
+The examples are whole images.
+"""
+
+from __future__ import annotations
+
+from ev3proto.checking.codes import Code
+from ev3proto.checking.report import Severity
+
+PROGRAM_CODES: dict[str, Code] = {}
+"""The codes by their names, in their order."""
+
+_SEVERITIES = {severity.value[0].upper(): severity for severity in Severity}
+
+
+def _code(code: str, title: str, explanation: str, example: bytes, counterexample: bytes) -> Code:
+    entry = PROGRAM_CODES[code] = Code(code, _SEVERITIES[code[0]], title, explanation.strip(), example, counterexample)
+    return entry
+
+
+def _image(main: str, sub: str = "0181 08 0A", *, locals_: int = 4, globals_: int = 4) -> bytes:
+    """An image of a thread and, where it has code, a subcall, from their codes in hex."""
+    codes = [bytes.fromhex(text) for text in (main, sub) if text]
+    at = 16 + 12 * len(codes)
+    table = b""
+    for number, code in enumerate(codes):
+        table += at.to_bytes(4, "little") + bytes(2) + number.to_bytes(2, "little") + locals_.to_bytes(4, "little")
+        at += len(code)
+    head = b"LEGO" + at.to_bytes(4, "little") + b"\x6d\x00" + len(codes).to_bytes(2, "little")
+    return head + globals_.to_bytes(4, "little") + table + b"".join(codes)
+
+
+_FINE = _image("30 05 60 09 02 01 05 0A")
+
+DAMAGED = _code(
+    "E001",
+    "the image is damaged",
+    """
+    The header, the table of objects or a table of parameters does not fit what is in the file: it was cut off, or
+    something was written over it. The brick does not start such a program, or runs whatever stands at the wrong place.
+    """,
+    _FINE[:-1],
+    _FINE,
+)
+REFUSED = _code(
+    "E002",
+    "the brick refuses the program",
+    """
+    Before a program is started, the firmware reads the code of every object from its start to its end. An operation
+    that it does not know, a first constant out of the range of its type, a variable that is not aligned, code after
+    the end of the object: any of them, and the program is not run at all.
+    """,
+    _image("30 05 60 DF 0A"),
+    _FINE,
+)
+NO_SUCH_OBJECT = _code(
+    "E003",
+    "no such object",
+    """
+    Objects are numbered from 1 in the order of the table. The operation names one that the program does not have, so
+    the brick looks for its header in what stands after the table.
+    """,
+    _image("05 03 0A"),
+    _image("05 02 0A"),
+)
+NOT_A_SUBCALL = _code(
+    "E004",
+    "a call of what is no subcall",
+    """
+    A subcall starts with a table of its parameters, which CALL reads. A thread or a block has none, and its first
+    operations would be taken for that.
+    """,
+    _image("09 01 00 0A"),
+    _FINE,
+)
+CALL_COUNT = _code(
+    "E005",
+    "a call with a wrong number of parameters",
+    """
+    CALL takes as many arguments as the subcall declares, whatever the call says: with fewer, the following operations
+    are taken for arguments, and with more, the arguments that are left over for operations.
+    """,
+    _image("09 02 02 05 05 0A"),
+    _FINE,
+)
+CALL_OUTPUT = _code(
+    "W006",
+    "a constant where a subcall writes",
+    """
+    The subcall declares the parameter as an output, and writes it back when it returns. What is written into a constant
+    is lost.
+    """,
+    _image("09 02 01 05 0A", "0141 08 0A"),
+    _image("09 02 01 62 0A", "0141 08 0A"),
+)
+OUTSIDE_MEMORY = _code(
+    "E007",
+    "a variable outside its memory",
+    """
+    The header of the image asks for the bytes of globals, that of the object for its locals. The variable ends further
+    on: what the brick reads there belongs to something else, and what it writes destroys that.
+    """,
+    _image("30 05 64 0A"),
+    _image("30 05 63 0A"),
+)
+BAD_JUMP = _code(
+    "E008",
+    "a jump that leads to no operation",
+    """
+    A jump is counted from the end of its operation. This one leads into the middle of another operation, or out of the
+    object, and the brick runs whatever bytes are there.
+    """,
+    _image("40 01 30 05 60 0A"),
+    _image("40 03 30 05 60 0A"),
+)
+UNREACHABLE = _code(
+    "W009",
+    "operations that no way leads to",
+    """
+    They follow a jump or a return, and no jump leads to them: they are never run. Either a label is at the wrong place,
+    or they can be left out.
+    """,
+    _image("40 03 30 05 60 0A"),
+    _FINE,
+)
+NO_END = _code(
+    "E010",
+    "an object without its end",
+    """
+    An object ends with OBJECT_END, a subcall with RETURN before it. Without that the brick runs on in the code of the
+    object that follows.
+    """,
+    _image("30 05 60", ""),
+    _image("30 05 60 0A", ""),
+)
+LEFT_OVER = _code(
+    "W011",
+    "bytes that belong to nothing",
+    """
+    There are bytes after the end of an object, or between the table and the first code. No writer of programs puts any
+    there; a file that was written over another one may have some.
+    """,
+    _image("0A 01", ""),
+    _image("0A", ""),
+)

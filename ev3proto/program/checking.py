@@ -1,0 +1,257 @@
+"""What is wrong with a program: the validator's verdict on every object, and what a careful programmer would change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+
+from ev3proto.checking import program_codes as codes
+from ev3proto.checking.codes import Code
+from ev3proto.checking.report import Finding, Report
+from ev3proto.checking.verdict import code_verdict
+from ev3proto.errors import DecodeError, counted
+from ev3proto.messages import Argument, Operation
+from ev3proto.program.image import parse
+from ev3proto.program.objects import CodeObject, Program
+from ev3proto.program.parameters import table_bytes
+from ev3proto.program.retyped import CALL
+from ev3proto.program.source.writing import goal_of
+from ev3proto.tables.declaration import Direction, Effect
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
+from ev3proto.tables.program import ObjectKind
+
+_ALWAYS = "JR"
+_OBJECT_END = "OBJECT_END"
+_HANDLE_SIZE = 2
+
+
+def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "official") -> Report:
+    """What is wrong with a program image, and whether the brick starts it. Never raises for what is in an image.
+
+    image    from its sign to its last byte
+    dialect  "official", "xtended" or "compat": the firmware whose instruction set to read by
+
+    The report's `rejected_at` is the offset of the first operation that the firmware's validator stops at.
+    """
+    image = bytes(memoryview(image))
+    try:
+        program = parse(image, strict=False, dialect=dialect)
+    except DecodeError as error:
+        finding = codes.DAMAGED.finding(error.offset, 0, error.reason, "give the whole image")
+        return Report(image, False, 0, (finding,))
+    findings = sorted(_Check(image, program, dialect).findings(), key=lambda it: (it.offset, it.code))
+    refusals = [it.offset for it in findings if it.code in (codes.REFUSED.code, codes.DAMAGED.code)]
+    return Report(image, not refusals, min(refusals, default=None), tuple(findings))
+
+
+class _Check:
+    """The findings of one program."""
+
+    def __init__(self, image: bytes, program: Program, dialect: str) -> None:
+        self._image = image
+        self._program = program
+        self._dialect = dialect
+        self._by_number = {part.number: part for part in program.objects}
+        starts = sorted({part.offset for part in program.objects})
+        self._limits = dict(pairwise((*starts, len(image))))
+
+    def findings(self) -> Iterator[Finding]:
+        """All of them; those of code that several objects share once."""
+        for fault in self._program.defects.faults:
+            yield codes.DAMAGED.finding(fault.offset, 0, fault.reason, "give the whole image")
+        for offset, data in self._program.defects.gaps:
+            yield self._left_over(offset, len(data))
+        for part in self._program.objects:
+            if part.shares is None:
+                yield from self._object(part)
+
+    def _left_over(self, offset: int, size: int) -> Finding:
+        return codes.LEFT_OVER.finding(offset, size, f"{counted(size, 'byte')} belong to no object", "leave them out")
+
+    def _object(self, part: CodeObject) -> Iterator[Finding]:
+        if part.flaw.headless and part.fault is not None:
+            yield codes.DAMAGED.finding(part.fault.offset, 0, part.fault.reason, "give the object its code")
+            return
+        yield from self._refusal(part)
+        for operation in part.operations:
+            yield from self._operation(operation, part)
+        yield from self._end(part)
+        yield from _way(part)
+
+    def _refusal(self, part: CodeObject) -> Iterator[Finding]:
+        """What the firmware's validator says to the code of an object."""
+        table = len(table_bytes(part.parameters)) if part.kind is ObjectKind.SUBCALL else 0
+        start, end = part.offset + table, self._limits[part.offset]
+        found = code_verdict(self._image[start:end], self._dialect)
+        if found.accepted:
+            return
+        at = start + (found.rejected_at or 0)
+        why = str(found.reason.value) if found.reason else "unknown"
+        operation = next((it for it in part.operations if it.offset == at), None)
+        if part.fault is not None:
+            why = part.fault.reason
+        name = operation.full_name if operation is not None else f"0x{self._image[at]:02X}"
+        yield codes.REFUSED.finding(
+            at,
+            operation.length if operation is not None else 1,
+            f"the brick refuses object {part.number} at {name}: {why}",
+            "fix the operation, or what stands before it",
+            operation.full_name if operation is not None else None,
+        )
+
+    def _end(self, part: CodeObject) -> Iterator[Finding]:
+        steps = part.operations
+        if part.fault is not None:
+            return
+        if not steps or steps[-1].name != _OBJECT_END:
+            at = steps[-1].offset if steps else part.offset
+            yield codes.NO_END.finding(
+                at,
+                0,
+                f"object {part.number} does not end with OBJECT_END",
+                "put an OBJECT_END after its last operation",
+            )
+        if part.rest:
+            yield self._left_over(part.offset + len(part.code) - len(part.rest), len(part.rest))
+
+    # Operations
+
+    def _operation(self, operation: Operation, part: CodeObject) -> Iterator[Finding]:
+        arguments = operation.arguments
+        if Effect.OF_PROGRAMS in operation.declaration.effects and arguments and operation.is_complete:
+            yield from self._object_named(operation, arguments)
+        for argument in arguments:
+            if argument.kind in (LOCAL, GLOBAL):
+                yield from self._place(operation, argument, part)
+
+    def _object_named(self, operation: Operation, arguments: tuple[Argument, ...]) -> Iterator[Finding]:
+        first = arguments[0]
+        if first.kind != CONSTANT:
+            return
+        named = self._by_number.get(int(first.value))
+        if named is None:
+            yield _at(
+                operation,
+                first,
+                codes.NO_SUCH_OBJECT,
+                f"{operation.name} is about object {first.value}, and the program has 1 to {len(self._by_number)}",
+                "give the number of one that there is",
+            )
+        elif operation.name == CALL:
+            yield from self._call(operation, arguments, named)
+
+    def _call(self, operation: Operation, arguments: tuple[Argument, ...], callee: CodeObject) -> Iterator[Finding]:
+        if callee.kind is not ObjectKind.SUBCALL:
+            yield _at(
+                operation,
+                arguments[0],
+                codes.NOT_A_SUBCALL,
+                f"object {callee.number} is a {callee.kind}, and only a subcall can be called",
+                "start it with OBJECT_START, or call a subcall",
+            )
+            return
+        given, declared = len(arguments) - 2, len(callee.parameters)
+        if given != declared:
+            yield _at(
+                operation,
+                arguments[1],
+                codes.CALL_COUNT,
+                f"object {callee.number} takes {counted(declared, 'parameter')}, and here {given} are given",
+                f"give {declared}",
+            )
+        for argument, parameter in zip(arguments[2:], callee.parameters, strict=False):
+            if parameter.direction is not Direction.IN and argument.kind not in (LOCAL, GLOBAL):
+                yield _at(
+                    operation,
+                    argument,
+                    codes.CALL_OUTPUT,
+                    f"object {callee.number} writes {argument.name}, and here is a constant",
+                    "give a variable",
+                )
+
+    def _place(self, operation: Operation, argument: Argument, part: CodeObject) -> Iterator[Finding]:
+        """A variable that ends outside its memory. A block has the locals of its owner."""
+        if argument.kind == GLOBAL:
+            size = self._program.global_size
+        else:
+            owner = self._by_number.get(part.owner)
+            size = max(part.local_size, owner.local_size if owner is not None else 0)
+        width = _HANDLE_SIZE if argument.form.handle else max(argument.parameter.type.size, 1)
+        end = int(argument.value) + width
+        if end > size:
+            yield _at(
+                operation,
+                argument,
+                codes.OUTSIDE_MEMORY,
+                f"{argument.name} ends at {argument.kind} byte {end}, and there are {size}",
+                f"ask for {counted(end, 'byte')}, or give a variable that is in them",
+            )
+
+
+def _at(operation: Operation, argument: Argument, code: Code, message: str, help_: str) -> Finding:
+    return code.finding(argument.offset, argument.length, message, help_, operation.full_name, argument.name)
+
+
+# The way through an object
+
+
+def _way(part: CodeObject) -> Iterator[Finding]:
+    """Jumps that lead to no operation, and operations that no way leads to."""
+    steps = part.operations
+    if not steps:
+        return
+    numbers = {step.offset: number for number, step in enumerate(steps)}
+    ways: list[list[int]] = []
+    is_known = True
+    for number, step in enumerate(steps):
+        goal = goal_of(step)
+        following = [] if Effect.ENDS in step.declaration.effects or step.name == _ALWAYS else [number + 1]
+        if goal is not None and goal in numbers:
+            following.append(numbers[goal])
+        elif goal is not None:
+            yield codes.BAD_JUMP.finding(
+                step.offset,
+                step.length,
+                f"{step.name} leads to offset {goal}, where no operation of object {part.number} starts",
+                "let it lead to the start of an operation of the same object",
+                step.full_name,
+            )
+        elif step.name.startswith(_ALWAYS):
+            # Where a variable says how far, nobody can tell.
+            is_known = False
+        ways.append([it for it in following if it < len(steps)])
+    if is_known and part.fault is None:
+        yield from _unreached(steps, _reached(ways))
+
+
+def _reached(ways: list[list[int]]) -> set[int]:
+    found, waiting = {0}, [0]
+    while waiting:
+        for number in ways[waiting.pop()]:
+            if number not in found:
+                found.add(number)
+                waiting.append(number)
+    return found
+
+
+def _unreached(steps: tuple[Operation, ...], reached: Iterable[int]) -> Iterator[Finding]:
+    """One finding for operations in a row. The end of an object may well be one: every writer adds it."""
+    known = set(reached)
+    run: list[Operation] = []
+    for number, step in enumerate([*steps, None]):
+        if step is not None and number not in known:
+            run.append(step)
+            continue
+        while run and Effect.ENDS in run[-1].declaration.effects:
+            run.pop()
+        if run:
+            last = run[-1]
+            more = f" and what follows up to {last.full_name}" if len(run) > 1 else ""
+            yield codes.UNREACHABLE.finding(
+                run[0].offset,
+                last.offset + last.length - run[0].offset,
+                f"no way leads to {run[0].full_name}{more}",
+                "leave it out, or let a jump lead there",
+                run[0].full_name,
+            )
+        run = []

@@ -1,0 +1,150 @@
+"""Programs on the command line: `decode` shows them, `encode` makes them, `check` says what is wrong."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from support.cli import run_ev3proto, run_ev3proto_text
+from support.programs import IMAGE, SHORTEST, SOURCE
+
+
+@pytest.fixture
+def image(tmp_path: Path) -> Path:
+    path = tmp_path / "robot.rbf"
+    path.write_bytes(IMAGE)
+    return path
+
+
+@pytest.fixture
+def source(tmp_path: Path) -> Path:
+    path = tmp_path / "robot.lms"
+    path.write_text(SOURCE)
+    return path
+
+
+def test_decode_lists_a_program(image: Path) -> None:
+    result = run_ev3proto_text("decode", image)
+    assert result.returncode == 0
+    lines = [" ".join(line.split()) for line in result.stdout.splitlines()]
+    assert "program version 0x6D (the sources of release 1.09), 2 objects, 8 bytes of globals" in lines
+    assert "57 JR_LT8(g0, 2, to1)" in lines
+    assert r"63 CALL(sub2, 'done\q', g4)" in lines
+    assert "p0 in, string of 8 bytes, local 0" in lines
+    assert "calls 2" in lines
+    assert "99 RETURN()" in lines
+
+
+def test_decode_reads_a_program_from_standard_input() -> None:
+    assert "MOVE8_8" in run_ev3proto_text("decode", "-", stdin=IMAGE).stdout
+
+
+def test_decode_as_tree(image: Path) -> None:
+    result = run_ev3proto_text("decode", "--format", "tree", image)
+    assert "PATTERN = 2 LED_RED  LC0" in result.stdout
+
+
+def test_decode_as_json(image: Path) -> None:
+    (line,) = run_ev3proto_text("decode", "--json", image).stdout.splitlines()
+    entry = json.loads(line)
+    assert (entry["kind"], entry["version"], entry["size"], entry["globals"]) == ("program", 0x6D, 101, 8)
+    main, say = entry["objects"]
+    assert (main["kind"], main["offset"], main["locals"], main["calls"]) == ("vmthread", 40, 10, [2])
+    assert (say["kind"], say["offset"], say["locals"], say["triggers"]) == ("subcall", 81, 16, 1)
+    assert say["parameters"] == [
+        {"type": "string", "direction": "in", "offset": 0, "size": 8},
+        {"type": "DATAF", "direction": "out", "offset": 8, "size": 4},
+    ]
+    jump = main["operations"][5]
+    assert (jump["op"], jump["offset"], jump["target"]) == ("JR_LT8", 57, 43)
+    assert [argument["value"] for argument in main["operations"][6]["args"]] == [2, 2, "done'", 4]
+
+
+@pytest.mark.parametrize("bytes_", [IMAGE, SHORTEST])
+def test_a_source_that_decode_wrote_becomes_the_same_image(tmp_path: Path, bytes_: bytes) -> None:
+    (tmp_path / "a.rbf").write_bytes(bytes_)
+    (tmp_path / "a.lms").write_text(run_ev3proto_text("decode", "--format", "lego", tmp_path / "a.rbf").stdout)
+    result = run_ev3proto_text("encode", tmp_path / "a.lms", "-o", tmp_path / "b.rbf")
+    assert result.returncode == 0
+    assert (tmp_path / "b.rbf").read_bytes() == bytes_
+
+
+def test_encode_makes_a_program(source: Path, tmp_path: Path) -> None:
+    target = tmp_path / "made.rbf"
+    result = run_ev3proto_text("encode", source, "-o", target)
+    assert result.stdout == f"{target}: 101 bytes, 2 objects, from a source in the strict dialect\n"
+    assert target.read_bytes() == IMAGE
+    assert run_ev3proto("encode", source, "--to", "rbf").stdout == IMAGE
+    assert run_ev3proto("encode", source, "--shortest").stdout == SHORTEST
+    assert "in LEGO's dialect" in run_ev3proto_text("encode", source, "-o", target, "--source", "lego").stdout
+    assert run_ev3proto("encode", source, "--version", "0x39").stdout[8] == 0x39
+
+
+def test_encode_says_what_is_wrong_with_a_source(source: Path, tmp_path: Path) -> None:
+    source.write_text(SOURCE.replace("LED_RED", "LED_RAD"))
+    result = run_ev3proto_text("encode", source, "-o", tmp_path / "made.rbf")
+    assert result.returncode == 1
+    assert result.stderr.splitlines() == [
+        f"{source}, line 12, column 17: there is no LED_RAD: did you mean LED_RED or LED_RR or LED_RG?",
+        "    UI_WRITE(LED, LED_RAD)",
+        "                  ^",
+    ]
+    assert not (tmp_path / "made.rbf").exists()
+
+
+def test_encode_warns_of_what_may_not_be_meant(source: Path, tmp_path: Path) -> None:
+    source.write_text(SOURCE.replace("MOVE8_8(0, count)", "MOVE8_8(0, timer)"))
+    result = run_ev3proto_text("encode", source, "-o", tmp_path / "made.rbf")
+    assert result.returncode == 0
+    assert (
+        "line 10, column 14: DESTINATION of MOVE8_8 is a DATA8, and here is a DATA32: timer (warning)" in result.stderr
+    )
+
+
+@pytest.mark.parametrize("options", [("--version", "70000"), ("--version", "x"), ("--shortest", "--to", "hex")])
+def test_a_call_that_makes_no_sense_is_refused(source: Path, options: tuple[str, ...]) -> None:
+    assert run_ev3proto_text("encode", source, *options).returncode == 2
+
+
+def test_a_damaged_program_is_shown_as_far_as_it_goes(image: Path) -> None:
+    image.write_bytes(IMAGE[:70])
+    result = run_ev3proto_text("decode", image)
+    assert result.returncode == 1
+    assert "TIMER_READY" in result.stdout
+    assert "fault at offset 4: the header says 101 bytes; the image has 70" in result.stderr
+    image.write_bytes(IMAGE[:9])
+    result = run_ev3proto_text("decode", image)
+    assert result.returncode == 1
+    assert "an image starts with a header of 16 bytes" in result.stderr
+
+
+def test_check_takes_programs_and_their_sources(image: Path, source: Path) -> None:
+    for path in (image, source):
+        result = run_ev3proto_text("check", path)
+        assert (result.returncode, result.stdout) == (0, "the brick takes the program\n")
+    image.write_bytes(IMAGE[:12] + b"\x04" + IMAGE[13:])
+    result = run_ev3proto_text("check", image)
+    assert result.returncode == 1
+    assert "error[E007]: offset 73: PARAMETERS[1] ends at global byte 8, and there are 4" in result.stdout
+    (line,) = run_ev3proto_text("check", "--json", image).stdout.splitlines()
+    assert json.loads(line)["findings"][0]["code"] == "E007"
+    source.write_text(SOURCE.replace("CALL(Say", "CALL(Sayy"))
+    result = run_ev3proto_text("check", source)
+    assert result.returncode == 1
+    assert "there is no Sayy: did you mean Say?" in result.stderr
+
+
+def test_check_explains_the_codes_of_programs() -> None:
+    result = run_ev3proto_text("check", "--explain", "E005")
+    assert result.stdout.startswith("error[E005]: a call with a wrong number of parameters")
+    assert "E005" in run_ev3proto_text("check", "--explain", "all").stdout
+
+
+def test_nothing_is_shown_as_it_came(tmp_path: Path) -> None:
+    text = b"\x1b[31m"
+    code = b"\x7d\x05\x80" + text + b"\x00\x60\x0a"
+    head = b"LEGO" + (28 + len(code)).to_bytes(4, "little") + b"\x6d\x00\x01\x00" + bytes(4)
+    (tmp_path / "x.rbf").write_bytes(head + b"\x1c\x00\x00\x00" + bytes(8) + code)
+    for style in ("listing", "lego", "tree", "json"):
+        assert "\x1b" not in run_ev3proto_text("decode", "--format", style, tmp_path / "x.rbf").stdout

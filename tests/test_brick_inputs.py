@@ -39,7 +39,7 @@ class TestValues:
             ("DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 1, t, m)", "1d 00"),
             ("DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 17, t, m)", "7e 00"),
             ("DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 1, 1, t, m)", "7e 00"),
-            ("DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 32, t, m)", "80 80"),
+            ("DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 32, t, m)", "7e 00"),
             ("DATA8 c INPUT_DEVICE(GET_CONNECTION, 0, 0, c)", "79"),
             ("DATA8 c INPUT_DEVICE(GET_CONNECTION, 0, 1, c)", "7a"),
             ("DATA8 c INPUT_DEVICE(GET_CONNECTION, 0, 16, c)", "7d"),
@@ -118,12 +118,19 @@ class TestValues:
         assert brick.inputs.percent(device, 0) == percent
 
     def test_calibration(self, brick: Brick) -> None:
+        """CAL_MIN brings a calibration into use; from then on ends are given in the unit of the range that is used."""
         ask(brick, "INPUT_DEVICE(CAL_MINMAX, 29, 0, 20, 40)")
-        assert ask(brick, PERCENT.format(1, 0)) == "32"
-        ask(brick, "INPUT_DEVICE(CAL_MAX, 29, 0, 30)")
-        assert ask(brick, PERCENT.format(1, 0)) == "64"
+        assert ask(brick, PERCENT.format(1, 0)) == "1e"
+        ask(brick, "INPUT_DEVICE(CAL_MIN, 29, 0, 20)")
+        assert ask(brick, PERCENT.format(1, 0)) == "0c"
+        ask(brick, "INPUT_DEVICE(CAL_MAX, 29, 0, 40)")
+        assert ask(brick, PERCENT.format(1, 0)) == "1f"
         ask(brick, "INPUT_DEVICE(CAL_DEFAULT, 29, 0)")
         assert ask(brick, PERCENT.format(1, 0)) == "1e"
+
+    def test_what_a_sensor_does_not_see_is_no_number(self, brick: Brick) -> None:
+        read = "DATAF a DATAF b DATAF c DATAF d INPUT_DEVICE(READY_SI, 0, 2, 0, 1, 4, a, b, c, d)"
+        assert ask(brick, read, seconds=1.2) == f"00 00 20 c1 00 00 20 42 00 00 00 00 {NAN}"
 
 
 class TestModes:
@@ -155,6 +162,38 @@ class TestModes:
     def test_several_values(self, brick: Brick) -> None:
         read = "DATAF r DATAF g DATAF b INPUT_DEVICE(READY_SI, 0, 1, 29, 4, 3, r, g, b)"
         assert ask(brick, read, seconds=0.03) == "00 00 20 41 00 00 a0 41 00 00 f0 41"
+
+    @pytest.mark.parametrize(
+        ("port", "type", "mode", "found"),
+        [
+            (1, 0, 7, "1d 05"),  # a mode that there is not is the last one
+            (1, 29, 7, "1d 05"),
+            (1, 30, 1, "1e 01"),  # what the program says is believed ...
+            (1, 77, 0, "7d 00"),
+            (0, 29, 1, "10 01"),  # ... but of an EV3 touch sensor, which says itself what it is
+            (17, 7, 1, "7e 00"),
+        ],
+    )
+    def test_what_a_device_is_taken_for(self, brick: Brick, port: int, type: int, mode: int, found: str) -> None:
+        ask(brick, f"DATA8 p INPUT_READ(0, {port}, {type}, {mode}, p)")
+        assert ask(brick, f"DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, {port}, t, m)") == found
+        kind = {0: "79", 1: "7a", 17: "7e"}[port]
+        assert ask(brick, f"DATA8 c INPUT_DEVICE(GET_CONNECTION, 0, {port}, c)") == kind
+
+    def test_changes_of_type_and_mode_are_counted(self, brick: Brick) -> None:
+        count = "DATA8 changed ARRAY8 list 1 INPUT_DEVICE_LIST(1, list, changed)"
+        assert ask(brick, count) == "05 10"
+        ask(brick, PERCENT.format(1, 2))
+        assert ask(brick, count) == "01 10"
+
+    def test_a_count_can_be_given(self, brick: Brick) -> None:
+        brick.plug(1, 16, {0: (1900,), 1: (7,)})
+        assert ask(brick, "DATA32 n INPUT_DEVICE(READY_RAW, 0, 0, 16, 1, 1, n)", seconds=0.02) == "07 00 00 00"
+        assert ask(brick, "DATAF c INPUT_DEVICE(GET_CHANGES, 0, 0, c)") == "00 00 e0 40"
+
+    def test_a_motor_is_given_a_count(self, brick: Brick) -> None:
+        ask(brick, "INPUT_DEVICE(SET_RAW, 0, 16, 0, 45)")
+        assert ask(brick, SI.format(16, -1)) == "00 00 34 42"
 
     def test_presses_are_counted_in_a_mode_of_their_own(self, brick: Brick) -> None:
         for raw in (1100, 1900, 1100):

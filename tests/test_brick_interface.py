@@ -120,12 +120,11 @@ class TestText:
             (0, "00"),
             (1, "6f 6e 65 00"),
             (2, "74 77 6f 00"),
-            (3, "74 68 72 65 65 00"),
-            (4, "00"),
+            (3, "00"),
         ],
     )
     def test_lines_of_a_text_box(self, brick: Brick, number: int, memory: str) -> None:
-        """The second line has the mark of a font before it."""
+        """The second line has the mark of a font before it; the third has no end, so it is none."""
         text = "one\\n\\x02two\\nthree"
         read = f"UI_READ(TEXTBOX_READ, '{text}', 99, DEL_LINEFEED, 16, {number}, line)"
         assert ask(brick, f"DATAS line 16 {read}").startswith(memory)
@@ -337,7 +336,7 @@ class TestDialogues:
                 "00 62 00 00",
             ),
             (
-                "DATA16 n MOVE16_16(-1, n) UI_DRAW(TEXTBOX, 0, 0, 100, 40, 'one\\ntwo\\nthree', 99, DEL_LINEFEED, n)",
+                "DATA16 n MOVE16_16(-1, n) UI_DRAW(TEXTBOX, 0, 0, 100, 40, 'one\\ntwo\\nthree\\n', 99, 6, n)",
                 ["down", "enter"],
                 "02 00",
             ),

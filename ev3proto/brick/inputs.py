@@ -33,47 +33,57 @@ _NXT_TOUCH = TYPE.members["TYPE_NXT_TOUCH"]
 _INFRARED = TYPE.members["TYPE_IR"]
 _UART, _MOTOR = CONN.members["CONN_INPUT_UART"], CONN.members["CONN_OUTPUT_TACHO"]
 _IIC = CONN.members["CONN_NXT_IIC"]
-_ANALOG = (CONN.members["CONN_INPUT_DUMB"], CONN.members["CONN_NXT_DUMB"], _MOTOR)
+ANALOG = (CONN.members["CONN_INPUT_DUMB"], CONN.members["CONN_NXT_DUMB"], _MOTOR)
 _COUNTING_MODE = 1
-_SPEED_MODE = 2
+_COUNTERS = {_TOUCH: "changes", _NXT_TOUCH: "bumps"}
+"""What the second mode of touch sensors reads."""
+
+_NOT_A_NUMBER = {number: RANGES[kind].nan for number, kind in FORMAT_TYPES.items() if kind in (DATA8, DATA16, DATA32)}
+"""By DATA_FORMAT: the raw value with which a sensor says that it has none."""
+SPEED_MODE = 2
 _EDGE = 500
 _ANSWER_TIME = 20_000
+
+_UNKNOWN = DEVICE_TYPES[TYPE.members["TYPE_UNKNOWN"]]
 
 _CHANGE_TIMES = {_UART: 22_000}
 _CHANGE_TIME, _INFRARED_CHANGE_TIME = 10_000, 1_100_000
 """Microseconds that a device is busy after a change of its mode."""
 
 
-_NANS = {number: RANGES[kind].nan for number, kind in FORMAT_TYPES.items() if kind in (DATA8, DATA16, DATA32)}
-"""By DATA_FORMAT: the raw value with which a sensor says that it has none."""
-
-
 @dataclass
 class Device:
     """What the firmware knows of the device on a port.
 
-    type       its type; an empty port has one, too
+    type       its type, or the one that a program took it for; an empty port has one, too
+    plugged    the type that it really is
     readings   raw readings by mode
     mode       the selected mode
     motor      the motor, where it is one
     busy_until microseconds of the clock
-    falls      falling edges of the raw reading of a touch sensor
-    rises      rising edges
+    changes    falling edges of a touch sensor's raw reading: releases of an EV3 sensor, presses of an NXT sensor
+    bumps      rising edges
     """
 
     type: DeviceType = NO_DEVICE
+    plugged: DeviceType = NO_DEVICE
     readings: dict[int, tuple[float, ...]] = field(default_factory=dict)
     mode: int = 0
     motor: Motor | None = None
     busy_until: int = 0
-    falls: int = 0
-    rises: int = 0
+    changes: int = 0
+    bumps: int = 0
     last: float = 0.0
 
     @property
     def is_empty(self) -> bool:
         """Whether nothing is plugged in."""
-        return self.type is NO_DEVICE
+        return self.plugged is NO_DEVICE
+
+    @property
+    def connection(self) -> int:
+        """How it is connected, see CONN."""
+        return self.plugged.connection
 
     @property
     def mode_data(self) -> Mode:
@@ -81,43 +91,47 @@ class Device:
         return self.type.modes[self.mode]
 
     def set_readings(self, readings: Mapping[int, Sequence[float]]) -> None:
-        """New raw readings of some modes; a touch sensor counts the edges."""
+        """New raw readings of some modes; a touch sensor counts the edges, and its second mode is such a count."""
         self.readings.update({mode: tuple(values) for mode, values in readings.items()})
-        if self.type.number in (_TOUCH, _NXT_TOUCH) and readings.get(0):
+        if self.plugged.number not in _COUNTERS:
+            return
+        if readings.get(0):
             step = readings[0][0] - self.last
-            self.rises += step >= _EDGE
-            self.falls += step <= -_EDGE
+            self.bumps += step >= _EDGE
+            self.changes += step <= -_EDGE
             self.last = readings[0][0]
-
-    @property
-    def changes(self) -> int:
-        """Releases of a touch sensor: an EV3 sensor's reading falls then, that of an NXT sensor rises."""
-        return self.rises if self.type.number == _NXT_TOUCH else self.falls
-
-    @property
-    def bumps(self) -> int:
-        """Presses of a touch sensor."""
-        return self.falls if self.type.number == _NXT_TOUCH else self.rises
+        counted = self.readings.pop(_COUNTING_MODE, None)
+        if counted:
+            setattr(self, _COUNTERS[self.plugged.number], int(counted[0]))
 
     def clear_counts(self) -> None:
         """Forgets the edges counted."""
-        self.falls = self.rises = 0
+        self.changes = self.bumps = 0
 
     def raw(self, dataset: int = 0) -> float:
-        """A raw reading in the selected mode; NaN where there is none."""
-        if dataset >= self.mode_data.datasets:
+        """A raw reading in the selected mode; NaN where there is none, or where it is the format's NaN."""
+        mode = self.mode_data
+        if dataset >= mode.datasets:
             return math.nan
+        value = self._reading(dataset)
+        return math.nan if value == _NOT_A_NUMBER.get(mode.format) else value
+
+    def _reading(self, dataset: int) -> float:
         if self.motor is not None:
-            return self.motor.speed_now if self.mode == _SPEED_MODE else self.motor.sensor_count
-        if self.mode == _COUNTING_MODE and self.mode not in self.readings:
-            if self.type.number == _TOUCH:
-                return self.changes
-            if self.type.number == _NXT_TOUCH:
-                return self.bumps
+            return self.motor.speed_now if self.mode == SPEED_MODE else self.motor.sensor_count
+        if self.mode == _COUNTING_MODE and self.plugged.number in _COUNTERS:
+            return float(getattr(self, _COUNTERS[self.plugged.number]))
         values = self.readings.get(self.mode, (0.0,) * self.mode_data.datasets)
-        if dataset >= len(values) or values[dataset] == _NANS.get(self.mode_data.format):
-            return math.nan
-        return values[dataset]
+        return values[dataset] if dataset < len(values) else math.nan
+
+
+@dataclass
+class Calibration:
+    """The raw range that a program gave a mode. CAL_MINMAX fills it in, only CAL_MIN and CAL_MAX bring it into use."""
+
+    least: float = 0.0
+    most: float = 0.0
+    is_used: bool = False
 
 
 class Inputs(Part):
@@ -126,7 +140,7 @@ class Inputs(Part):
     def __init__(self, outputs: Outputs) -> None:
         self._outputs = outputs
         self._devices = {number: Device() for number in (*range(PORTS), *range(FIRST_MOTOR, FIRST_MOTOR + PORTS))}
-        self._calibrated: dict[tuple[int, int], Range] = {}
+        self._calibrations: dict[tuple[int, int], Calibration] = {}
         self._changed = dict.fromkeys(SLOT.members.values(), 0)
         self._now = 0
 
@@ -145,17 +159,22 @@ class Inputs(Part):
         """
         number = self._port(port)
         device = self._devices[number]
-        found = DEVICE_TYPES.get(type, DEVICE_TYPES[TYPE.members["TYPE_UNKNOWN"]])
+        found = DEVICE_TYPES.get(type, _UNKNOWN)
         for mode in readings or {}:
             if not 0 <= mode < len(found.modes):
                 raise ValueError(f"type {type} has no mode {mode}; it must be 0 to {len(found.modes) - 1}")
-        if device.type is not found:
+        if device.plugged is not found:
             motor = self._outputs.motors[number - FIRST_MOTOR] if number >= FIRST_MOTOR else None
-            device = Device(found, motor=motor)
+            device = Device(found, found, motor=motor)
             self._devices[number] = device
+            self._count_change(found)
+        device.set_readings(readings or {})
+
+    def _count_change(self, type: DeviceType) -> None:
+        """Another type or mode on a port, which every program can ask for."""
+        if type is not _UNKNOWN:
             for slot in self._changed:
                 self._changed[slot] += 1
-        device.set_readings(readings or {})
 
     @staticmethod
     def _port(port: int | str) -> int:
@@ -188,26 +207,35 @@ class Inputs(Part):
 
     def keep_busy(self, device: Device) -> None:
         """A device has been written to and answers later. Only those that can answer."""
-        if device.type.connection in (_UART, _IIC):
+        if device.connection in (_UART, _IIC):
             device.busy_until = self._now + _ANSWER_TIME
 
     def select(self, device: Device, type: int, mode: int) -> None:
-        """Changes the mode of a device that is ready.
+        """Changes type and mode of a device that is ready.
+
+        An EV3 touch sensor stays one whatever the type; any other device is taken for what it is said to be. A mode
+        that the type has not is its last one.
 
         Args:
             device: which one.
-            type: the type that it must have; TYPE_KEEP: any.
+            type: the type to take it for; TYPE_KEEP: the one it has.
             mode: the mode; MODE_KEEP: the one it has.
         """
-        if device.is_empty or self.is_busy(device) or mode == TYPE.members["MODE_KEEP"] or mode == device.mode:
+        if device.is_empty or self.is_busy(device):
             return
-        if type not in (TYPE.members["TYPE_KEEP"], device.type.number) or not 0 <= mode < len(device.type.modes):
+        mode = device.mode if mode == TYPE.members["MODE_KEEP"] else mode
+        found = device.type if type == TYPE.members["TYPE_KEEP"] else DEVICE_TYPES.get(type, _UNKNOWN)
+        if device.plugged.number == _TOUCH and 0 <= mode < len(device.plugged.modes):
+            found = device.plugged
+        mode = mode if 0 <= mode < len(found.modes) else len(found.modes) - 1
+        if (found, mode) == (device.type, device.mode):
             return
-        device.mode = mode
-        if device.type.number == _INFRARED:
+        device.type, device.mode = found, mode
+        self._count_change(found)
+        if device.plugged.number == _INFRARED:
             pause = _INFRARED_CHANGE_TIME
         else:
-            pause = _CHANGE_TIMES.get(device.type.connection, _CHANGE_TIME)
+            pause = _CHANGE_TIMES.get(device.connection, _CHANGE_TIME)
         device.busy_until = self._now + pause
 
     def raw(self, device: Device, dataset: int) -> float:
@@ -219,7 +247,7 @@ class Inputs(Part):
         raw = self.raw(device, dataset)
         mode = device.mode_data
         value = _scaled(raw, self._raw_range(device), mode.si)
-        is_clamped = device.type.connection in _ANALOG and (not mode.symbol.strip() or mode.symbol.startswith("p"))
+        is_clamped = device.type.connection in ANALOG and (not mode.symbol.strip() or mode.symbol.startswith("p"))
         return _clamped(value, mode.si) if is_clamped else value
 
     def percent(self, device: Device, dataset: int) -> float:
@@ -229,7 +257,7 @@ class Inputs(Part):
         return value if math.isnan(value) else math.trunc(value)
 
     def changed(self, slot: int) -> int:
-        """How many devices were plugged in or out since a slot last asked."""
+        """How often type or mode of a device changed since a slot last asked."""
         count, self._changed[slot] = self._changed[slot], 0
         return count
 
@@ -245,18 +273,52 @@ class Inputs(Part):
     # Calibration
 
     def _raw_range(self, device: Device) -> Range:
-        return self._calibrated.get((device.type.number, device.mode), device.mode_data.raw)
+        calibration = self._calibrations.get((device.type.number, device.mode))
+        if calibration is None or not calibration.is_used:
+            return device.mode_data.raw
+        return Range(calibration.least, calibration.most)
 
-    def calibrate(self, type: int, mode: int, least: int | None = None, most: int | None = None) -> None:
-        """Sets ends of the raw range of a type's mode; unknown types and modes are ignored."""
+    def _calibration(self, type: int, mode: int) -> tuple[Calibration, Mode] | None:
+        """What is kept of a type's mode; None for a type or mode that is not known."""
         if type not in DEVICE_TYPES or not 0 <= mode < len(DEVICE_TYPES[type].modes):
+            return None
+        return self._calibrations.setdefault((type, mode), Calibration()), DEVICE_TYPES[type].modes[mode]
+
+    def calibrate_both(self, type: int, mode: int, least: int, most: int) -> None:
+        """Keeps both ends of a raw range, and leaves it open whether they are used."""
+        found = self._calibration(type, mode)
+        if found is not None:
+            found[0].least, found[0].most = float(least), float(most)
+
+    def calibrate(self, type: int, mode: int, value: int, *, is_least: bool) -> None:
+        """Moves one end of a raw range.
+
+        Args:
+            type: of the device; an unknown one is ignored.
+            mode: of the type; an unknown one is ignored.
+            value: the raw value; in the mode's unit where a calibration is used already.
+            is_least: which end.
+        """
+        found = self._calibration(type, mode)
+        if found is None:
             return
-        now = self._calibrated.get((type, mode), DEVICE_TYPES[type].modes[mode].raw)
-        self._calibrated[type, mode] = Range(now.least if least is None else least, now.most if most is None else most)
+        calibration, data = found
+        raw = float(value)
+        if calibration.is_used:
+            raw = _scaled(raw, data.si, Range(calibration.least, calibration.most))
+        else:
+            calibration.least, calibration.most = data.raw
+            calibration.is_used = True
+        if is_least:
+            calibration.least = raw
+        else:
+            calibration.most = raw
 
     def uncalibrate(self, type: int, mode: int) -> None:
         """Brings back the raw range of a type's mode as the tables have it."""
-        self._calibrated.pop((type, mode), None)
+        found = self._calibration(type, mode)
+        if found is not None:
+            found[0].is_used = False
 
 
 _NOTHING = Device()

@@ -150,6 +150,12 @@ class Motor:
         tacho, _, speed = self._held
         self._held = (tacho, 0, speed)
 
+    def set_reading(self, value: int, *, is_speed: bool) -> None:
+        """Pretends that the motor as a sensor reads a value, its speed or its count."""
+        tacho, count, speed = (self.tacho, self.sensor_count, self.speed_now)
+        self._held = (tacho, count, value) if is_speed else (tacho, value, speed)
+        self._count_from = self._position - self._held[1]
+
     def reset(self) -> None:
         """The count of the present move is 0 from here."""
         self._move_from = self._position

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from ev3proto.tables.enumerations import DEL
 
 _BYTES = {
@@ -20,6 +22,23 @@ DELIMITERS = {DEL.members[name]: text for name, text in _BYTES.items()}
 _FONT_MARKS = (1, 2, 3)
 
 
+def lines_of(text: bytes, delimiter: bytes) -> Iterator[int]:
+    """Where the lines of a text end, after their delimiters; what follows the last delimiter is no line.
+
+    The text is read once, as the firmware reads it: what begins like a delimiter and is none hides what follows it.
+    """
+    at = 0
+    while delimiter and at < len(text):
+        found = 0
+        while found < len(delimiter) and at < len(text) and text[at] == delimiter[found]:
+            found += 1
+            at += 1
+        if found == len(delimiter):
+            yield at
+        else:
+            at += 1
+
+
 def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
     """A line of a text.
 
@@ -31,11 +50,15 @@ def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
     Returns:
         The line without delimiter and without the byte before it that names a font; empty where there is no such line.
     """
-    lines = text.split(delimiter) if delimiter else []
-    if not 1 <= number <= len(lines):
+    if number < 1:
         return b""
-    line = lines[number - 1]
-    return line[1:] if line[:1] and line[0] in _FONT_MARKS else line
+    start = 0
+    for count, end in enumerate(lines_of(text, delimiter), 1):
+        if count == number:
+            line = text[start : end - len(delimiter)]
+            return line[1:] if line[:1] and line[0] in _FONT_MARKS else line
+        start = end
+    return b""
 
 
 def with_line(text: bytes, line: bytes, delimiter: bytes, font: int, size: int) -> bytes:

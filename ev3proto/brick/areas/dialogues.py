@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import islice
 
 from ev3proto.brick import filenames
 from ev3proto.brick.buttons import BUTTONS
@@ -11,7 +12,7 @@ from ev3proto.brick.handlers import handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.memory import Place
 from ev3proto.brick.outcomes import Busy
-from ev3proto.brick.text_lines import DELIMITERS, line_of
+from ev3proto.brick.text_lines import DELIMITERS, line_of, lines_of
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.enumerations import FILETYPE
@@ -19,7 +20,7 @@ from ev3proto.tables.enumerations import FILETYPE
 _LARGE_ICONS = 32
 """Bits of ICON_QUESTION's set of icons."""
 
-_SHOWN_LINES = 1000
+_SHOWN_LINES = 200
 _KINDS = {
     str(CONSTANTS[extension]).encode(STRING_CODING): FILETYPE.members[kind]
     for extension, kind in (
@@ -199,7 +200,7 @@ def textbox(
     whole = text[: max(size, 0)]
 
     def lines() -> list[bytes]:
-        count = min(whole.count(ends) + 1 if ends else 1, _SHOWN_LINES)
+        count = len(list(islice(lines_of(whole, ends), _SHOWN_LINES)))
         return [line_of(whole, ends, number + 1) for number in range(count)]
 
     begins = line.read16() < 0

@@ -6,7 +6,7 @@ import math
 
 from ev3proto.brick.conversions import NAN8, NAN32
 from ev3proto.brick.handlers import handles, handles_unknown
-from ev3proto.brick.inputs import FIRST_MOTOR, PORTS, Device, Inputs
+from ev3proto.brick.inputs import ANALOG, FIRST_MOTOR, PORTS, SPEED_MODE, Device, Inputs
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.memory import Place
 from ev3proto.tables.declaration import DATAF
@@ -90,7 +90,8 @@ def test(vm: Machine, layer: int, number: int, busy: Place) -> None:
 @handles("INPUT_READY")
 def ready(vm: Machine, layer: int, number: int) -> None:
     """Waits for the device, on an empty port for ever."""
-    if vm.brick.inputs.is_busy(_found(vm, layer, number)):
+    device = vm.brick.inputs.device(layer, number)
+    if device is not None and vm.brick.inputs.is_busy(device):
         vm.wait()
 
 
@@ -101,7 +102,7 @@ def write(vm: Machine) -> None:
     device = vm.brick.inputs.device(layer, number)
     if device is None or number + layer * PORTS >= FIRST_MOTOR:
         vm.fail()
-    elif device.type.connection in (_UART, _IIC):
+    elif device.connection in (_UART, _IIC):
         if not 0 < count <= _MOST_WRITTEN:
             vm.fail()
         vm.brick.inputs.keep_busy(device)
@@ -177,16 +178,15 @@ def ready_si(vm: Machine, layer: int, number: int, type: int, mode: int, places:
 @handles("INPUT_DEVICE.GET_TYPEMODE")
 def get_typemode(vm: Machine, layer: int, number: int, type: Place, mode: Place) -> None:
     """Its type and mode."""
-    device = vm.brick.inputs.device(layer, number)
-    type.write8(NAN8 if device is None else device.type.number)
-    mode.write8(NAN8 if device is None else device.mode)
+    device = _found(vm, layer, number)
+    type.write8(device.type.number)
+    mode.write8(device.mode)
 
 
 @handles("INPUT_DEVICE.GET_CONNECTION")
 def get_connection(vm: Machine, layer: int, number: int, connection: Place) -> None:
     """How it is connected."""
-    device = vm.brick.inputs.device(layer, number)
-    connection.write8(NAN8 if device is None else device.type.connection)
+    connection.write8(_found(vm, layer, number).connection)
 
 
 @handles("INPUT_DEVICE.GET_FORMAT")
@@ -196,7 +196,7 @@ def get_format(
     """What its mode's values are like, and how many modes it has."""
     device = vm.brick.inputs.device(layer, number)
     if device is None:
-        found = (NAN8,) * 4
+        found = (0, 0, 0, 0)
     else:
         mode = device.mode_data
         found = (mode.datasets, mode.format, len(device.type.modes), device.type.views)
@@ -208,21 +208,24 @@ def get_format(
 def get_figures(vm: Machine, layer: int, number: int, figures: Place, decimals: Place) -> None:
     """How its values are shown."""
     device = vm.brick.inputs.device(layer, number)
-    figures.write8(NAN8 if device is None else device.mode_data.figures)
-    decimals.write8(NAN8 if device is None else device.mode_data.decimals)
+    figures.write8(0 if device is None else device.mode_data.figures)
+    decimals.write8(0 if device is None else device.mode_data.decimals)
 
 
 @handles("INPUT_DEVICE.GET_MINMAX")
 def get_minmax(vm: Machine, layer: int, number: int, least: Place, most: Place) -> None:
     """The range of its values in their unit."""
-    device = vm.brick.inputs.device(layer, number)
-    least.write_float(math.nan if device is None else device.mode_data.si.least)
-    most.write_float(math.nan if device is None else device.mode_data.si.most)
+    si = _found(vm, layer, number).mode_data.si
+    least.write_float(si.least)
+    most.write_float(si.most)
 
 
-def _write_padded(vm: Machine, destination: Place, text: str, length: int) -> None:
-    """A text filled up with blanks to the room it has, and a zero."""
-    room = len(text) + 1 if length < 0 and destination.handle >= 0 else length
+def _write_padded(vm: Machine, destination: Place, text: str | None, length: int) -> None:
+    """A text filled up with blanks to the room it has, and a zero; None is an empty one, which fills nothing."""
+    if text is None:
+        destination.write_text(b"")
+        return
+    room = len(text) + 1 if length == -1 and destination.handle >= 0 else length
     if vm.resize(destination, room):
         fill = max(room - 1, 0)
         destination.write_text(text.encode()[:fill].ljust(fill))
@@ -232,24 +235,23 @@ def _write_padded(vm: Machine, destination: Place, text: str, length: int) -> No
 def get_name(vm: Machine, layer: int, number: int, length: int, destination: Place) -> None:
     """The name of its mode, by which the firmware calls the device."""
     device = vm.brick.inputs.device(layer, number)
-    _write_padded(vm, destination, "" if device is None else device.mode_data.name, length)
+    _write_padded(vm, destination, None if device is None else device.mode_data.name, length)
 
 
 @handles("INPUT_DEVICE.GET_SYMBOL")
 def get_symbol(vm: Machine, layer: int, number: int, length: int, destination: Place) -> None:
     """The unit of its values."""
     device = vm.brick.inputs.device(layer, number)
-    _write_padded(vm, destination, "" if device is None else device.mode_data.symbol, length)
+    _write_padded(vm, destination, None if device is None else device.mode_data.symbol, length)
 
 
 @handles("INPUT_DEVICE.GET_MODENAME")
 def get_modename(vm: Machine, layer: int, number: int, mode: int, length: int, destination: Place) -> None:
     """The name of one of its modes."""
     device = vm.brick.inputs.device(layer, number)
-    if device is not None and 0 <= mode < len(device.type.modes):
-        _write_padded(vm, destination, device.type.modes[mode].name, length)
-    elif vm.resize(destination, length):
-        destination.write_text(b"")
+    has_mode = device is not None and 0 <= mode < len(device.type.modes)
+    name = device.type.modes[mode].name if device is not None and has_mode else None
+    _write_padded(vm, destination, name, length)
 
 
 @handles("INPUT_DEVICE.GET_RAW")
@@ -260,16 +262,14 @@ def get_raw(vm: Machine, layer: int, number: int, value: Place) -> None:
 
 @handles("INPUT_DEVICE.GET_CHANGES")
 def get_changes(vm: Machine, layer: int, number: int, value: Place) -> None:
-    """How often a touch sensor was released."""
-    device = vm.brick.inputs.device(layer, number)
-    value.write_float(math.nan if device is None else device.changes)
+    """How often the reading of a touch sensor fell."""
+    value.write_float(_found(vm, layer, number).changes)
 
 
 @handles("INPUT_DEVICE.GET_BUMPS")
 def get_bumps(vm: Machine, layer: int, number: int, value: Place) -> None:
-    """How often a touch sensor was pressed."""
-    device = vm.brick.inputs.device(layer, number)
-    value.write_float(math.nan if device is None else device.bumps)
+    """How often the reading of a touch sensor rose."""
+    value.write_float(_found(vm, layer, number).bumps)
 
 
 @handles("INPUT_DEVICE.CLR_CHANGES")
@@ -297,10 +297,12 @@ def stop_all(vm: Machine, layer: int) -> None:
 
 @handles("INPUT_DEVICE.SET_RAW")
 def set_raw(vm: Machine, layer: int, number: int, _: int, value: int) -> None:
-    """Another raw value of an analog sensor."""
+    """Another raw value of a sensor that sends none by itself, or of a motor."""
     device = _found(vm, layer, number)
-    if not device.is_empty and device.type.connection not in (_UART, _IIC):
-        device.set_readings({device.mode: (float(value),)})
+    if device.motor is not None:
+        device.motor.set_reading(value, is_speed=device.mode == SPEED_MODE)
+    elif not device.is_empty and device.connection != _UART:
+        device.set_readings({0: (float(value),)} if device.connection in ANALOG else {device.mode: (float(value),)})
 
 
 # Calibration, types, I2C
@@ -309,19 +311,19 @@ def set_raw(vm: Machine, layer: int, number: int, _: int, value: int) -> None:
 @handles("INPUT_DEVICE.CAL_MINMAX")
 def calibrate(vm: Machine, type: int, mode: int, least: int, most: int) -> None:
     """Both ends of the raw range."""
-    vm.brick.inputs.calibrate(type, mode, least, most)
+    vm.brick.inputs.calibrate_both(type, mode, least, most)
 
 
 @handles("INPUT_DEVICE.CAL_MIN")
 def calibrate_least(vm: Machine, type: int, mode: int, least: int) -> None:
     """The lower end of the raw range."""
-    vm.brick.inputs.calibrate(type, mode, least=least)
+    vm.brick.inputs.calibrate(type, mode, least, is_least=True)
 
 
 @handles("INPUT_DEVICE.CAL_MAX")
 def calibrate_most(vm: Machine, type: int, mode: int, most: int) -> None:
     """The upper end of the raw range."""
-    vm.brick.inputs.calibrate(type, mode, most=most)
+    vm.brick.inputs.calibrate(type, mode, most, is_least=False)
 
 
 @handles("INPUT_DEVICE.CAL_DEFAULT")

@@ -237,11 +237,11 @@ def get_code(vm: Machine, *_: object) -> None:
 
 @handles("UI_READ.TEXTBOX_READ")
 def textbox_read(
-    vm: Machine, text: bytes, size: int, delimiter: int, length: int, number: int, destination: Place
+    _: Machine, text: bytes, size: int, delimiter: int, length: int, number: int, destination: Place
 ) -> None:
     """A line of a text box."""
     line = line_of(text[: max(size, 0)], DELIMITERS.get(delimiter, b""), number)
-    vm.write_limited(destination, line, length)
+    destination.write_text(line[: length - 1] if length > 0 else b"" if length == 0 else line)
 
 
 @handles("UI_WRITE.TEXTBOX_APPEND")

@@ -249,6 +249,7 @@ class TestText:
             (-3.14159, 4, 2, b"-3.14"),
             (7.0, -4, 0, b"7"),
             (float("nan"), 3, 1, b"---"),
+            (float("nan"), -2, 1, b"--"),
         ],
     )
     def test_numbers(self, number: float, figures: int, decimals: int, text: bytes) -> None:
@@ -264,6 +265,7 @@ class TestText:
             (-12.0, b"12", 8, 1),
             (12345.0, b">>>>", 0, None),
             (float("nan"), b"----", 0, None),
+            (float("-inf"), b"----", 0, None),
             (-1234.0, b"1234", 0, 1),
         ],
     )
@@ -278,8 +280,8 @@ class TestText:
     def test_a_number_erases_the_line_it_stands_on(self) -> None:
         display = Display()
         display.canvas.fillrect(1, 0, 0, WIDTH, HEIGHT)
-        display.view_value(1, 20, 10, float("nan"), -1, 0)
-        assert set(row(14, range(30))) - pixels(display.canvas) == row(14, range(12, 19))
+        display.view_value(1, 20, 10, float("nan"), 1, 0)
+        assert set(row(14, range(30))) - pixels(display.canvas) == row(14, range(18, 29))
 
     def test_a_number_with_its_unit(self) -> None:
         by_value, expected = Display(), Display()

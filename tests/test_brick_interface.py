@@ -53,6 +53,22 @@ class TestDrawing:
         ask(brick, "UI_DRAW(RESTORE, 2) UI_DRAW(UPDATE)")
         assert rows(brick, 0, 1) == ["80" + "00" * 22]
 
+    def test_who_opens_a_popup_draws_alone(self, brick: Brick) -> None:
+        """It waits for what others have drawn to be shown, and shows what was there when it is closed."""
+        ask(brick, "UI_DRAW(PIXEL, 1, 0, 0) UI_DRAW(UPDATE) UI_DRAW(POPUP, 1) UI_DRAW(CLEAN) UI_DRAW(UPDATE)")
+        assert brick.display.is_blocked_for(1, 1)
+        assert rows(brick, 0, 1) == ["00" * 23]
+        ask(brick, "UI_DRAW(POPUP, 0)")
+        assert rows(brick, 0, 1) == ["80" + "00" * 22]
+        ask(brick, "UI_DRAW(PIXEL, 1, 1, 0)")
+        assert ask(brick, "UI_DRAW(POPUP, 1)", seconds=1) == "busy"
+
+    def test_nobody_draws_on_a_blocked_display(self, brick: Brick) -> None:
+        ask(brick, "UI_WRITE(SCREEN_BLOCK, 1) UI_DRAW(FILLRECT, 1, 0, 0, 9, 9) UI_DRAW(UPDATE)")
+        assert rows(brick, 0, 1) == ["00" * 23]
+        ask(brick, "UI_WRITE(SCREEN_BLOCK, 0) UI_DRAW(FILLRECT, 1, 0, 0, 8, 9) UI_DRAW(UPDATE)")
+        assert rows(brick, 0, 1) == ["ff" + "00" * 22]
+
     def test_the_line_at_the_top_comes_by_itself(self, brick: Brick) -> None:
         ask(brick, "UI_DRAW(TOPLINE, 1) UI_DRAW(FILLRECT, 1, 0, 9, 8, 3)")
         brick.advance(0.5)
@@ -150,6 +166,7 @@ class TestText:
             ("UI_WRITE(PUT_STRING, 'abc') UI_FLUSH()", b""),
             ("UI_WRITE(PUT_STRING, 'abc') UI_WRITE(WRITE_FLUSH)", b""),
             ("UI_WRITE(STAMP, 'here')", b""),
+            (f"UI_WRITE(PUT_STRING, '{'a' * 255}')", b""),
             (f"UI_WRITE(PUT_STRING, '{'a' * 250}') UI_WRITE(PUT_STRING, 'bcdefghi')", b"ghi"),
         ],
     )

@@ -27,11 +27,11 @@ class Terminal:
     def write(self, text: bytes) -> None:
         """Gathers text; whenever the buffer is full it is flushed."""
         while text:
-            if len(self.text) >= ROOM:
-                self.flush()
             room = ROOM - len(self.text)
             self.text += text[:room]
             text = text[room:]
+            if len(self.text) >= ROOM:
+                self.flush()
 
     def flush(self) -> None:
         """Prints the buffer if the terminal is on, and empties it."""

@@ -46,7 +46,12 @@ def _open(vm: Machine) -> Dialogue:
 
 
 def _current(vm: Machine) -> Dialogue | None:
-    """The running program's own dialogue; one that an ended program left open does not count."""
+    """The running program's own dialogue; one that an ended program left open does not count.
+
+    Waits while somebody else has blocked the display.
+    """
+    if vm.brick.display.is_blocked_for(vm.program.slot, vm.object.number):
+        raise Busy
     vm.brick.buttons.look(vm.program, vm.microseconds)
     dialogue = vm.brick.dialogue
     return dialogue if dialogue is not None and dialogue.owner is vm.program else None

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
+from typing import Any, TypeVar
 
 from ev3proto.brick import filenames
 from ev3proto.brick.areas.files import in_own_folder
+from ev3proto.brick.display import Display
 from ev3proto.brick.display.graph import Graph, Scale
 from ev3proto.brick.display.pictures import read_picture
 from ev3proto.brick.handlers import handles
@@ -16,73 +19,102 @@ from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DATA16, DATAF
 from ev3proto.tables.encoding import STRING_CODING
 
+Drawing = TypeVar("Drawing", bound=Callable[..., None])
+
 _EXTENSION = str(CONSTANTS["EXT_GRAPHICS"]).encode(STRING_CODING)
 
 
-@handles("UI_DRAW.UPDATE")
-def update(vm: Machine) -> None:
+def _drawer(vm: Machine) -> tuple[int, int]:
+    """Who draws: program slot and object."""
+    return vm.program.slot, vm.object.number
+
+
+def draws(name: str, *, in_use: bool | None = True) -> Callable[[Drawing], Drawing]:
+    """Registers what an operation does with the display, unless somebody has blocked it.
+
+    Args:
+        name: of the operation.
+        in_use: whether the display is in use from then on, until what was drawn is shown; None: as it was.
+    """
+
+    def register(function: Drawing) -> Drawing:
+        @handles(name)
+        def draw(vm: Machine, *parameters: Any) -> None:
+            display = vm.brick.display
+            if not display.is_blocked_for(vm.program.slot, vm.object.number):
+                function(display, *parameters)
+                if in_use is not None:
+                    display.is_in_use = in_use
+
+        return function
+
+    return register
+
+
+@draws("UI_DRAW.UPDATE", in_use=False)
+def update(display: Display) -> None:
     """Shows what was drawn."""
-    vm.brick.display.update()
+    display.update()
 
 
-@handles("UI_DRAW.CLEAN")
-def clean(vm: Machine) -> None:
+@draws("UI_DRAW.CLEAN")
+def clean(display: Display) -> None:
     """Clears everything."""
-    vm.brick.display.clean()
+    display.clean()
 
 
-@handles("UI_DRAW.PIXEL")
-def pixel(vm: Machine, color: int, x: int, y: int) -> None:
+@draws("UI_DRAW.PIXEL")
+def pixel(display: Display, color: int, x: int, y: int) -> None:
     """One pixel."""
-    vm.brick.display.canvas.pixel(color, x, y)
+    display.canvas.pixel(color, x, y)
 
 
-@handles("UI_DRAW.LINE")
-def line(vm: Machine, color: int, x0: int, y0: int, x1: int, y1: int) -> None:
+@draws("UI_DRAW.LINE")
+def line(display: Display, color: int, x0: int, y0: int, x1: int, y1: int) -> None:
     """A straight line."""
-    vm.brick.display.canvas.line(color, x0, y0, x1, y1)
+    display.canvas.line(color, x0, y0, x1, y1)
 
 
-@handles("UI_DRAW.DOTLINE")
-def dotline(vm: Machine, color: int, x0: int, y0: int, x1: int, y1: int, on: int, off: int) -> None:
+@draws("UI_DRAW.DOTLINE")
+def dotline(display: Display, color: int, x0: int, y0: int, x1: int, y1: int, on: int, off: int) -> None:
     """A dotted line."""
-    vm.brick.display.canvas.dotline(color, x0, y0, x1, y1, on, off)
+    display.canvas.dotline(color, x0, y0, x1, y1, on, off)
 
 
-@handles("UI_DRAW.RECT")
-def rect(vm: Machine, color: int, x: int, y: int, width: int, height: int) -> None:
+@draws("UI_DRAW.RECT")
+def rect(display: Display, color: int, x: int, y: int, width: int, height: int) -> None:
     """The outline of a rectangle."""
-    vm.brick.display.canvas.rect(color, x, y, width, height)
+    display.canvas.rect(color, x, y, width, height)
 
 
-@handles("UI_DRAW.FILLRECT")
-def fillrect(vm: Machine, color: int, x: int, y: int, width: int, height: int) -> None:
+@draws("UI_DRAW.FILLRECT")
+def fillrect(display: Display, color: int, x: int, y: int, width: int, height: int) -> None:
     """A filled rectangle."""
-    vm.brick.display.canvas.fillrect(color, x, y, width, height)
+    display.canvas.fillrect(color, x, y, width, height)
 
 
-@handles("UI_DRAW.INVERSERECT")
-def inverserect(vm: Machine, x: int, y: int, width: int, height: int) -> None:
+@draws("UI_DRAW.INVERSERECT")
+def inverserect(display: Display, x: int, y: int, width: int, height: int) -> None:
     """Turns the pixels of a rectangle over."""
-    vm.brick.display.canvas.inverserect(x, y, width, height)
+    display.canvas.inverserect(x, y, width, height)
 
 
-@handles("UI_DRAW.CIRCLE")
-def circle(vm: Machine, color: int, x: int, y: int, radius: int) -> None:
+@draws("UI_DRAW.CIRCLE")
+def circle(display: Display, color: int, x: int, y: int, radius: int) -> None:
     """The outline of a circle."""
-    vm.brick.display.canvas.circle(color, x, y, radius)
+    display.canvas.circle(color, x, y, radius)
 
 
-@handles("UI_DRAW.FILLCIRCLE")
-def fillcircle(vm: Machine, color: int, x: int, y: int, radius: int) -> None:
+@draws("UI_DRAW.FILLCIRCLE")
+def fillcircle(display: Display, color: int, x: int, y: int, radius: int) -> None:
     """A filled circle."""
-    vm.brick.display.canvas.fillcircle(color, x, y, radius)
+    display.canvas.fillcircle(color, x, y, radius)
 
 
-@handles("UI_DRAW.FILLWINDOW")
-def fillwindow(vm: Machine, color: int, y: int, height: int) -> None:
+@draws("UI_DRAW.FILLWINDOW")
+def fillwindow(display: Display, color: int, y: int, height: int) -> None:
     """Fills whole rows."""
-    vm.brick.display.fillwindow(color, y, height)
+    display.fillwindow(color, y, height)
 
 
 @handles("UI_DRAW.SCROLL")
@@ -91,30 +123,42 @@ def scroll(vm: Machine, rows: int) -> None:
     vm.brick.display.canvas.scroll(rows)
 
 
-@handles("UI_DRAW.VERTBAR")
+@draws("UI_DRAW.VERTBAR", in_use=None)
 def vertbar(
-    vm: Machine, color: int, x: int, y: int, width: int, height: int, least: int, most: int, actual: int
+    display: Display, color: int, x: int, y: int, width: int, height: int, least: int, most: int, actual: int
 ) -> None:
     """A scroll bar."""
-    vm.brick.display.canvas.vertbar(color, x, y, width, height, least, most, actual)
+    display.canvas.vertbar(color, x, y, width, height, least, most, actual)
 
 
-@handles("UI_DRAW.STORE")
-def store(vm: Machine, level: int) -> None:
+@draws("UI_DRAW.STORE", in_use=None)
+def store(display: Display, level: int) -> None:
     """Saves what is drawn."""
-    vm.brick.display.store(level)
+    display.store(level)
 
 
-@handles("UI_DRAW.RESTORE")
-def restore(vm: Machine, level: int) -> None:
+@draws("UI_DRAW.RESTORE")
+def restore(display: Display, level: int) -> None:
     """Brings back what was saved."""
-    vm.brick.display.restore(level)
+    display.restore(level)
 
 
 @handles("UI_DRAW.POPUP")
 def popup(vm: Machine, is_open: int) -> None:
-    """Opens a window over what is drawn, or closes it."""
-    vm.brick.display.popup(bool(is_open))
+    """Opens a window over what is drawn, or closes it. Waits while something is drawn that was not shown yet."""
+    display = vm.brick.display
+    if display.is_blocked_for(*_drawer(vm)) or (is_open and display.is_in_use):
+        vm.wait()
+    if is_open:
+        display.open_popup(*_drawer(vm))
+    else:
+        display.close_popup()
+
+
+@handles("UI_WRITE.SCREEN_BLOCK")
+def screen_block(vm: Machine, is_blocked: int) -> None:
+    """Keeps everybody from drawing, but who has opened a popup."""
+    vm.brick.display.is_blocked = bool(is_blocked)
 
 
 @handles("UI_DRAW.TOPLINE")
@@ -126,42 +170,49 @@ def topline(vm: Machine, is_on: int) -> None:
 # Letters, icons, pictures
 
 
-@handles("UI_DRAW.SELECT_FONT")
-def select_font(vm: Machine, font: int) -> None:
+@draws("UI_DRAW.SELECT_FONT", in_use=None)
+def select_font(display: Display, font: int) -> None:
     """Selects the font of what follows."""
-    vm.brick.display.select_font(font)
+    display.select_font(font)
 
 
-@handles("UI_DRAW.TEXT")
-def text(vm: Machine, color: int, x: int, y: int, string: bytes) -> None:
+@draws("UI_DRAW.TEXT")
+def text(display: Display, color: int, x: int, y: int, string: bytes) -> None:
     """A text."""
-    vm.brick.display.text(color, x, y, string)
+    display.text(color, x, y, string)
 
 
-@handles("UI_DRAW.VALUE")
-def value(vm: Machine, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
+@draws("UI_DRAW.VALUE")
+def value(display: Display, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
     """A number."""
-    vm.brick.display.value(color, x, y, number, figures, decimals)
+    display.value(color, x, y, number, figures, decimals)
 
 
-@handles("UI_DRAW.VIEW_VALUE")
-def view_value(vm: Machine, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
+@draws("UI_DRAW.VIEW_VALUE")
+def view_value(display: Display, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
     """A number, centred."""
-    vm.brick.display.view_value(color, x, y, number, figures, decimals)
+    display.view_value(color, x, y, number, figures, decimals)
 
 
-@handles("UI_DRAW.VIEW_UNIT")
+@draws("UI_DRAW.VIEW_UNIT")
 def view_unit(
-    vm: Machine, color: int, x: int, y: int, number: float, figures: int, decimals: int, length: int, unit: bytes
+    display: Display, color: int, x: int, y: int, number: float, figures: int, decimals: int, length: int, unit: bytes
 ) -> None:
     """A number with its unit."""
-    vm.brick.display.view_unit(color, x, y, number, figures, decimals, unit[: max(length - 1, 0)])
+    display.view_unit(color, x, y, number, figures, decimals, unit[: max(length - 1, 0)])
 
 
-@handles("UI_DRAW.ICON")
-def icon(vm: Machine, color: int, x: int, y: int, kind: int, number: int) -> None:
+@draws("UI_DRAW.ICON")
+def icon(display: Display, color: int, x: int, y: int, kind: int, number: int) -> None:
     """An icon."""
-    vm.brick.display.icon(color, x, y, kind, number)
+    display.icon(color, x, y, kind, number)
+
+
+def _picture(vm: Machine, color: int, x: int, y: int, data: bytes) -> None:
+    display = vm.brick.display
+    if not display.is_blocked_for(*_drawer(vm)):
+        display.picture(color, x, y, read_picture(data))
+        display.is_in_use = True
 
 
 @handles("UI_DRAW.BMPFILE")
@@ -170,24 +221,33 @@ def bmpfile(vm: Machine, color: int, x: int, y: int, name: bytes) -> None:
     path = in_own_folder(vm, name)
     data = vm.brick.files.read(path if filenames.split(path).extension else path + _EXTENSION)
     if data is not None:
-        vm.brick.display.picture(color, x, y, read_picture(data))
+        _picture(vm, color, x, y, data)
 
 
 @handles("UI_DRAW.PICTURE")
 def picture(vm: Machine, color: int, x: int, y: int, address: int) -> None:
-    """A picture from memory, where FILE LOAD_IMAGE has put it."""
+    """A picture from memory, where FILE LOAD_IMAGE has put it; nothing for address 0."""
     image = vm.images.get(address)
-    if image is None:
+    if image is not None:
+        _picture(vm, color, x, y, image.data)
+    elif address:
         raise WildAccess
-    vm.brick.display.picture(color, x, y, read_picture(image.data))
 
 
 # Graphs
 
 
-@handles("UI_DRAW.GRAPH_SETUP")
+@draws("UI_DRAW.GRAPH_SETUP", in_use=None)
 def graph_setup(
-    vm: Machine, x: int, size: int, items: int, offset: Place, span: Place, least: Place, most: Place, sample: Place
+    display: Display,
+    x: int,
+    size: int,
+    items: int,
+    offset: Place,
+    span: Place,
+    least: Place,
+    most: Place,
+    sample: Place,
 ) -> None:
     """Begins a graph; the arrays are read at every use of it."""
 
@@ -201,7 +261,7 @@ def graph_setup(
             sample.moved(long).read_float(),
         )
 
-    vm.brick.display.graph = Graph(x, size, tuple(partial(scale, item) for item in range(items)))
+    display.graph = Graph(x, size, tuple(partial(scale, item) for item in range(items)))
 
 
 @handles("UI_WRITE.GRAPH_SAMPLE")

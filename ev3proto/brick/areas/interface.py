@@ -13,6 +13,8 @@ from ev3proto.brick.panel import Panel
 from ev3proto.brick.text_lines import DELIMITERS, line_of, with_line
 
 _NOTHING = b"nan"
+_MOST_FLOAT, _MOST_FIXED, _MOST_STAMP = 23, 31, 49
+"""Characters that VALUEF, FLOATVALUE and STAMP write at most."""
 
 
 # What the brick is and how it is doing
@@ -121,7 +123,7 @@ def pass_over(_: Machine) -> None:
     """The brick's own menus are not there, whose state this is."""
 
 
-@handles("UI_WRITE.SET_TESTPIN", "UI_WRITE.POWER", "UI_WRITE.SCREEN_BLOCK")
+@handles("UI_WRITE.SET_TESTPIN", "UI_WRITE.POWER", "UI_WRITE.ALLOW_PULSE", "UI_WRITE.SET_PULSE")
 def pass_over_state(_: Machine, __: int) -> None:
     """What it sets cannot be seen from outside."""
 
@@ -168,21 +170,22 @@ def value32(vm: Machine, number: int) -> None:
 @handles("UI_WRITE.VALUEF")
 def valuef(vm: Machine, number: float) -> None:
     """A number with six decimals."""
-    vm.brick.console.write(fixed(number, 6).encode())
+    vm.brick.console.write(fixed(number, 6).encode()[:_MOST_FLOAT])
 
 
 @handles("UI_WRITE.FLOATVALUE")
 def floatvalue(vm: Machine, number: float, figures: int, decimals: int) -> None:
     """A number in a fixed format."""
     digits = fixed(number, decimals)
-    vm.brick.console.write((digits.rjust(figures) if figures >= 0 else digits.ljust(-figures)).encode())
+    digits = digits.rjust(figures) if figures >= 0 else digits.ljust(-figures)
+    vm.brick.console.write(digits.encode()[:_MOST_FIXED])
 
 
 @handles("UI_WRITE.STAMP")
 def stamp(vm: Machine, remark: bytes) -> None:
     """Time, program, object, position and a remark; printed at once."""
     place = b"%09d %d %03d %06d" % (vm.milliseconds, vm.program.slot, vm.object.number, vm.ip)
-    vm.brick.console.write(b"####[ %b %b ]####\r\n" % (place, remark))
+    vm.brick.console.write((b"####[ %b %b]####\n" % (place, remark))[:_MOST_STAMP])
     vm.brick.console.flush()
 
 

@@ -28,6 +28,9 @@ NORMAL_ICONS, LARGE_ICONS = ICONTYPE.members["NORMAL_ICON"], ICONTYPE.members["L
 STORE_LEVELS = 3
 """Pictures that STORE can save."""
 
+_MOST_DIGITS = 23
+"""Characters of a number that is drawn."""
+
 TOP_LINE_PERIOD = 400_000
 """Microseconds between two redraws of the line at the top while it is on."""
 
@@ -39,6 +42,8 @@ class Display(Part):
     font         number of the selected font
     is_headed    whether there is a line at the top
     graph        what GRAPH_SETUP set up
+    is_in_use    something was drawn that is not shown yet
+    is_blocked   only who opened a popup may draw
     """
 
     def __init__(self, settings: Settings | None = None, battery: Battery | None = None) -> None:
@@ -49,7 +54,10 @@ class Display(Part):
         self._settings = settings or Settings()
         self._battery = battery or Battery()
         self.graph = Graph()
-        self._popup: Canvas | None = None
+        self.is_in_use = False
+        self.is_blocked = False
+        self._owner: tuple[int, int] | None = None
+        self._before_popup = Canvas()
         self._next_top_line = 0
         self._shown = self.canvas.to_bytes()
         self._stored = [Canvas() for _ in range(STORE_LEVELS)]
@@ -81,6 +89,11 @@ class Display(Part):
         if program.slot == USER_SLOT:
             self.store(0)
 
+    def program_ended(self, program: Program) -> None:
+        """A popup does not outlive its program."""
+        if self._owner is not None and self._owner[0] == program.slot:
+            self.close_popup()
+
     def clean(self) -> None:
         """Clears the canvas and selects the normal font."""
         self.font = NORMAL
@@ -105,12 +118,24 @@ class Display(Part):
         if 0 <= level < STORE_LEVELS:
             self.canvas = self._stored[level].copy()
 
-    def popup(self, is_open: bool) -> None:
-        """Keeps the canvas as it is now until the popup is closed, or brings it back."""
-        if is_open:
-            self._popup = self.canvas.copy()
-        elif self._popup is not None:
-            self.canvas, self._popup = self._popup, None
+    # Who may draw
+
+    def is_blocked_for(self, slot: int, number: int) -> bool:
+        """Whether the display is blocked for an object of a program: SCREEN_BLOCK or somebody else's popup."""
+        return self.is_blocked and self._owner != (slot, number)
+
+    def open_popup(self, slot: int, number: int) -> None:
+        """Keeps the canvas as it is now, and blocks the display for all but one object of a program."""
+        self._before_popup = self.canvas.copy()
+        self._owner = (slot, number)
+        self.is_blocked = True
+
+    def close_popup(self) -> None:
+        """Shows the canvas as it was before the popup, for everybody to draw on."""
+        self.canvas = self._before_popup.copy()
+        self._shown = self.canvas.to_bytes()
+        self._owner = None
+        self.is_blocked = False
 
     # Text
 
@@ -154,9 +179,9 @@ class Display(Part):
             decimals: digits after the point.
         """
         if math.isnan(number):
-            self.text(color, x, y, b"-" * figures)
+            self.text(color, x, y, b"-" * abs(figures))
             return
-        digits = fixed(number, decimals).rjust(max(figures, 0)).encode()
+        digits = fixed(number, decimals).rjust(max(figures, 0)).encode()[:_MOST_DIGITS]
         self.text(color, x, y, digits[: abs(figures) + digits.startswith(b"-")])
 
     def view_value(self, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
@@ -172,11 +197,12 @@ class Display(Part):
     def _view(
         self, font: int, color: int, x: int, y: int, number: float, figures: int, decimals: int, *, centred: bool
     ) -> int | None:
-        """Draws a number with its sign as a line; returns the cells it takes, None for NaN."""
+        """Draws a number with its sign as a line; returns the cells it takes, None where it is drawn as dashes."""
         letters = FONTS[font]
+        figures = abs(figures)
         before = (letters.width + 2) // 3 - 1
         self._sign(letters, 1 - color, x - before, y, x + figures * letters.width)
-        if math.isnan(number):
+        if not math.isfinite(number):
             self.text(color, x, y, b"-" * figures, font)
             return None
         digits = fixed(number, decimals).encode()
@@ -184,9 +210,10 @@ class Display(Part):
         digits = digits.removeprefix(b"-")
         if len(digits) > figures:
             self.text(color, x, y, b">" * figures, font)
+            self._sign(letters, 1 - color, x - before, y, x)
             return figures
         indent = (figures - len(digits) + 1) // 2 * letters.width if centred else 0
-        self.text(color, x + indent, y, digits, font)
+        self.text(color, x + indent, y, digits[:_MOST_DIGITS], font)
         self._sign(letters, color if negative else 1 - color, x - before + indent, y, x + indent)
         return len(digits)
 

@@ -264,6 +264,7 @@ class TestButtons:
             (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(TESTSHORTPRESS, 1, b)", "UI_BUTTON(SHORTPRESS, 1, a)"], "01"),
             (["UI_BUTTON(SHORTPRESS, 0, a)"], "01"),
             (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(SHORTPRESS, 0, a)"], "00"),
+            (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(SHORTPRESS, 0, b)", "UI_BUTTON(SHORTPRESS, 1, a)"], "00"),
             (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(FLUSH)", "UI_BUTTON(SHORTPRESS, 1, a)"], "00"),
             (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(GET_BUMBED, 1, a)"], "00"),
             (["UI_BUTTON(PRESS, 1)", "UI_BUTTON(RELEASE, 1)", "UI_BUTTON(GET_BUMBED, 1, a)"], "01"),
@@ -308,6 +309,8 @@ class TestButtons:
         assert ask(brick, "UI_BUTTON(WAIT_FOR_PRESS)", seconds=5) == "busy"
         brick.press("left")
         assert answer(brick.advance(0.02)) == ""
+        assert ask(brick, "UI_BUTTON(WAIT_FOR_PRESS) UI_BUTTON(FLUSH)") == ""
+        assert ask(brick, "UI_BUTTON(WAIT_FOR_PRESS)") == "busy"
 
     def test_an_unknown_button(self, brick: Brick) -> None:
         with pytest.raises(ValueError, match="no button 'start'; it must be one of up, enter, down, right, left, back"):

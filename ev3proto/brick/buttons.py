@@ -29,7 +29,7 @@ BUTTONS = {
 }
 """The buttons' numbers by name: up, enter, down, right, left, back."""
 
-NO_BUTTON = BUTTONTYPE.members["NO_BUTTON"]
+NO_BUTTON, ANY_BUTTON = BUTTONTYPE.members["NO_BUTTON"], BUTTONTYPE.members["ANY_BUTTON"]
 _NOT_REPEATED = (BUTTONS["enter"], BUTTONS["back"])
 
 
@@ -40,11 +40,10 @@ class Button:
     held       by a hand, by an operation
     down       as the firmware saw it last
     activated  it was pressed, or held long enough to count once more
-    long       it was held for 3 s
+    long       it was held for 3 s; set again as long as it is held
     bumped     it was released
     since      when it went down, in microseconds
     counted    repeats of `activated` so far in this press
-    was_long   this press has counted as a long one
     """
 
     held: set[str] = field(default_factory=set)
@@ -54,7 +53,6 @@ class Button:
     bumped: bool = False
     since: int = 0
     counted: int = 0
-    was_long: bool = False
 
 
 @dataclass
@@ -72,14 +70,12 @@ class Buttons(Part):
 
     click       a press was asked for and found: the sign for the brick to click
     back_block  what SET_BACK_BLOCK set
-    waited_for  some button was pressed since WAIT_FOR_PRESS last saw one
     """
 
     def __init__(self, back_pressed: Callable[[], None]) -> None:
         """Makes buttons that nobody holds; `back_pressed` is what the back button does unless it is blocked."""
         self.click = False
         self.back_block = 0
-        self.waited_for = False
         self._buttons = {number: Button() for number in BUTTONS.values()}
         self._touches: list[_Touch] = []
         self._back_pressed = back_pressed
@@ -113,8 +109,8 @@ class Buttons(Part):
             return
         button.down = not button.down
         if button.down:
-            button.activated = self.waited_for = True
-            button.since, button.counted, button.was_long = microseconds, 0, False
+            button.activated = True
+            button.since, button.counted = microseconds, 0
             if number == BUTTONS["back"] and not self.back_block:
                 self._back_pressed()
         else:
@@ -129,8 +125,8 @@ class Buttons(Part):
             if not button.down:
                 continue
             held = microseconds - button.since
-            if held >= LONG_PRESS and not button.was_long:
-                button.long = button.was_long = True
+            if held >= LONG_PRESS:
+                button.long = True
             repeats = (held - REPEAT_AFTER) // REPEAT_EVERY + 1 if held >= REPEAT_AFTER else 0
             if repeats > button.counted and number not in _NOT_REPEATED:
                 button.counted = repeats
@@ -150,6 +146,12 @@ class Buttons(Part):
         if program.slot == USER_SLOT:
             self.flush()
 
+    def program_ended(self, program: Program) -> None:
+        """What a user program left of presses and of its block is gone."""
+        if program.slot == USER_SLOT:
+            self.flush()
+            self.back_block = 0
+
     # Asking
 
     def _meant(self, number: int) -> list[int]:
@@ -158,12 +160,10 @@ class Buttons(Part):
     def _flag(self, number: int, name: str, forget: bool) -> bool:
         """Whether buttons have a flag; for number 0 whether none of them has."""
         found = [button for button in map(self._buttons.__getitem__, self._meant(number)) if getattr(button, name)]
-        if number == NO_BUTTON:
-            return not found
         if forget:
             for button in found:
                 setattr(button, name, False)
-        return bool(found)
+        return not found if number == NO_BUTTON else bool(found)
 
     def is_down(self, number: int) -> bool:
         """Whether a button, or any, is down now."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ev3proto.brick.buttons import Buttons
+from ev3proto.brick.buttons import ANY_BUTTON, Buttons
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.memory import Place
@@ -71,11 +71,9 @@ def flush(vm: Machine) -> None:
 
 @handles("UI_BUTTON.WAIT_FOR_PRESS")
 def wait_for_press(vm: Machine) -> None:
-    """Waits for any button."""
-    buttons = _buttons(vm)
-    if not buttons.waited_for:
+    """Waits for any button, and leaves it to others to ask for it."""
+    if not _buttons(vm).short_press(ANY_BUTTON, forget=False):
         vm.wait()
-    buttons.waited_for = False
 
 
 @handles("UI_BUTTON.GET_HORZ")

@@ -85,9 +85,10 @@ class Display(Part):
                 self._shown = self.canvas.to_bytes()
 
     def program_started(self, program: Program) -> None:
-        """The screen before a user program is stored at level 0."""
+        """The screen before a user program is stored at level 0; the program has it without a line at the top."""
         if program.slot == USER_SLOT:
             self.store(0)
+            self.is_headed = False
 
     def program_ended(self, program: Program) -> None:
         """A popup does not outlive its program."""

@@ -35,17 +35,22 @@ from ev3proto.messages import (
     SystemReply,
     Variable,
 )
+from ev3proto.program.image import Entry, image_of
+from ev3proto.program.image import parse as parse_program
+from ev3proto.program.objects import Program
+from ev3proto.program.parameters import ProgramParameter, code_of, has_size, table_bytes
 from ev3proto.schema import constructors
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER, HEADER_SIZE, MEMORY, MEMORY_SIZE
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.instructions import operation
-from ev3proto.tables import AREAS, area_of, daisy
+from ev3proto.tables import AREAS, area_of, check_dialect, daisy
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, NAN_FLOAT, RANGES, STRING_CODING, TEXT
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
+from ev3proto.tables.program import PARAMETER_CODES, ObjectKind, kind_of
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
 
 try:
@@ -67,6 +72,8 @@ __all__ = [
     "messages",
     "mutated_frames",
     "operations",
+    "program_images",
+    "programs",
     "raw_operations",
     "system_commands",
     "system_replies",
@@ -641,3 +648,44 @@ def mutated_frames(draw: DrawFn, dialect: str = "official", chosen: Choice = ALL
         length = min(len(frame) - LENGTH_FIELD, MAX_LENGTH)
         frame[:LENGTH_FIELD] = length.to_bytes(LENGTH_FIELD, "little")
     return bytes(frame)
+
+
+# Programs
+
+
+@st.composite
+def _entries(draw: DrawFn, dialect: str) -> Entry:
+    """An object of any kind, whose operations have any encodings."""
+    owner, triggers = draw(st.sampled_from(((0, 0), (0, 1), (1, 1), (0, 2))))
+    is_subcall = kind_of(owner, triggers) is ObjectKind.SUBCALL
+    parameters = draw(st.lists(_program_parameters(), max_size=4)) if is_subcall else []
+    code = table_bytes(parameters) if is_subcall else b""
+    code += b"".join(draw(st.lists(raw_operations(dialect), max_size=4)))
+    ends = ("RETURN", "OBJECT_END") if is_subcall else ("OBJECT_END",)
+    code += b"".join(operation(name).raw for name in ends)
+    return Entry(owner, triggers, draw(st.integers(0, 300)), code)
+
+
+def _program_parameters() -> SearchStrategy[ProgramParameter]:
+    kinds = st.sampled_from(tuple(PARAMETER_CODES.values()))
+    codes = st.builds(code_of, st.sampled_from(Direction), kinds)
+    return st.builds(lambda code, size: ProgramParameter(code, size if has_size(code) else None), codes, _BYTES)
+
+
+_BYTES = st.integers(0, 255)
+
+
+def program_images(dialect: str = "official") -> SearchStrategy[bytes]:
+    """Program images (.rbf) of up to five objects: threads, subcalls, blocks, their arguments in any encoding.
+
+    Args:
+        dialect: The firmware whose operations there are.
+    """
+    return st.builds(
+        image_of, st.integers(0, 0xFFFF), st.integers(0, 1000), st.lists(_entries(check_dialect(dialect)), max_size=5)
+    )
+
+
+def programs(dialect: str = "official") -> SearchStrategy[Program]:
+    """The same as objects. What they hold can be anything: only that it is whole is certain."""
+    return program_images(dialect).map(lambda image: parse_program(image, strict=False, dialect=dialect))

@@ -1,0 +1,40 @@
+"""Whatever a program holds: it builds back, and its source assembles to the same bytes."""
+
+from __future__ import annotations
+
+from hypothesis import HealthCheck, given, settings
+
+from ev3proto import program as programs
+from ev3proto.program import Program, assemble, check_program, source_of
+from ev3proto.program.json_format import program_record
+from ev3proto.program.listing import listing, program_tree
+from ev3proto.testing import program_images
+from ev3proto.testing import programs as any_programs
+
+_quick = settings(max_examples=60, suppress_health_check=[HealthCheck.too_slow])
+
+
+@_quick
+@given(program_images())
+def test_an_image_builds_back_and_its_source_assembles_to_it(image: bytes) -> None:
+    program = programs.parse(image, strict=False)
+    assert program.build() == image
+    assert assemble(source_of(program), dialect="strict").image == image
+
+
+@_quick
+@given(program_images("xtended"))
+def test_so_does_one_for_other_firmware(image: bytes) -> None:
+    program = programs.parse(image, strict=False, dialect="xtended")
+    assert program.build() == image
+    assert assemble(source_of(program), dialect="strict").image == image
+
+
+@_quick
+@given(any_programs())
+def test_every_program_can_be_shown_and_checked(program: Program) -> None:
+    image = program.build()
+    assert list(listing(program))
+    assert list(program_tree(program))
+    assert program_record(program, len(image))["size"] == len(image)
+    assert check_program(image).frame == image

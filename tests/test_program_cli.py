@@ -9,6 +9,9 @@ import pytest
 from support.cli import run_ev3proto, run_ev3proto_text
 from support.programs import IMAGE, SHORTEST, SOURCE
 
+import ev3proto
+from ev3proto import SystemStatus
+
 
 @pytest.fixture
 def image(tmp_path: Path) -> Path:
@@ -148,3 +151,47 @@ def test_nothing_is_shown_as_it_came(tmp_path: Path) -> None:
     (tmp_path / "x.rbf").write_bytes(head + b"\x1c\x00\x00\x00" + bytes(8) + code)
     for style in ("listing", "lego", "tree", "json"):
         assert "\x1b" not in run_ev3proto_text("decode", "--format", style, tmp_path / "x.rbf").stdout
+
+
+@pytest.fixture
+def capture(tmp_path: Path) -> Path:
+    """A capture in which the example is sent to a brick."""
+    lines = []
+    for sent, received in (
+        (
+            ev3proto.system_command("BEGIN_DOWNLOAD", size=len(IMAGE), path="../prjs/robot/robot.rbf", counter=1),
+            ev3proto.system_reply("BEGIN_DOWNLOAD", handle=0, counter=1),
+        ),
+        (
+            ev3proto.system_command("CONTINUE_DOWNLOAD", handle=0, data=IMAGE, counter=2),
+            ev3proto.system_reply("CONTINUE_DOWNLOAD", handle=0, counter=2, status=SystemStatus.END_OF_FILE),
+        ),
+    ):
+        lines += [f"Sent {sent.build().hex(':')}", f"Recv {received.build().hex(':')}"]
+    (tmp_path / "robot.log").write_text("\n".join(lines))
+    target = tmp_path / "robot.pcapng"
+    done = run_ev3proto_text("export", "pcapng", tmp_path / "robot.log", "-o", target)
+    assert done.returncode == 0, done.stderr
+    return target
+
+
+def test_decode_shows_the_programs_that_a_capture_moves(capture: Path) -> None:
+    result = run_ev3proto_text("decode", "--programs", capture)
+    assert result.returncode == 0, result.stderr
+    first, second, *_ = result.stdout.splitlines()
+    assert first.endswith(": ../prjs/robot/robot.rbf")
+    assert second.startswith("program  version 0x6D")
+    entry = json.loads(run_ev3proto_text("decode", "--programs", "--json", capture).stdout)
+    assert entry["origin"].endswith(": ../prjs/robot/robot.rbf")
+    assert len(entry["objects"]) == 2
+
+
+def test_a_program_is_shown_that_files_recovered(capture: Path, tmp_path: Path) -> None:
+    run_ev3proto_text("files", capture, "-o", tmp_path / "files")
+    (path,) = (tmp_path / "files").rglob("robot.rbf")
+    assert path.read_bytes() == IMAGE
+    assert run_ev3proto_text("decode", path).returncode == 0
+
+
+def test_programs_are_looked_for_in_captures_only(image: Path) -> None:
+    assert run_ev3proto_text("decode", "--programs", image).returncode == 2

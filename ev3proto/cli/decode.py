@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import sys
+import tempfile
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
-from ev3proto.cli.programs import PROGRAM_FORMATS, read_program
+from ev3proto.cli.programs import PROGRAM_FORMATS, is_image, read_program
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
@@ -21,20 +23,27 @@ from ev3proto.text.split import Piece
 if TYPE_CHECKING:
     from ev3proto.capture import Event
 
+_SIGN = 4
+"""Bytes at the start of a file that tell a program."""
+
 
 class Decoding(SourceReader):
     """Shows what the sources have, one after the other, and remembers whether any was at fault."""
 
-    def __init__(self, show: Show, reading: CaptureOptions, *, as_dialogues: bool) -> None:
+    def __init__(self, show: Show, reading: CaptureOptions, *, as_dialogues: bool, as_programs: bool) -> None:
         super().__init__(reading)
         self._show = show
         self._as_dialogues = as_dialogues
+        self._as_programs = as_programs
+        if as_programs:
+            self.wanted = "program"
         self._dialogue = Dialogue()
 
     def refuse_text(self, source: Source) -> None:
         """--dialogues is for captures, too."""
-        if self._as_dialogues or self.reading.filter is not None:
-            raise click.UsageError(f"--dialogues and --filter are for captures, and {source.label[:60]} is none")
+        if self._as_dialogues or self._as_programs or self.reading.filter is not None:
+            options = "--dialogues, --programs and --filter"
+            raise click.UsageError(f"{options} are for captures, and {source.label[:60]} is none")
 
     def capture(self, capture: CaptureSource) -> int:
         """Its frames and texts, or its dialogues."""
@@ -42,7 +51,9 @@ class Decoding(SourceReader):
         from ev3proto.capture.dialogues import dialogues
 
         before = self._show.count
-        if self._as_dialogues:
+        if self._as_programs:
+            self._moved_programs(capture)
+        elif self._as_dialogues:
             for pair in dialogues(self._faults(capture)):
                 self._show.dialogue(pair, capture.account.first_ns or 0)
         else:
@@ -52,6 +63,27 @@ class Decoding(SourceReader):
                 elif isinstance(event, Record):
                     self._show.record(event, capture.account.first_ns or 0)
         return self._show.count - before
+
+    def _moved_programs(self, capture: CaptureSource) -> None:
+        """The programs that a capture moves to or from the brick, as far as they were captured."""
+        from ev3proto.capture import CaptureError
+        from ev3proto.capture.files import recover
+        from ev3proto.capture.moving import printable
+
+        with tempfile.TemporaryDirectory(prefix="ev3proto-") as folder:
+            found = []
+            try:
+                # One by one, so that what was found stays when the capture comes to a bad end.
+                found += recover(capture.events(), Path(folder))
+            except CaptureError as error:
+                self.complain(f"{capture.label}: {error}")
+            except OSError as error:
+                self.complain(f"the programs cannot be written to {folder}: {error.strerror or error}")
+            for file in found:
+                image = b"" if file.file is None else file.file.read_bytes()
+                if is_image(image[:_SIGN]):
+                    origin = f"{capture.label}, packet {file.packets[0]}: {printable(file.path)}"
+                    self._shown(origin, origin, image)
 
     def _faults(self, capture: CaptureSource) -> Iterator[Event]:
         """The events of a capture; faulty frames are complained about."""
@@ -64,13 +96,19 @@ class Decoding(SourceReader):
 
     def program(self, source: Source, image: bytes) -> None:
         """A program image, in the format that was asked for."""
-        program = read_program(source.label, image, self.reading.dialect)
+        if self._as_programs:
+            self.refuse_text(source)
+        self._shown(source.label, None, image)
+
+    def _shown(self, label: str, origin: str | None, image: bytes) -> None:
+        """A program: what complaints call it, and where it comes from if that is to be shown."""
+        program = read_program(label, image, self.reading.dialect)
         if program is None:
             self.at_fault = True
             return
-        self._show.program(program, image)
+        self._show.program(program, image, origin)
         for fault in program.faults:
-            self.complain(f"{source.label}: fault at {fault}")
+            self.complain(f"{label}: fault at {fault}")
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
         """A frame of a text."""
@@ -94,9 +132,17 @@ class Decoding(SourceReader):
 @click.option(
     "--dialogues", "as_dialogues", is_flag=True, help="Of a capture: a line for each command, with its reply and time."
 )
+@click.option(
+    "--programs", "as_programs", is_flag=True, help="Of a capture: the programs that it moves, in place of its frames."
+)
 @reading_options
 def decode(
-    names: tuple[str, ...], style: str | None, as_json: bool, as_dialogues: bool, reading: CaptureOptions
+    names: tuple[str, ...],
+    style: str | None,
+    as_json: bool,
+    as_dialogues: bool,
+    as_programs: bool,
+    reading: CaptureOptions,
 ) -> None:
     """Shows what frames and programs say.
 
@@ -110,10 +156,13 @@ def decode(
       ev3proto decode --format table robot.log
       ev3proto decode --dialogues --filter 'op==SOUND.TONE && FREQUENCY>400' robot.pcapng
       ev3proto decode --format lego robot.rbf
+      ev3proto decode --programs robot.pcapng
       python3 my_program.py | ev3proto decode --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
     show = Show("json" if as_json else style)
-    decoding = Decoding(show, reading, as_dialogues=as_dialogues)
+    if as_dialogues and as_programs:
+        raise click.UsageError("--dialogues shows frames and --programs what they move: give one or the other")
+    decoding = Decoding(show, reading, as_dialogues=as_dialogues, as_programs=as_programs)
     for source in sources(names):
         decoding.read(source)
     if not show.count:

@@ -53,16 +53,26 @@ def read_program(label: str, image: bytes, dialect: str) -> Program | None:
         return None
 
 
-def show_program(printer: Printer, program: Program, image: bytes, style: str | None) -> None:
+def show_program(
+    printer: Printer, program: Program, image: bytes, style: str | None, origin: str | None = None
+) -> None:
     """Prints a program.
 
-    style  listing, tree, json or lego; table is a listing, asm is lego, None the listing
+    style   listing, tree, json or lego; table is a listing, asm is lego, None the listing
+    origin  where it comes from, None where people named it themselves
     """
     if style == "json":
         from ev3proto.program.json_format import program_record
 
-        printer.text(json.dumps(program_record(program, len(image)), ensure_ascii=False))
-    elif style in (LEGO, "asm"):
+        entry = program_record(program, len(image))
+        if origin is not None:
+            entry["origin"] = origin
+        printer.text(json.dumps(entry, ensure_ascii=False))
+        return
+    if origin is not None:
+        is_source = style in (LEGO, "asm")
+        printer.lines([[(f"// {origin}" if is_source else origin, Role.ASIDE)]])
+    if style in (LEGO, "asm"):
         from ev3proto.program import source_of
 
         printer.text(source_of(program).rstrip("\n"))

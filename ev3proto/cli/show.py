@@ -48,14 +48,14 @@ class Show:
             if padding:
                 self._printer.text(f"        {padding} bytes of padding follow the frame")
 
-    def program(self, program: Program, image: bytes) -> None:
-        """A program and its image."""
+    def program(self, program: Program, image: bytes, origin: str | None = None) -> None:
+        """A program and its image, and where it comes from if that is not plain."""
         from ev3proto.cli.programs import show_program
 
         if self.count and self._program_style != "json":
             self._printer.text("")
         self.count += 1
-        show_program(self._printer, program, image, self._program_style)
+        show_program(self._printer, program, image, self._program_style, origin)
 
     def record(self, record: Record, start_ns: int) -> None:
         """A frame of a capture that began then."""

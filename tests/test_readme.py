@@ -17,7 +17,7 @@ SESSIONS = re.findall(r"```console\n\$ (.*?)\n(.*?)```", TEXT, re.DOTALL)
 
 
 def test_the_programs_run_one_after_the_other() -> None:
-    assert len(PROGRAMS) == 9
+    assert len(PROGRAMS) == 10
     names: dict[str, object] = {}
     for program in PROGRAMS:
         exec(compile(program, "README.md", "exec"), names)
@@ -39,7 +39,7 @@ def test_the_commands_print_what_is_shown(command: str, output: str) -> None:
 
 
 def test_there_are_commands() -> None:
-    assert len(SESSIONS) == 12
+    assert len(SESSIONS) == 13
 
 
 def test_the_files_it_names_are_there() -> None:

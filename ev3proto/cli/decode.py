@@ -22,6 +22,7 @@ from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
     from ev3proto.capture import Event
+    from ev3proto.capture.files import RecoveredFile
 
 _SIGN = 4
 """Bytes at the start of a file that tell a program."""
@@ -71,7 +72,7 @@ class Decoding(SourceReader):
         from ev3proto.capture.moving import printable
 
         with tempfile.TemporaryDirectory(prefix="ev3proto-") as folder:
-            found = []
+            found: list[RecoveredFile] = []
             try:
                 # One by one, so that what was found stays when the capture comes to a bad end.
                 found += recover(capture.events(), Path(folder))

@@ -60,7 +60,7 @@ def counted(count: int, noun: str) -> str:
 
 
 def near_misses(name: str, known: Iterable[str]) -> str:
-    """`: did you mean SOUND.TONE?` for a name that nearly is a known one (or its part behind the dot); or nothing."""
+    """`: did you mean SOUND.TONE?` for a name that nearly is a known one (or its part after the dot); or nothing."""
     import difflib  # it takes a millisecond, which only a misspelt name should cost
 
     targets: dict[str, str] = {}

@@ -268,7 +268,7 @@ class PartialOperation(Operation):
 
     @property
     def arguments(self) -> tuple[Argument, ...]:
-        """The arguments in front of the fault."""
+        """The arguments before the fault."""
         return self._schema.readable_arguments(self._data, self.offset, self._end)
 
 

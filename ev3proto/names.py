@@ -3,7 +3,7 @@
 Courses and the package ev3_dc join byte code by hand, one constant after the other. So that their programs run here,
 every name of the tables has its value under that spelling:
 
-    opcodes               one byte; `opUI_Draw`, in any case behind the `op`
+    opcodes               one byte; `opUI_Draw`, in any case after the `op`
     CMDs                  the constant that encodes the number (LC0, for TEXTBOX LC1)
     enumerations          the same, also for the name of the number after the last (BUTTONTYPES)
     system commands       one byte
@@ -98,7 +98,7 @@ _OPTIONS = {
 def constant(name: str) -> Constant:
     """The value of a name: encoded bytes, an int or a str; the text at the head of this module says which.
 
-    name  as `constant_names` has it; opcodes in any case behind the `op` (`opUI_Draw`, `opUI_DRAW`)
+    name  as `constant_names` has it; opcodes in any case after the `op` (`opUI_Draw`, `opUI_DRAW`)
 
     Raises KeyError, whose message suggests the nearest names.
     """

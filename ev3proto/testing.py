@@ -504,7 +504,7 @@ def _field(field: Field) -> SearchStrategy[FieldValue]:
 
 @st.composite
 def _fields(draw: DrawFn, declared: tuple[Field, ...]) -> dict[str, FieldValue]:
-    """Values of all fields in their order, lengths too; optional ones are sometimes left away."""
+    """Values of all fields in their order, lengths too; optional ones are sometimes omitted."""
     values: dict[str, FieldValue] = {}
     for field in declared:
         if field.counts is not None:
@@ -532,7 +532,7 @@ def system_commands(draw: DrawFn, chosen: Choice = ALL) -> SystemCommand:
 
 @st.composite
 def system_replies(draw: DrawFn, chosen: Choice = ALL) -> SystemReply:
-    """Replies to system commands with any status; failed ones end in front of any of their fields."""
+    """Replies to system commands with any status; failed ones end before any of their fields."""
     entry = SYSTEM_BY_NUMBER[draw(st.sampled_from(chosen.system_commands))]
     error = draw(_flags(chosen.of(*_SYSTEM_REPLIES), "is_error"))
     status = draw(st.just(0) | st.sampled_from(list(SystemStatus)).map(int) | st.integers(0, 0xFF))
@@ -631,7 +631,7 @@ def mutated_frames(draw: DrawFn, dialect: str = "official", chosen: Choice = ALL
     """Frames that were right until a few of their bytes were changed, added or lost, or their length field was.
 
     Parameters as for `frames`.
-    Half of them get a length field that fits again, so that the fault is somewhere behind it. A few are still right.
+    Half of them get a length field that fits again, so that the fault is somewhere after it. A few are still right.
     """
     frame = bytearray(draw(frames(dialect, chosen)))
     for edit in draw(st.lists(st.sampled_from(("change", "insert", "delete", "length")), min_size=1, max_size=3)):

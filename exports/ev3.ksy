@@ -81,7 +81,7 @@ types:
             "system_code::bootloader_download_data": request_bootloader_download_data
             "system_code::bootloader_get_checksum": request_bootloader_get_checksum
   system_reply:
-    doc: A failed one may end in front of any field.
+    doc: A failed one may end before any field.
     seq:
       - {id: command, type: u1, enum: system_code, valid: {in-enum: true}}
       - {id: status, type: u1, enum: system_status}

@@ -4356,7 +4356,7 @@ enum {
 
 /* System commands -------------------------------------------------------------------------------------------------- */
 
-/* The byte behind the message type, and what follows it. */
+/* The byte after the message type, and what follows it. */
 
 enum {
     /*
@@ -4510,7 +4510,7 @@ enum {
     BOOTLOADER_GET_VERSION = 0xF6,
 };
 
-/* The byte behind the command's number in a reply */
+/* The byte after the command's number in a reply */
 enum {
     SYSTEM_SUCCESS = 0,
     SYSTEM_UNKNOWN_HANDLE = 1,
@@ -4529,7 +4529,7 @@ enum {
 
 /* Daisy chain ------------------------------------------------------------------------------------------------------ */
 
-/* The byte behind the message type, between bricks that are joined by USB. */
+/* The byte after the message type, between bricks that are joined by USB. */
 
 enum {
     /* Hands operations on to a brick further down */

@@ -524,7 +524,7 @@ FAULTS = {
         "FF FF 01 00 80 00 00 02 01",
     ),
     "0500 0100 77 01 02": Told("fault", "at offset 4: 0x77 is no message type", "01 02"),
-    "0600 0100 01 9D 01 02": Told("fault", "at offset 6: 2 bytes left over behind the last field", "01 02"),
+    "0600 0100 01 9D 01 02": Told("fault", "at offset 6: 2 bytes left over after the last field", "01 02"),
     "0600 0100 01 77 01 02": Told("fault", "at offset 5: 0x77 is no system command", "01 02"),
     "0500 0100 01 94 01": Told("fault", "at offset 6: the frame ends where the field max_bytes should stand", "01"),
     "0700 0100 01 9B 61 62 63": Told(

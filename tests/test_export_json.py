@@ -141,7 +141,7 @@ def test_the_form_of_the_files() -> None:
         assert text.endswith("}\n")
         assert [line for line in text.split("\n") if line != line.rstrip()] == []
     # What fits one line stands on one.
-    assert '            {"number": 0, "name": "BREAK", "text": "Stops the tone' not in build_tables()
     assert (
-        '          {"number": 0, "name": "BREAK", "text": "Stops the tone or file that is playing", ' in build_tables()
+        '\n          {"number": 11, "name": "TST_CLOSE", "text": "Ends the test mode", "parameters": []},\n'
+        in build_tables()
     )

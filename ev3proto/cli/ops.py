@@ -92,6 +92,8 @@ class Entry:
             yield [(f"  only in the firmware: {', '.join(entry.dialects)}", Role.ASIDE)]
         if entry.command:
             yield [(f"  of the family {entry.opcode.name}: {entry.opcode.text}", Role.ASIDE)]
+        for effect in entry.effects:
+            yield [(f"  it {effect.value}", Role.MEANING)]
         if entry.note:
             yield [(f"  note: {entry.note}", Role.MEANING)]
         if not entry.parameters:
@@ -110,6 +112,7 @@ class Entry:
             "area": self.area,
             "text": entry.text,
             "dialects": list(entry.dialects),
+            "effects": [effect.name for effect in entry.effects],
             "parameters": [_parameter_record(parameter) for parameter in entry.parameters],
         }
 

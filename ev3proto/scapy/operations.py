@@ -21,7 +21,7 @@ from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.frame import MAX_FRAME
 
 COUNT = "_COUNT"
-"""What is put behind the name of a list, for the field that tells how many there are."""
+"""What is put after the name of a list, for the field that tells how many there are."""
 
 conf.contribs.setdefault("ev3", {"dialect": DIALECTS[0]})
 
@@ -43,7 +43,7 @@ class EV3Operation(Packet):
             raise AttributeError(f"{self.name} has no parameter {error}: it has {parameters}") from None
 
     def extract_padding(self, s: bytes) -> tuple[bytes, bytes]:
-        """Everything behind an operation is the next one's."""
+        """Everything after an operation is the next one's."""
         return b"", s
 
 

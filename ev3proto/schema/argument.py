@@ -142,7 +142,7 @@ class ArgumentSchema(Bytewise):
         return Argument((self.parameter, encoding, value, at, data))
 
     def measure(self, data: bytes, at: int, limit: int) -> int:
-        """The offset behind the argument at an offset, where the contents end at `limit`. Raises DecodeError."""
+        """The offset after the argument at an offset, where the contents end at `limit`. Raises DecodeError."""
         name = self.parameter.name
         if at >= limit:
             raise DecodeError(limit, f"the frame ends where the argument {name} should start", truncated=True)

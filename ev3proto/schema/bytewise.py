@@ -14,10 +14,10 @@ from construct import Construct
 
 
 class Bytewise(Construct):  # type: ignore[misc]
-    """A schema node that reads `(bytes, offset) -> (object, offset behind it)` and writes `object -> bytes`."""
+    """A schema node that reads `(bytes, offset) -> (object, offset after it)` and writes `object -> bytes`."""
 
     def read(self, data: bytes, at: int) -> tuple[Any, int]:
-        """The object at an offset, and the offset behind it. Raises DecodeError."""
+        """The object at an offset, and the offset after it. Raises DecodeError."""
         raise NotImplementedError
 
     def write(self, value: Any) -> bytes:

@@ -36,7 +36,7 @@ class Line(Bytewise):
         self.head = f"{label}: ".encode(STRING_CODING)
 
     def read(self, data: bytes, at: int) -> tuple[str, int]:
-        """The text of the line at an offset, and the offset behind the line. Raises DecodeError."""
+        """The text of the line at an offset, and the offset after the line. Raises DecodeError."""
         end = data.find(NEWLINE, at)
         if end < 0 or not data.startswith(self.head, at):
             raise DecodeError(at, f"a line '{self.head.decode()}...', ended by \\r\\n, should stand here")
@@ -86,7 +86,7 @@ class Unlock:
     serial      serial number of the brick, as its beacon gave it
     space       whether a space stands before the protocol's version
     newline     how lines end, "\r\n" or "\n"
-    endings     how many line ends stand behind the last line, 0 to 2 (2: an empty line ends the text)
+    endings     how many line ends stand after the last line, 0 to 2 (2: an empty line ends the text)
     """
 
     serial: str
@@ -116,7 +116,7 @@ class UnlockSchema(Bytewise):
     )
 
     def read(self, data: bytes, at: int) -> tuple[Unlock, int]:
-        """The unlock text at an offset, and the offset behind it. Raises DecodeError."""
+        """The unlock text at an offset, and the offset after it. Raises DecodeError."""
         found = self.FORM.match(data, at)
         if found is None:
             raise DecodeError(at, "an unlock text reads 'GET /target?sn=... VMTP1.0' and, on a line, 'Protocol: EV3'")

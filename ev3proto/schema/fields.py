@@ -36,7 +36,7 @@ class CountedText(Bytewise):
         self.length = length
 
     def read(self, data: bytes, at: int) -> tuple[str, int]:
-        """The text at an offset, and the offset behind its zero. Raises DecodeError."""
+        """The text at an offset, and the offset after its zero. Raises DecodeError."""
         text = data[at : at + self.length]
         end = at + self.length
         if len(text) < self.length:
@@ -122,7 +122,7 @@ class Fields(Bytewise):
                 return values, at, fault
         if at < len(data):
             left = len(data) - at
-            return values, at, DecodeError(at, f"{left} byte{'s' * (left > 1)} left over behind the last field")
+            return values, at, DecodeError(at, f"{left} byte{'s' * (left > 1)} left over after the last field")
         return values, at, None
 
     def _field(self, field: Field, before: Mapping[str, FieldValue], data: bytes, at: int) -> tuple[FieldValue, int]:

@@ -141,10 +141,10 @@ def write_memory(global_size: int, local_size: int) -> bytes:
 
 
 def with_length(contents: bytes) -> bytes:
-    """Puts the length field in front of what follows it.
+    """Puts the length field before what follows it.
 
     Args:
-        contents: All of a frame behind its length field. At most 65535 bytes are counted: a longer one has no number.
+        contents: All of a frame after its length field. At most 65535 bytes are counted: a longer one has no number.
 
     Returns:
         The frame.

@@ -55,7 +55,7 @@ class OperationSchema(Bytewise):
     # Reading
 
     def read(self, data: bytes, at: int) -> tuple[Operation, int]:
-        """The operation at an offset, and the offset behind it. DecodeError when another one or none is there."""
+        """The operation at an offset, and the offset after it. DecodeError when another one or none is there."""
         if not data.startswith(self.head[:1], at):
             raise DecodeError(at, f"the opcode of {self.declaration.name} is 0x{self.head[0]:02X}")
         end = at + 1
@@ -197,7 +197,7 @@ class OperationSchema(Bytewise):
         return len(found) - len(self.fixed) == _count_of(found[len(self.fixed) - 1])
 
     def readable_arguments(self, data: bytes, at: int, end: int) -> tuple[Argument, ...]:
-        """Reads the arguments in front of a fault.
+        """Reads the arguments before a fault.
 
         Args:
             data: The bytes that the operation is in.

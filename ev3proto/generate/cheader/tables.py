@@ -19,10 +19,10 @@ LARGEST = 2**31 - 1
 """Largest number that an enumerator of C99 can have."""
 
 BOOTLOADER = "BOOTLOADER_"
-"""What stands in front of the bootloader's commands: their own names are those of the firmware's once more."""
+"""What stands before the bootloader's commands: their own names are those of the firmware's once more."""
 
 STATUS = "SYSTEM_"
-"""What stands in front of statuses: SUCCESS is a name that programs use themselves."""
+"""What stands before statuses: SUCCESS is a name that programs use themselves."""
 
 DAISY = "DAISY_"
 
@@ -153,9 +153,9 @@ def _enumerations() -> Iterator[str]:
 
 
 def _system_commands() -> Iterator[str]:
-    yield from heading("System commands", "The byte behind the message type, and what follows it.")
+    yield from heading("System commands", "The byte after the message type, and what follows it.")
     yield from _enum(((_name(command), command.number, _system_command(command)) for command in SYSTEM), 2)
-    yield "/* The byte behind the command's number in a reply */"
+    yield "/* The byte after the command's number in a reply */"
     yield from _enum(((STATUS + status.name, status.value, ()) for status in SystemStatus), 0)
 
 
@@ -179,7 +179,7 @@ def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[str]:
 
 
 def _daisy() -> Iterator[str]:
-    yield from heading("Daisy chain", "The byte behind the message type, between bricks that are joined by USB.")
+    yield from heading("Daisy chain", "The byte after the message type, between bricks that are joined by USB.")
     yield from _enum(((DAISY + entry.name, entry.value, [daisy.TEXTS[entry]]) for entry in daisy.DaisyCommand), 2)
 
 

@@ -24,7 +24,7 @@ class Table:
     named: Mapping[Any, object] = field(default_factory=dict)
 
     def entries(self) -> Iterator[tuple[str, object]]:
-        """What stands in front of each value (`unit = `, `[0] = `, nothing), and the value."""
+        """What stands before each value (`unit = `, `[0] = `, nothing), and the value."""
         for item in self.items:
             yield "", item
         for key, value in self.named.items():

@@ -31,5 +31,5 @@ def filter_name(command: SystemCommand, field: Field) -> str:
 
 
 def label(field: Field) -> str:
-    """What stands in front of the value: `Max bytes`."""
+    """What stands before the value: `Max bytes`."""
     return field.name.replace("_", " ").capitalize()

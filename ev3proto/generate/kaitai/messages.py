@@ -69,7 +69,7 @@ def message_types() -> Iterator[tuple[str, Value]]:
 
 
 def enumerations() -> Iterator[tuple[str, Value]]:
-    """The names of the numbers in front of fields and operations."""
+    """The names of the numbers before fields and operations."""
     yield "message_type", {Hexadecimal(member.value): member.name.lower() for member in MessageType}
     yield (
         "system_code",
@@ -94,7 +94,7 @@ def _system() -> Iterator[tuple[str, Value]]:
     fields: Mapping = {"id": "fields", "type": {"switch-on": "command", "cases": _cases(_REQUEST)}}
     yield "system_command", {"seq": [number, fields]}
     fields = {"id": "fields", "type": {"switch-on": "command", "cases": _cases(_REPLY)}, "if": "not _io.eof"}
-    yield "system_reply", {"doc": "A failed one may end in front of any field.", "seq": [number, status, fields]}
+    yield "system_reply", {"doc": "A failed one may end before any field.", "seq": [number, status, fields]}
     for entry in SYSTEM:
         for side, fields_of_it in ((_REQUEST, entry.request), (_REPLY, entry.reply)):
             if fields_of_it:

@@ -14,10 +14,10 @@ from ev3proto.tables.enumerations import FORMAT_TYPES
 Mapping = dict[str | int, Value]
 
 COUNT = "_count"
-"""What is put behind the name of a list, for the argument that tells how many there are."""
+"""What is put after the name of a list, for the argument that tells how many there are."""
 
 NAME = "_name"
-"""What is put behind the name of an argument, for the name of its value."""
+"""What is put after the name of an argument, for the name of its value."""
 
 
 def opcodes(dialect: str) -> list[Opcode]:

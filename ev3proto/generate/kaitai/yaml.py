@@ -66,7 +66,7 @@ def _mapping(value: dict[str | int, Value], depth: int) -> Iterator[str]:
 
 
 def _entry(head: str, item: Value, depth: int) -> Iterator[str]:
-    """A key with its value: behind it where that fits and is no deep one, else below."""
+    """A key with its value: after it where that fits and is no deep one, else below."""
     flow = _flow(item)
     is_deep = depth < 3 and isinstance(item, dict | list) and bool(item)
     if flow is not None and not is_deep and (len(head) + len(flow) < WIDTH or not isinstance(item, dict | list)):

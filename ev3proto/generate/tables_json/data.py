@@ -1,4 +1,4 @@
-"""The tables as plain values: numbers, texts, lists, objects. What a table leaves open is left away."""
+"""The tables as plain values: numbers, texts, lists, objects. What a table leaves open is omitted."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ def _run_of(byte: int) -> tuple[Encoding | None, int | None]:
 
 
 def _opcode(opcode: Opcode) -> Object:
-    facts = {"number": opcode.number, "name": opcode.name, "text": opcode.text, **_dialects(opcode)}
+    facts = {"number": opcode.number, "name": opcode.name, "text": opcode.text, **_dialects(opcode), **_effects(opcode)}
     if opcode.is_family:
         facts["commands"] = [_command(command) for command in opcode.commands]
     else:
@@ -120,6 +120,7 @@ def _command(command: Command) -> Object:
         "name": command.name,
         "text": command.text,
         **_dialects(command),
+        **_effects(command),
         "parameters": [_parameter(parameter) for parameter in command.parameters],
     }
 
@@ -127,6 +128,10 @@ def _command(command: Command) -> Object:
 def _dialects(entry: Opcode | Command) -> Object:
     dialects = None if entry.dialects == DIALECTS else list(entry.dialects)
     return _present(dialects=dialects, note=entry.note)
+
+
+def _effects(entry: Opcode | Command | SystemCommand) -> Object:
+    return _present(effects=[effect.name for effect in entry.effects] or None)
 
 
 def _parameter(parameter: Parameter) -> Object:
@@ -146,6 +151,7 @@ def _parameter(parameter: Parameter) -> Object:
         element_from=element if isinstance(element, str) else None,
         elements=parameter.elements.value if parameter.elements is not Direction.IN else None,
         validated=None if parameter.validated is None else parameter.validated.label,
+        role=None if parameter.role is None else parameter.role.name,
         note=parameter.note,
     )
 
@@ -170,6 +176,7 @@ def _system_command(command: SystemCommand) -> Object:
         answered=command.answered,
         bootloader=command.bootloader or None,
         transfer=command.transfer,
+        **_effects(command),
     )
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables import AREAS
-from ev3proto.tables.declaration import DIALECTS, Direction, Type
+from ev3proto.tables.declaration import DIALECTS, Direction, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.frame import MAX_FRAME, MessageType
@@ -25,7 +25,7 @@ def schema() -> Schema:
         "version": _text("version of ev3proto that the tables are of"),
         "dialects": _array(_ref("dialect"), "the firmwares whose instruction sets differ"),
         "frame": _frame(),
-        "message_types": _array(_ref("message_type"), "the byte behind the message counter"),
+        "message_types": _array(_ref("message_type"), "the byte after the message counter"),
         "types": _array(_ref("type"), "what parameters hold"),
         "encodings": _array(_ref("encoding"), "what the first byte of an argument says; bytes left out are undefined"),
         "areas": _object(
@@ -106,8 +106,14 @@ _LINE = _text("one line of meaning")
 _NOTE = _text("where the entry differs from other published tables, and why")
 _DIALECTS = {
     "type": "array",
-    "description": "the firmwares that have it: all where this is left away, none where it is only in their headers",
+    "description": "the firmwares that have it: all where this is omitted, none where it is only in their headers",
     "items": {"$ref": "#/$defs/dialect"},
+}
+_EFFECTS = {
+    "type": "array",
+    "description": "what it does besides what its parameters say",
+    "items": {"oneOf": [{"const": effect.name, "description": effect.value} for effect in Effect]},
+    "uniqueItems": True,
 }
 
 
@@ -119,7 +125,7 @@ def _frame() -> Schema:
         {
             "length_field": _number("bytes of the length field, which counts what follows it", 1),
             "header_size": _number("bytes of length, counter and type, which every frame starts with", 1),
-            "command_header_size": _number("bytes in front of the operations of a direct command", 1),
+            "command_header_size": _number("bytes before the operations of a direct command", 1),
             "most_bytes": _number("bytes of the largest frame, its length field included", 1),
             "global_bits": _number("lower bits of the memory field: bytes of global memory", 1),
             "local_bits": _number("upper bits of the memory field: bytes of local memory", 1),
@@ -186,7 +192,7 @@ def _definitions() -> Schema:
         ),
         "daisy_command": _object(
             {
-                "number": _byte("behind the message type"),
+                "number": _byte("after the message type"),
                 "name": _name("as the firmware spells it"),
                 "text": _LINE,
                 "carries_operations": _flag("whether byte code follows"),
@@ -217,7 +223,7 @@ def _type() -> Schema:
     return _object(
         {
             "name": _ref("type_name"),
-            "size": _number("bytes of one value in memory; left away where it varies", 1),
+            "size": _number("bytes of one value in memory; omitted where it varies", 1),
             "range": _pair({"type": "integer"}, "smallest and largest constant"),
             "nan": {
                 "type": ["integer", "string"],
@@ -238,7 +244,7 @@ def _encoding() -> Schema:
             "last": _byte("the last of them"),
             "kind": _one_of(kinds, "what the argument is"),
             "value": _number("of short forms: the value in the byte `first`; the next byte has the next value"),
-            "width": _number("bytes that follow; left away for strings, which end at their zero", 0, 4),
+            "width": _number("bytes that follow; omitted for strings, which end at their zero", 0, 4),
             "handle": _flag("the value is a handle to a memory object"),
             "address": _flag("the value is an absolute address"),
         },
@@ -256,11 +262,12 @@ def _opcode() -> Schema:
                 "text": _LINE,
                 "dialects": _DIALECTS,
                 "note": _NOTE,
+                "effects": _EFFECTS,
                 "parameters": _array(_ref("parameter"), "what follows the opcode"),
                 "commands": _array(_ref("command"), "of a family: what its first argument CMD selects", minItems=1),
             },
             "an opcode: either with parameters or, for a family, with commands that have them",
-            optional=("dialects", "note", "parameters", "commands"),
+            optional=("dialects", "note", "effects", "parameters", "commands"),
         ),
         "oneOf": [{"required": ["parameters"]}, {"required": ["commands"]}],
     }
@@ -274,10 +281,11 @@ def _command() -> Schema:
             "text": _LINE,
             "dialects": _DIALECTS,
             "note": _NOTE,
+            "effects": _EFFECTS,
             "parameters": _array(_ref("parameter"), "what follows CMD"),
         },
         "a CMD of a family",
-        optional=("dialects", "note"),
+        optional=("dialects", "note", "effects"),
     )
 
 
@@ -302,6 +310,10 @@ def _parameter() -> Schema:
         "element_from": _name("of counts: the parameter that tells the type of each value that follows"),
         "elements": {**_ref("direction"), "description": "of counts: the direction of what follows, if it is not in"},
         "validated": {**_ref("type_name"), "description": "what the firmware's validator takes it for"},
+        "role": {
+            "description": "what else depends on it",
+            "oneOf": [{"const": role.name, "description": role.value} for role in Role],
+        },
         "note": _NOTE,
     }
     optional = tuple(name for name in facts if name not in ("name", "type", "direction", "text"))
@@ -315,7 +327,7 @@ def _enumeration() -> Schema:
             "members": _map({"type": "integer"}, "numbers by name; of names with the same number the first is shown"),
             "end": _object(
                 {"name": _name("a constant"), "number": _number("its value")},
-                "the name of the number behind the last, which is no value itself",
+                "the name of the number after the last, which is no value itself",
             ),
             "flags": _flag("whether the value is a set of bits and each member one of them"),
             "dialects": _DIALECTS,
@@ -336,9 +348,10 @@ def _system_command() -> Schema:
             "answered": _flag("whether the brick ever replies"),
             "bootloader": _flag("only the brick's firmware updater knows it"),
             "transfer": _one_of(["begin", "continue", "close"], "the part it plays in moving a file"),
+            "effects": _EFFECTS,
         },
         "a system command",
-        optional=("bootloader", "transfer"),
+        optional=("bootloader", "transfer", "effects"),
     )
 
 
@@ -350,7 +363,7 @@ def _field() -> Schema:
             "kind": _one_of([kind.value for kind in Kind], kinds),
             "text": _LINE,
             "counts": _name("of lengths: the field whose bytes they count"),
-            "optional": _flag("senders leave it away"),
+            "optional": _flag("senders may omit it"),
             "most_bytes": _number("largest number of bytes that the firmware takes", 1),
         },
         "a field of a system message",

@@ -13,10 +13,10 @@ def written(value: object) -> str:
     return f"{_literal(value, 0, 0, 0)}\n"
 
 
-def _literal(value: object, depth: int, used: int, behind: int) -> str:
-    """A value that is indented so deep, with so many columns taken in front of its first line and behind its last."""
+def _literal(value: object, depth: int, used: int, after: int) -> str:
+    """A value that is indented so deep, with so many columns taken before its first line and after its last."""
     line = json.dumps(value, ensure_ascii=False)
-    if not isinstance(value, dict | list) or not value or used + len(line) + behind <= WIDTH:
+    if not isinstance(value, dict | list) or not value or used + len(line) + after <= WIDTH:
         return line
     margin = INDENT * (depth + 1)
     if isinstance(value, dict):

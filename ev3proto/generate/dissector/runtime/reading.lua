@@ -271,7 +271,7 @@ local function read_fields(text, at, stop, declarations, complete)
         at = behind
     end
     if at < stop then
-        local reason = format("%d byte%s left over behind the last field", stop - at, stop - at > 1 and "s" or "")
+        local reason = format("%d byte%s left over after the last field", stop - at, stop - at > 1 and "s" or "")
         return found, at, { at = at, reason = reason, kind = "fault" }
     end
     return found, at

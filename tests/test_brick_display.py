@@ -1,5 +1,6 @@
 """The virtual brick's display: shapes pixel for pixel as the firmware draws them, text and icons in their cells."""
 
+import math
 import struct
 import zlib
 from collections.abc import Callable, Iterable
@@ -9,6 +10,7 @@ import pytest
 from ev3proto.brick.display import HEIGHT, WIDTH, Canvas, Display
 from ev3proto.brick.display.characters import braille, half_blocks
 from ev3proto.brick.display.fonts import FONTS
+from ev3proto.brick.display.graph import Graph, Scale
 from ev3proto.brick.display.icons import ICONS
 from ev3proto.brick.display.pictures import read_picture, write_picture
 from ev3proto.brick.display.png import write_png
@@ -58,6 +60,7 @@ SHAPES = {
     "a column backwards": (lambda c: c.line(1, 4, 200, 4, 125), {(4, y) for y in (125, 126, 127)}),
     "dots": (lambda c: c.dotline(1, 0, 0, 11, 0, 3, 2), row(0, (0, 1, 2, 5, 6, 7, 10, 11))),
     "dots upward": (lambda c: c.dotline(1, 0, 5, 0, 0, 1, 1), {(0, 5), (0, 3), (0, 1)}),
+    "dots of fewer than no pixels": (lambda c: c.dotline(1, 0, 0, 9, 0, 4, -5), {(0, 0)}),
     "oblique dots": (lambda c: c.dotline(1, 0, 0, 3, 3, 1, 1), {(n, n) for n in range(4)}),
     "a rectangle": (lambda c: c.rect(1, 1, 1, 4, 3), picture("#### #..# ####", 1, 1)),
     "a rectangle of no width": (lambda c: c.rect(1, 4, 0, 0, 3), picture("## ## ##", 3, 0)),
@@ -213,7 +216,14 @@ class TestText:
 
     @pytest.mark.parametrize(
         ("x", "y", "box"),
-        [(16, 125, (16, 125, 23, 127)), (3, -4, (3, 0, 10, 4)), (-3, 0, (0, 0, 4, 8)), (-8, 4, (176, 3, 177, 11))],
+        [
+            (16, 125, (16, 125, 23, 127)),
+            (3, -4, (3, 0, 10, 4)),
+            (-3, 0, (0, 0, 4, 8)),
+            (-8, 4, (176, 3, 177, 11)),
+            (-8, 120, (176, 119, 177, 127)),
+            (-8, 0, (176, 0, 177, 7)),
+        ],
     )
     def test_cells_at_the_edges(self, x: int, y: int, box: tuple[int, int, int, int]) -> None:
         """What lies on whole bytes left of the display lands at the end of the row above."""
@@ -292,6 +302,40 @@ class TestText:
         expected.text(1, 20 + 48, 10, b"cm", 1)
         assert by_value.canvas.rows == expected.canvas.rows
         assert by_value.font == 0
+
+
+class TestGraphs:
+    NAN = float("nan")
+
+    def graph(self, *samples: float) -> Graph:
+        """One item in rows 10 to 30, from 0 to 100."""
+        values = iter(samples)
+        graph = Graph(5, 4, (lambda: Scale(10, 20, 0.0, 100.0, next(values)),))
+        for _ in samples:
+            graph.sample()
+        graph.items = (lambda: Scale(10, 20, 0.0, 100.0, self.NAN),)
+        return graph
+
+    @pytest.mark.parametrize(
+        ("samples", "view", "expected"),
+        [
+            ((100.0, 0.0), 0, {(5, 10), (6, 30)}),
+            ((100.0, NAN), 0, {(5, 10)}),
+            ((100.0, NAN), -1, {(6, 10), (7, 30)}),
+            ((500.0, -500.0), 1, {(6, 10), (7, 30)}),
+            ((0.0, 50.0, 50.0), 0, {(5, 30), (6, 20), (7, 20), (6, 19), (7, 19), (6, 21), (7, 21)}),
+        ],
+    )
+    def test_what_is_drawn(self, samples: tuple[float, ...], view: int, expected: Pixels) -> None:
+        canvas = Canvas()
+        self.graph(*samples).draw(canvas, view)
+        assert pixels(canvas) == expected
+
+    def test_the_oldest_samples_are_lost(self) -> None:
+        assert self.graph(9.0, 1.0, self.NAN, 3.0, 2.0).draw(Canvas(), 0) == (2.0, 1.0, 3.0, 2.0)
+
+    def test_without_samples_there_are_no_numbers(self) -> None:
+        assert [math.isnan(number) for number in self.graph(self.NAN).draw(Canvas(), 0)] == [True] * 4
 
 
 class TestPictures:

@@ -272,7 +272,9 @@ def graph_sample(vm: Machine) -> None:
 
 @handles("UI_DRAW.GRAPH_DRAW")
 def graph_draw(vm: Machine, view: int, actual: Place, lowest: Place, highest: Place, average: Place) -> None:
-    """Draws one item, or all."""
+    """Draws one item, or all; nothing at all on a blocked display."""
     display = vm.brick.display
-    for place, number in zip((actual, lowest, highest, average), display.graph.draw(display.canvas, view), strict=True):
+    graph = Graph() if display.is_blocked else display.graph
+    display.is_in_use |= bool(graph.items)
+    for place, number in zip((actual, lowest, highest, average), graph.draw(display.canvas, view), strict=True):
         place.write_float(number)

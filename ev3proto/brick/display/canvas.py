@@ -104,10 +104,8 @@ class Canvas:
         self.pixel(color, *next(pixels))
         count = 1
         for x, y in pixels:
-            if count < on:
-                self.pixel(color, x, y)
-            elif count < on + off:
-                self.pixel(1 - color, x, y)
+            if count < on + off:
+                self.pixel(color if count < on else 1 - color, x, y)
             count += 1
             if count >= on + off:
                 count = 0
@@ -230,10 +228,13 @@ class Canvas:
         if x >= 0 and x + width <= WIDTH:
             self.cell(x, y, width, cell_rows)
             return
-        for first in range(0, width, 8):
-            down, column = divmod(x + first, ROW_BYTES * 8)
-            part = [row >> (width - 8 - first) & 0xFF for row in cell_rows[: max(HEIGHT - y, 0)]]
-            self.cell(column, y + down, 8, part)
+        for index, row in enumerate(cell_rows, y):
+            start = index * ROW_BYTES + x // 8
+            if not 0 <= start < HEIGHT * ROW_BYTES:
+                continue
+            for place in range(width // 8):
+                target, column = divmod(start + place, ROW_BYTES)
+                self.cell(column * 8, target, 8, [row >> (width - 8 - place * 8) & 0xFF])
 
 
 _KNOBS = {

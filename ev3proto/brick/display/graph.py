@@ -71,36 +71,43 @@ class Graph:
 
         Args:
             canvas: to draw on, in colour 1.
-            view: the item's number; one that there is not means all, drawn one pixel further right.
+            view: the item's number; one that there is not means all, drawn one pixel further right, and samples that
+                are no numbers at the bottom.
 
         Returns:
             The last, lowest and highest sample and their mean; of all items nothing.
         """
         if 0 <= view < len(self.items):
-            return self._draw_item(canvas, view, self.x)
+            self._draw_item(canvas, view, self.x, skips=True)
+            return _summary([sample for sample in self.samples[view] if not math.isnan(sample)])
         for item in range(len(self.items)):
-            self._draw_item(canvas, item, self.x + 1)
-        return Summary(_NOTHING, _NOTHING, _NOTHING, _NOTHING)
+            self._draw_item(canvas, item, self.x + 1, skips=False)
+        return _summary([])
 
-    def _draw_item(self, canvas: Canvas, item: int, x: int) -> Summary:
+    def _draw_item(self, canvas: Canvas, item: int, x: int, *, skips: bool) -> None:
+        """Draws the samples of one item; those that are no numbers are left out if `skips` is set."""
         scale = self.items[item]()
         bottom = scale.offset + scale.span
         before = bottom
-        total, valid = 0.0, []
-        for place, sample in enumerate(self.samples[item]):
-            if not math.isnan(sample):
-                y = bottom - _height(sample, scale)
-                if place < 2:
-                    canvas.pixel(1, x, y)
-                else:
-                    _thick_line(canvas, x, before, y)
-                before = y
-                total = single(total + sample)
-                valid.append(sample)
-            x += 1
-        if not valid:
-            return Summary(_NOTHING, _NOTHING, _NOTHING, _NOTHING)
-        return Summary(valid[-1], min(valid), max(valid), single(total / len(valid)))
+        for place, sample in enumerate(self.samples[item], x):
+            if skips and math.isnan(sample):
+                continue
+            y = bottom - _height(sample, scale)
+            if place < x + 2:
+                canvas.pixel(1, place, y)
+            else:
+                _thick_line(canvas, place, before, y)
+            before = y
+
+
+def _summary(samples: list[float]) -> Summary:
+    """What is returned of some samples, their mean in single precision."""
+    if not samples:
+        return Summary(_NOTHING, _NOTHING, _NOTHING, _NOTHING)
+    total = 0.0
+    for sample in samples:
+        total = single(total + sample)
+    return Summary(samples[-1], min(samples), max(samples), single(total / len(samples)))
 
 
 def _height(sample: float, scale: Scale) -> int:

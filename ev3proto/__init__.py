@@ -36,7 +36,7 @@ from ev3proto.tables.system import SystemStatus
 from ev3proto.version import VERSION
 
 if TYPE_CHECKING:
-    from ev3proto import capture, enums, ops, system
+    from ev3proto import capture, enums, ops, program, system
     from ev3proto.checking.checking import check
     from ev3proto.checking.report import Finding, Report, Severity
     from ev3proto.compose import Draft, Global, Local, command
@@ -58,7 +58,7 @@ _LATER = {
 }
 """What is imported when it is first asked for: a program that only parses frames starts sooner without it."""
 
-_MODULES = ("capture", "enums", "ops", "system")
+_MODULES = ("capture", "enums", "ops", "program", "system")
 """Parts that are modules, imported when they are first asked for, too."""
 
 _HOME = {name: module for module, names in _LATER.items() for name in names}
@@ -117,6 +117,7 @@ __all__ = [
     "operation",
     "ops",
     "parse",
+    "program",
     "system",
     "system_command",
     "system_reply",

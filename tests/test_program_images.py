@@ -84,6 +84,10 @@ def test_a_float_that_fills_an_array_is_a_float() -> None:
     assert programs.parse(numbers).objects[0].operations[1].arguments[1].value == 0x3FC00000
 
 
+def test_programs_are_there_without_an_import_of_their_own() -> None:
+    assert ev3proto.program.parse(IMAGE).build() == IMAGE
+
+
 def test_objects_may_share_their_code() -> None:
     image = image_of((0, 0, "01 0A"), (0, 1, "00 08 0A"), (0, 1, None))
     program = programs.parse(image)

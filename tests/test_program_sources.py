@@ -479,6 +479,11 @@ def test_what_is_no_program_is_refused_with_a_reason(source: str, words: str) ->
     assert any(words in one.reason for one in (caught.value, *caught.value.others)), caught.value
 
 
+def test_files_of_old_editors_end_in_control_z() -> None:
+    for dialect in BOTH:
+        assert assemble(b"\xef\xbb\xbf" + SOURCE.encode() + b"\x1a", dialect=dialect).image == IMAGE
+
+
 def test_a_source_in_latin_1() -> None:
     source = "vmthread M\n{\nSTRINGS(DUPLICATE, 'ä', 'ä')\n}\n".encode("latin-1")
     for dialect in BOTH:

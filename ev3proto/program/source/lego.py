@@ -40,7 +40,7 @@ from ev3proto.text.assembly.errors import MOST_ERRORS
 
 _WORD = re.compile(
     r"""(?P<newline>\r\n|\r|\n)
-      | (?P<blank>[ \t(),\f\v\ufeff]+ | //[^\r\n]*)
+      | (?P<blank>[ \t(),\f\v\x1a\ufeff]+ | //[^\r\n]*)
       | (?P<comment>/\*)
       | (?P<text>'(?:''|\\\\|\\'|[^'\r\n])*')
       | (?P<brace>[{}])

@@ -416,5 +416,6 @@ class TestSound:
         ask(brick, "SOUND(REPEAT, 100, 'horn')")
         brick.advance(60)
         assert ask(brick, self.TEST) == "01"
-        ask(brick, "SOUND(PLAY, 100, 'none')")
+        assert ask(brick, f"{self.TEST.split(' SOUND')[0]} SOUND(PLAY, 100, 'none') SOUND_TEST(busy)") == "01"
+        brick.advance(0.01)
         assert ask(brick, self.TEST) == "00"

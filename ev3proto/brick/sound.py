@@ -11,6 +11,9 @@ LOWEST, HIGHEST = 250, 10_000
 """Hertz that the driver can play; others are clamped."""
 
 _STEPS, _STEP = 13, 8
+_SHORTEST = 10_000
+"""Microseconds until the driver says that a file has ended in which there is nothing."""
+
 _HEADER = 8
 _COMPRESSED = 0x0101
 _MICROSECONDS = 1_000_000
@@ -57,11 +60,11 @@ class Sound(Part):
 
         Args:
             volume: percent.
-            file: contents of an .rsf file.
+            file: contents of an .rsf file; empty for silence that counts as sounding for a moment.
             is_repeated: whether it begins again at its end.
             now: the clock in microseconds.
         """
-        ends = None if is_repeated else now + _length(file)
+        ends = None if is_repeated else now + max(_length(file), _SHORTEST)
         self.playing = Playing(_loudness(volume), 0, file, now, ends)
 
     def stop(self) -> None:

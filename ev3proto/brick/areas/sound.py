@@ -24,13 +24,10 @@ def tone(vm: Machine, volume: int, frequency: int, duration: int) -> None:
 
 
 def _play(vm: Machine, volume: int, name: bytes, is_repeated: bool) -> None:
-    """Plays a file; without such a file there is silence."""
+    """Plays a file; without such a file the driver finds out that there is nothing to play."""
     folder = b"" if name.startswith(b".") else vm.program.folder.encode(STRING_CODING)
     file = vm.brick.files.read(folder + name + _EXTENSION)
-    if file is None:
-        vm.brick.sound.stop()
-    else:
-        vm.brick.sound.play(volume, file, is_repeated, vm.microseconds)
+    vm.brick.sound.play(volume, file or b"", is_repeated and file is not None, vm.microseconds)
 
 
 @handles("SOUND.PLAY")

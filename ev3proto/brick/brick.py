@@ -7,8 +7,10 @@ in order when it has ended.
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 from time import thread_time
@@ -20,6 +22,7 @@ from ev3proto.brick.clock import (
     MOST_PROCESSOR_SECONDS,
     MOST_SECONDS,
     MOST_WAITING,
+    OPERATIONS_AT_A_STRETCH,
     OPERATIONS_OF_A_TURN,
     OPERATIONS_PER_TICK,
     OPERATIONS_PER_TURN,
@@ -83,9 +86,13 @@ class Brick:
 
     root     the folder that stands for /home/root/lms2012; None: there are no files
     dialect  the firmware whose instruction set it has. ValueError for an unknown one.
+    stretch  seconds of this computer's processor after which a call returns though a direct command could go on; the
+             next call goes on with it. None: only when it ends or waits
     """
 
-    def __init__(self, root: str | Path | None = None, *, dialect: str = "official") -> None:
+    def __init__(
+        self, root: str | Path | None = None, *, dialect: str = "official", stretch: float | None = None
+    ) -> None:
         self.dialect = check_dialect(dialect)
         self.microseconds = 0
         self.is_dead = False
@@ -111,6 +118,8 @@ class Brick:
         self._waiting_bytes = 0
         self._replies: list[Outgoing] = []
         self._command: _Command | None = None
+        self._stretch = math.inf if stretch is None else stretch
+        self._deadline = math.inf
         self._system = SystemCommands(self)
 
     def used_kilobytes(self) -> int:
@@ -195,12 +204,14 @@ class Brick:
         if self._waiting_bytes + len(frame) <= MOST_WAITING:
             self._waiting.append(Incoming(channel, bytes(frame)))
             self._waiting_bytes += len(frame)
+        self._deadline = thread_time() + self._stretch
         self._serve()
         return self._take()
 
     def advance_all(self, seconds: float) -> list[Outgoing]:
         """The same as `advance` for a brick with several connections."""
         target = self.microseconds + round(seconds * 1_000_000)
+        self._deadline = thread_time() + self._stretch
         while self.microseconds < target:
             # Whole ticks while anything runs, so that what is seen does not depend on how time is cut into pieces.
             step = TICK - self.microseconds % TICK if self._is_running() else target - self.microseconds
@@ -282,20 +293,28 @@ class Brick:
         self._command = command
 
     def _continue(self) -> bool:
-        """Executes the direct command under way until it ends or has to wait. Returns whether it has ended."""
+        """Executes the direct command under way until it ends, waits, or the call has lasted long enough.
+
+        Returns whether it has ended.
+        """
         command = self._command
         assert command is not None
         program = command.program
-        started = thread_time()
+        begun = thread_time()
+        spent = command.spent
         has_waited = False
         while program.status == RUNNING:
-            is_endless = program.executed >= MOST_OPERATIONS or thread_time() - started > MOST_PROCESSOR_SECONDS
+            is_endless = program.executed >= MOST_OPERATIONS or command.spent > MOST_PROCESSOR_SECONDS
             if is_endless or self.microseconds - program.started >= MOST_SECONDS * 1_000_000:
                 self.machine.end_program(program, FAIL)
                 break
-            executed, is_waiting = self.machine.turn(program, OPERATIONS_PER_TURN)
+            executed, is_waiting = self.machine.turn(program, OPERATIONS_AT_A_STRETCH)
             program.executed += max(0, OPERATIONS_OF_A_TURN - executed)
-            if is_waiting and has_waited:
+            if program.status != RUNNING:
+                break
+            now = thread_time()
+            command.spent = spent + now - begun
+            if now > self._deadline or (is_waiting and has_waited):
                 return False
             # Once more at once: some operations wait only for what they have changed themselves.
             has_waited = is_waiting
@@ -361,11 +380,16 @@ class Brick:
                 part.program_ended(program)
 
 
-class _Command(NamedTuple):
-    """The direct command under way."""
+@dataclass
+class _Command:
+    """The direct command under way.
+
+    spent  seconds of this computer's processor that it has taken
+    """
 
     channel: Hashable
     counter: int
     wants_reply: bool
     global_size: int
     program: Program
+    spent: float = 0.0

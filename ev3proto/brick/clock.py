@@ -9,6 +9,9 @@ OPERATIONS_PER_TURN = 200
 OPERATIONS_PER_TICK = 300
 """Operations of all turns of a program in a tick: a real brick executes some hundred thousand a second."""
 
+OPERATIONS_AT_A_STRETCH = 50
+"""Operations of a direct command between two looks at the limits below: some take very much longer than others."""
+
 MOST_OPERATIONS = 3_000_000
 """Operations after which a direct command is ended: the firmware would go on for ever."""
 

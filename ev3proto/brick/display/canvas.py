@@ -162,7 +162,8 @@ class Canvas:
         for dx, dy in _octant(radius):
             for across, down in ((dx, dy), (dy, dx)):
                 for row in (y + down, y - down):
-                    self.line(color, x - across, row, x + across, row)
+                    if 0 <= row < HEIGHT:
+                        self._paint(color, span(x - across, x + across + 1), row, row + 1)
 
     # Areas
 

@@ -446,6 +446,39 @@ def test_what_strict_would_refuse_is_warned_of() -> None:
     assert [it.line for it in assemble(source).warnings] == [4, 4, 5, 6, 6]
 
 
+def test_an_expression_that_the_other_dialect_reads_otherwise_is_warned_of() -> None:
+    for dialect in BOTH:
+        (warning,) = assemble("define A (2 + 3 * 4)\nDATAS x A", dialect=dialect).warnings
+        assert "the other dialect gets another number" in warning.reason
+        assert not assemble("define A (2 * 3 + 4)\nDATAS x A", dialect=dialect).warnings
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "vmthread M {" + " " * 5000 + "?",
+        "vmthread M {" + " //\n" * 5000 + "?",
+        "vmthread M { MOVE8_8(" + "1" * 100_000,
+        "vmthread M\n{\nMOVE8_8('" + "\\" * 50_000,
+        "vmthread M\n{\nMOVE8_8('" + "''" * 50_000,
+        "vmthread M { bytes(" + "00" * 100_000,
+        "NOP(" * 100_000,
+        "define A " + "(" * 100_000,
+        "vmthread M { MOVE8_8(" + "LC0(" * 100_000,
+        "vmthread M { MOVE8_8(" + "!" * 100_000,
+        "".join(f"define A{number} A{number + 1}\n" for number in range(5000)) + "DATAS x A0",
+        "/*" * 50_000,
+        "x" * 1_000_000,
+    ],
+    ids=range(13),
+)
+def test_no_text_takes_long_or_goes_deep(text: str) -> None:
+    for dialect in BOTH:
+        with pytest.raises(AssemblyError) as caught:
+            assemble(text, dialect=dialect)
+        assert len(str(caught.value)) < 1000
+
+
 def test_every_error_has_its_line() -> None:
     source = "vmthread M\n{\nNOP(\n}\nvmthread N\n{\nDATA8 'x'\nFOO()\n}\n"
     with pytest.raises(AssemblyError) as caught:

@@ -143,7 +143,7 @@ class Assembler:
         self._is_strict = is_strict
         self._shortest = shortest or settings.file.shortest
         self._version = version
-        self._names = Names(is_strict)
+        self._names = Names(is_strict, warnings)
         self._globals = Memory(GLOBAL)
         self._checks = Checks(warnings, is_strict=is_strict)
         self._objects: list[ObjectSource] = []

@@ -42,13 +42,13 @@ _WORD = re.compile(
     r"""(?P<newline>\r\n|\r|\n)
       | (?P<blank>[ \t(),\f\v\x1a\ufeff]+ | //[^\r\n]*)
       | (?P<comment>/\*)
-      | (?P<text>'(?:''|\\\\|\\'|[^'\r\n])*')
+      | (?P<text>'(?:''|\\\\|\\'|[^'\r\n])*+')
       | (?P<brace>[{}])
-      | (?P<word>(?:(?!//|/\*)[^\s(),'{}])+)""",
+      | (?P<word>(?:(?!//|/\*)[^\s(),'{}])++)""",
     re.VERBOSE,
 )
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
-_FLOAT = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE]\d+)?F", re.ASCII)
+_FLOAT = re.compile(r"[+-]?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE]\d++)?F", re.ASCII)
 _HEX = re.compile(r"(?:0x|\$)([0-9A-Fa-f]+)")
 _WHOLE = re.compile(r"([+-]?)(\d+)", re.ASCII)
 _POINT = re.compile(r"([+-]?)(\d*)\.\d*", re.ASCII)

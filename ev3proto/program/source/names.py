@@ -98,8 +98,9 @@ class Names:
                declared further down. LEGO's: local, global, label, object, define, the firmware's; the last one counts
     """
 
-    def __init__(self, is_strict: bool) -> None:
+    def __init__(self, is_strict: bool, warnings: list[tuple[int, str]]) -> None:
         self.is_strict = is_strict
+        self._warnings = warnings
         self.globals: dict[str, list[Place]] = {}
         self.objects: dict[str, Callee] = {}
         self.defines: dict[str, Define] = {}
@@ -215,11 +216,15 @@ class Names:
                 raise SourceError(part.at, "an expression is made of whole numbers and their names")
             parts.append(found)
         try:
-            if value.is_usual:
-                return _usual(parts, value.operators)
-            return _from_the_left([int(part) for part in parts], value.operators)
+            usual = _usual(parts, value.operators)
+            from_the_left = _from_the_left([int(part) for part in parts], value.operators)
         except ZeroDivisionError:
             raise SourceError(value.at, "a division by zero has no value") from None
+        result = usual if value.is_usual else from_the_left
+        if int(usual) != from_the_left:
+            how = "products before sums" if value.is_usual else "from left to right"
+            self._warnings.append((value.at, f"{int(result)}, worked out {how}; the other dialect gets another number"))
+        return result
 
 
 def _from_the_left(parts: list[int], operators: tuple[str, ...]) -> int:

@@ -48,10 +48,10 @@ MAX_DEPTH = 50
 """How deep expressions may stand in each other."""
 
 _TOKEN = re.compile(
-    r"""(?:[ \t\r\n\f\v\x1a\ufeff]+ | //[^\r\n]*)*
-      (?:(?P<name>[A-Za-z_]\w*)(?!\w)
+    r"""(?:[ \t\r\n\f\v\x1a\ufeff]++ | //[^\r\n]*+)*+
+      (?:(?P<name>[A-Za-z_]\w*+)
       | (?P<mark>[{}(),:@&!+*-])
-      | (?P<float>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?F(?![\w.]))
+      | (?P<float>(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][+-]?\d+)?F(?![\w.]))
       | (?P<number>(?:0[xX][0-9a-fA-F]+|\d+)(?![\w.]))
       | (?P<text>'[^'\r\n]*')
       | (?P<comment>/\*)
@@ -60,8 +60,8 @@ _TOKEN = re.compile(
       | (?P<end>\Z))""",
     re.VERBOSE | re.ASCII,
 )
-_RAW = re.compile(r"bytes\((?:[0-9A-Fa-f]{2}|\s)*\)")
-_BLANK = re.compile(r"(?:[ \t\r\n\f\v\x1a\ufeff]+|//[^\r\n]*)*")
+_RAW = re.compile(r"bytes\((?:[0-9A-Fa-f]{2}|\s)*+\)")
+_BLANK = re.compile(r"(?:[ \t\r\n\f\v\x1a\ufeff]++|//[^\r\n]*+)*+")
 _ESCAPED = re.compile(r"\\(?P<known>[nqrt\\])?", re.DOTALL)
 _END = ""
 _MARKS = frozenset("{}(),:@&!+-*/")
@@ -298,7 +298,10 @@ class StrictParser:
             if word == "@":
                 return Marked(at, word, Name(self._ats[self._at], self._name("the variable that holds a handle")))
             if word == "!":
-                return Unchecked(at, self._value())
+                self._deeper(at)
+                unchecked = Unchecked(at, self._value())
+                self._depth -= 1
+                return unchecked
         self._at = i
         raise SourceError(at, f"a value should stand here, not {self._shown()}")
 
@@ -383,7 +386,7 @@ class StrictParser:
     def _deeper(self, at: int) -> None:
         self._depth += 1
         if self._depth > MAX_DEPTH:
-            raise SourceError(at, f"the parentheses are more than {MAX_DEPTH} deep")
+            raise SourceError(at, f"values are more than {MAX_DEPTH} deep in each other")
 
     # Helpers
 

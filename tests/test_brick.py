@@ -158,6 +158,8 @@ def test_a_short_constant_as_a_float_is_its_bits(brick: Brick) -> None:
 
 def test_an_output_that_is_a_constant_is_dropped(brick: Brick) -> None:
     assert run(brick, bytes.fromhex("10 01 02 05"), op("MOVE8_8", 3, GV(0)), globals=1) == (OK, b"\x03")
+    text = bytes.fromhex("7D 05 84") + b"longer than any number\0" + bytes((5,))
+    assert run(brick, text, op("MOVE8_8", 4, GV(0)), globals=1) == (OK, b"\x04")
 
 
 def test_variables_beyond_what_the_header_asks_for_are_there_within_the_buffer(brick: Brick) -> None:

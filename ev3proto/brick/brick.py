@@ -321,6 +321,8 @@ class Brick:
         self._command = None
         if not self.is_dead:
             self._answer(command)
+        # A real brick takes some milliseconds for a frame, in which its programs go on.
+        self._turn_programs()
         return True
 
     def _answer(self, command: _Command) -> None:

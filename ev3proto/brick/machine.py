@@ -59,8 +59,11 @@ _INTEGER8: _Unpack = struct.Struct("<b").unpack_from
 _INTEGER16: _Unpack = struct.Struct("<h").unpack_from
 _INTEGER32: _Unpack = struct.Struct("<i").unpack_from
 
-_SCRATCH = 8
-"""Bytes of the one place where every constant stands while it is looked at as memory; zeros follow it."""
+_SCRATCH = 4096
+"""Bytes of the one place where every constant stands while it is looked at as memory.
+
+Zeros follow it, and whatever an operation writes to a constant goes there: it is lost with the next one.
+"""
 
 
 class Machine:
@@ -282,7 +285,7 @@ class Machine:
         return self._constant(value)
 
     def _constant(self, value: int) -> Place:
-        self._scratch[:4] = (value & 0xFFFFFFFF).to_bytes(4, "little")
+        self._scratch[:8] = (value & 0xFFFFFFFF).to_bytes(8, "little")
         return Place(self._scratch, 0)
 
     def _long_place(self, ip: int) -> Place:

@@ -431,6 +431,11 @@ def test_a_brace_may_stand_on_the_line_of_the_name_or_alone() -> None:
         assert programs.parse(assemble(source, dialect="lego").image).objects[0].code.hex(" ") == "01 0a"
 
 
+def test_what_follows_a_brace_or_a_label_may_be_anything() -> None:
+    source = "vmthread X\n{ it's open\nx: isn't it\nNOP\n} that's it\n"
+    assert programs.parse(assemble(source, dialect="lego").image).objects[0].code.hex(" ") == "01 0a"
+
+
 def test_the_rest_of_a_labels_line_is_ignored() -> None:
     assert _code("x: NOP()\nJR(x)", dialect="lego") == "40 82 FC FF 0A"
     assert _code("x: NOP()\nJR(x)", dialect="strict") == "01 40 82 FB FF 0A"
@@ -467,10 +472,11 @@ def test_an_expression_that_the_other_dialect_reads_otherwise_is_warned_of() -> 
         "vmthread M { MOVE8_8(" + "LC0(" * 100_000,
         "vmthread M { MOVE8_8(" + "!" * 100_000,
         "".join(f"define A{number} A{number + 1}\n" for number in range(5000)) + "DATAS x A0",
+        "".join(f"define A{number} {'(' * 45}A{number + 1}{' + 1)' * 45}\n" for number in range(99)) + "DATAS x A0",
         "/*" * 50_000,
         "x" * 1_000_000,
     ],
-    ids=range(13),
+    ids=range(14),
 )
 def test_no_text_takes_long_or_goes_deep(text: str) -> None:
     for dialect in BOTH:

@@ -15,7 +15,6 @@ from ev3proto.program.source.encoding import (
     LABEL,
     integer,
     jump,
-    label_jump,
     long_float,
     marked,
     string,
@@ -44,11 +43,11 @@ from ev3proto.program.source.statements import (
     Unchecked,
     Value,
 )
-from ev3proto.schema.argument import encode_as, encode_float, with_bits
+from ev3proto.schema.argument import encode_as, encode_float, encode_label, with_bits
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DATA16, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, STRING_CODING
-from ev3proto.tables.program import DEFAULT_VERSION, MAX_MEMORY, MAX_OBJECTS, aligned
+from ev3proto.tables.program import DEFAULT_VERSION, MAX_MEMORY, MAX_OBJECTS, MAX_PARAMETERS, aligned
 from ev3proto.tables.source import (
     OLD_WORDS,
     PARAMETER_WORDS,
@@ -215,6 +214,8 @@ class Assembler:
         if item.kind == _SUBCALL:
             declared = (it.word for it in item.body if isinstance(it, Declaration))
             parameters = [PARAMETER_WORDS[word] for word in declared if word in PARAMETER_WORDS]
+            if len(parameters) > MAX_PARAMETERS:
+                raise SourceError(item.at, f"a subcall has at most {MAX_PARAMETERS} parameters, not {len(parameters)}")
         self._names.objects[item.name] = Callee(len(self._objects), item.at, item.kind, parameters)
 
     def _call_shared(self) -> None:
@@ -444,7 +445,7 @@ class Assembler:
                 self._keep(SourceError(part.at, f"{part.name[:40]} is {distance} bytes away: a jump reaches 32767"))
                 return b""
             try:
-                pieces[place] = label_jump(distance) if part.form == "LAB1" else jump(distance, sizes[place])
+                pieces[place] = encode_label(distance) if part.form == "LAB1" else jump(distance, sizes[place])
             except BuildError as error:
                 self._keep(SourceError(part.at, f"{part.name[:40]} is {distance} bytes away: {error}"))
                 return b""
@@ -454,10 +455,11 @@ class Assembler:
 
     def _entries(self, bodies: list[Body]) -> list[Entry]:
         entries: list[Entry] = []
+        owners = self._owners(bodies)
         first: dict[tuple[int, int, int, bytes], int] = {}
         for number, body in enumerate(bodies, 1):
             source, said = body.source, body.settings
-            owner = self._owner(source, bodies) if source.kind == _BLOCK else 0
+            owner = owners.get(source.name, 1) if source.kind == _BLOCK else 0
             owner = said.numbers.get("owner", owner)
             triggers = said.numbers.get("triggers", 0 if source.kind == _THREAD else 1)
             size = said.numbers.get("locals", body.memory.size)
@@ -482,14 +484,15 @@ class Assembler:
         last = self._names.objects[body.source.name].parameters or []
         return bytes((len(last),)) + table[1:]
 
-    def _owner(self, source: ObjectSource, bodies: list[Body]) -> int:
-        """The only object that triggers a block, or else the first."""
-        owners = [
-            number
-            for number, body in enumerate(bodies, 1)
-            if any(_triggers(statement, source.name) for statement in body.source.body)
-        ]
-        return owners[0] if len(owners) == 1 else 1
+    def _owners(self, bodies: list[Body]) -> dict[str, int]:
+        """By the name of a block: the only object that triggers it, or else the first."""
+        triggering: dict[str, set[int]] = {}
+        for number, body in enumerate(bodies, 1):
+            for statement in body.source.body:
+                name = _triggered(statement)
+                if name is not None:
+                    triggering.setdefault(name, set()).add(number)
+        return {name: numbers.pop() if len(numbers) == 1 else 1 for name, numbers in triggering.items()}
 
     def _laid_out(self, entries: list[Entry]) -> bytes:
         said = self._settings.file
@@ -525,11 +528,12 @@ def _is_free(part: bytes | Jump) -> bool:
     return isinstance(part, Jump) and part.form is None
 
 
-def _triggers(statement: Statement, name: str) -> bool:
+def _triggered(statement: Statement) -> str | None:
+    """The name of the object that a statement triggers."""
     if not isinstance(statement, Step) or statement.name != _OBJECT_TRIG or not statement.arguments:
-        return False
+        return None
     first = statement.arguments[0]
-    return isinstance(first, Name) and first.text == name
+    return first.text if isinstance(first, Name) else None
 
 
 def _shown(value: Value) -> str:

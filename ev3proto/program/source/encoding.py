@@ -7,7 +7,6 @@ from functools import lru_cache
 from ev3proto.program.source.names import Place
 from ev3proto.program.source.numbers import wrapped
 from ev3proto.schema.argument import encode_as, encode_integer, with_bits
-from ev3proto.schema.identification import LABEL_BYTE
 from ev3proto.tables.encoding import GLOBAL
 
 _MOST_KEPT = 1 << 12
@@ -63,11 +62,6 @@ def marked(place: Place, sign: str) -> bytes:
 def jump(distance: int, size: int) -> bytes:
     """A distance in so many bytes. BuildError where it does not fit."""
     return encode_as(_BY_SIZE[size], distance)
-
-
-def label_jump(distance: int) -> bytes:
-    """A distance as LAB1."""
-    return bytes((LABEL_BYTE, distance & 0xFF))
 
 
 def shortest_jump(distance: int) -> int:

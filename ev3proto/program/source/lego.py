@@ -105,8 +105,9 @@ class LegoParser:
             found = _WORD.match(text, at)
             kind = None if found is None else found.lastgroup
             if found is None:
-                self._keep(SourceError(at, "the string that starts here has no ' at its end"))
+                # An error only where somebody looks at it: behind a label or a brace nobody does.
                 end = re.compile(r"[\r\n]").search(text, at)
+                words.append(_Word(at, False, text[at : end.start() if end else size]))
                 at = end.start() if end else size
                 continue
             if kind == "newline":
@@ -231,6 +232,8 @@ class LegoParser:
 
     def _value(self, word: _Word) -> Value:
         at, text = word.at, word.text
+        if text.startswith("'") and not word.is_text:
+            raise SourceError(at, "the string that starts here has no ' at its end")
         if word.is_text:
             body = text[1:-1]
             return Number(at, ord(body[1]) & 0xFF) if _CODE.fullmatch(body) else Text(at, lego_text(body))

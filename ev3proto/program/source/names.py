@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache
+from itertools import islice
 from typing import NamedTuple
 
 from ev3proto.program.source.errors import SourceError
@@ -16,6 +17,9 @@ from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Direction, Enumeration, Type
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.text.assembly.symbols import suggestion
+
+_MOST_KNOWN = 5000
+"""Names among which a misspelt one is looked for."""
 
 MAX_DEPTH = 100
 """How many defines may be needed for the value of one."""
@@ -158,24 +162,24 @@ class Names:
     def _unknown(self, name: str, at: int, local: LocalNames) -> str:
         if any(place.at >= at for place in self.globals.get(name, ())):
             return f"{name[:40]} is declared further down: a variable has to stand above its use"
-        return f"there is no {name[:40]}{suggestion(name, self._known(local))}"
+        return f"there is no {name[:40]}{suggestion(name, islice(self._known(local), _MOST_KNOWN))}"
 
     def _known(self, local: LocalNames) -> Iterator[str]:
+        yield from builtin_names()
         yield from local.places
         yield from local.labels
         yield from local.defines
         yield from self.globals
         yield from self.objects
         yield from self.defines
-        yield from builtin_names()
 
     def defined(self, define: Define, local: LocalNames) -> Meaning:
         """What a define stands for."""
         key = id(define)
         if key not in self._worked_out:
-            self._depth += 1
-            if self._depth > MAX_DEPTH:
+            if self._depth >= MAX_DEPTH:
                 raise SourceError(define.at, f"{define.name[:40]} is defined by itself, or by too many others")
+            self._depth += 1
             try:
                 self._worked_out[key] = self.value(define.value, local)
             finally:
@@ -209,6 +213,15 @@ class Names:
         return wrapped(found)
 
     def _sum(self, value: Sum, local: LocalNames) -> int | Fraction:
+        if self._depth >= MAX_DEPTH:
+            raise SourceError(value.at, f"the expression needs more than {MAX_DEPTH} others for its value")
+        self._depth += 1
+        try:
+            return self._worked(value, local)
+        finally:
+            self._depth -= 1
+
+    def _worked(self, value: Sum, local: LocalNames) -> int | Fraction:
         parts: list[int | Fraction] = []
         for part in value.values:
             found = self.value(part, local)

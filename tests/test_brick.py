@@ -295,3 +295,10 @@ def test_an_instruction_count_eats_the_bytes_behind_it(brick: Brick) -> None:
 def test_a_shell_command_is_never_run(brick: Brick, tmp_path: object) -> None:
     found = run(brick, op("SYSTEM", f"touch {tmp_path}/made", GV(0)), globals=4)
     assert found == (OK, b"\xff\xff\xff\xff")
+
+
+def test_a_wait_of_minutes_is_no_endless_command(brick: Brick) -> None:
+    wait = command(op("TIMER_WAIT", 120_000, LV(0)), op("TIMER_READY", LV(0)), locals=4)
+    assert brick.receive(wait) == []
+    assert brick.advance(119) == []
+    assert [taken_apart(reply)[0] for reply in brick.advance(2)] == [OK]

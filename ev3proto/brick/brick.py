@@ -204,8 +204,9 @@ class Brick:
         if self._waiting_bytes + len(frame) <= MOST_WAITING:
             self._waiting.append(Incoming(channel, bytes(frame)))
             self._waiting_bytes += len(frame)
-        self._deadline = thread_time() + self._stretch
-        self._serve()
+        if self._command is None:
+            self._deadline = thread_time() + self._stretch
+            self._serve()
         return self._take()
 
     def advance_all(self, seconds: float) -> list[Outgoing]:
@@ -304,12 +305,13 @@ class Brick:
         spent = command.spent
         has_waited = False
         while program.status == RUNNING:
-            is_endless = program.executed >= MOST_OPERATIONS or command.spent > MOST_PROCESSOR_SECONDS
+            is_endless = command.executed >= MOST_OPERATIONS or command.spent > MOST_PROCESSOR_SECONDS
             if is_endless or self.microseconds - program.started >= MOST_SECONDS * 1_000_000:
                 self.machine.end_program(program, FAIL)
                 break
             executed, is_waiting = self.machine.turn(program, OPERATIONS_AT_A_STRETCH)
-            program.executed += max(0, OPERATIONS_OF_A_TURN - executed)
+            if not is_waiting:
+                command.executed += max(OPERATIONS_OF_A_TURN, executed)
             if program.status != RUNNING:
                 break
             now = thread_time()
@@ -386,7 +388,8 @@ class Brick:
 class _Command:
     """The direct command under way.
 
-    spent  seconds of this computer's processor that it has taken
+    executed  operations so far, without those that waited
+    spent     seconds of this computer's processor that it has taken
     """
 
     channel: Hashable
@@ -394,4 +397,5 @@ class _Command:
     wants_reply: bool
     global_size: int
     program: Program
+    executed: int = 0
     spent: float = 0.0

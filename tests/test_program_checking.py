@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 from support.programs import IMAGE, SHORTEST, image_of
 
+from ev3proto import GV, operation
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Severity
 from ev3proto.program import check_program
+from ev3proto.tables import operations
 
 
 @pytest.mark.parametrize("image", [IMAGE, SHORTEST])
@@ -57,3 +59,10 @@ def test_a_block_has_the_locals_of_its_owner() -> None:
 def test_nothing_in_an_image_raises() -> None:
     for size in range(len(IMAGE)):
         assert not check_program(IMAGE[:size]).accepted
+
+
+def test_programs_may_have_the_commands_of_the_latest_firmware() -> None:
+    # UI_READ(GET_POWER, GV0, GV4, GV8, GV12), which the release of 2013 does not know
+    assert operations()["UI_READ.GET_POWER"].is_newer
+    image = image_of((0, 0, f"{operation('UI_READ.GET_POWER', *map(GV, (0, 4, 8, 12))).raw.hex()} 0A"), global_size=16)
+    assert check_program(image).accepted

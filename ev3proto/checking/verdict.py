@@ -126,14 +126,15 @@ _Kinds = tuple[int, ...]
 class _Validator:
     """The tables of one dialect's validator."""
 
-    def __init__(self, dialect: str) -> None:
+    def __init__(self, dialect: str, is_latest: bool = False) -> None:
+        knows_newer = is_latest or dialect != "official"
         self.opcodes: list[_Kinds | None] = [None] * 256
         self.families: list[Sequence[_Kinds] | None] = [None] * 256
         known = operations(dialect)
         for declaration in known.values():
             if declaration.command is None and Effect.NEVER_RUNS not in declaration.effects:
                 self.opcodes[declaration.opcode.number] = _kinds(declaration.parameters)
-        tables = _cmd_tables([entry for entry in known.values() if dialect != "official" or not entry.is_newer])
+        tables = _cmd_tables([entry for entry in known.values() if knows_newer or not entry.is_newer])
         for declaration in known.values():
             if declaration.command is not None:
                 self.families[declaration.opcode.number] = tables[declaration.opcode.validator_table]
@@ -323,8 +324,8 @@ def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Kinds]]:
 
 
 @cache
-def _validator(dialect: str) -> _Validator:
-    return _Validator(dialect)
+def _validator(dialect: str, is_latest: bool = False) -> _Validator:
+    return _Validator(dialect, is_latest)
 
 
 _DIRECT = {member.value for member in MessageType if member.kind == "direct-command"}
@@ -341,8 +342,11 @@ def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
 
 
 def code_verdict(code: bytes, dialect: str = "official") -> Verdict:
-    """What the validator says to the code of one object of a program, OBJECT_END included; offsets are those in it."""
-    return _validator(dialect).scan(code, 0, len(code))
+    """What the validator says to the code of one object of a program, OBJECT_END included; offsets are those in it.
+
+    The validator is that of the latest firmware, which knows all commands: programs say which firmware they are for.
+    """
+    return _validator(dialect, is_latest=True).scan(code, 0, len(code))
 
 
 def verdict(frame: bytes, dialect: str = "official") -> Verdict:

@@ -130,7 +130,10 @@ class Writer:
         program = self._program
         defects = program.defects
         writer = VERSIONS.get(program.version)
-        yield f"// a program{f', its version is that of {writer}' if writer else ''}"
+        rules = (
+            "EV3-G, labels as short as they can be" if self._is_shortest else "LEGO's assembler, labels of three bytes"
+        )
+        yield f"// by the rules of {rules}{f'; its version is that of {writer}' if writer else ''}"
         yield f"{MARK} version 0x{program.version:02X}"
         if self._is_shortest:
             yield f"{MARK} {SHORTEST}"
@@ -348,8 +351,9 @@ class Writer:
             symbol = parameter.enum.name_of(value)
             if symbol is not None and builtin_names().get(symbol) == value:
                 return symbol
-        elif parameter.type is Type.DATAF and not value and not self._is_shortest:
-            return "0.0F"
+        elif parameter.type is Type.DATAF:
+            # Other assemblers, and our own warnings, take a whole number for a mistake there.
+            return f"!{value}" if value else "0" if self._is_shortest else "0.0F"
         elif parameter.name == _OBJECT_PARAMETER and 0 < value <= len(self.names):
             return self.names[value - 1]
         return str(value)
@@ -361,7 +365,7 @@ class Writer:
         if not is_finite(bits):
             if builtin_names()[_NAN_NAME] == bits:
                 return _NAN_NAME
-            return f"0x{pattern:08X}"
+            return f"!0x{pattern:08X}"
         text = float_text(bits)
         if self._is_shortest or integer(bits) == raw:
             return text

@@ -88,6 +88,8 @@ class Brick:
     dialect  the firmware whose instruction set it has. ValueError for an unknown one.
     stretch  seconds of this computer's processor after which a call returns though a direct command could go on; the
              next call goes on with it. None: only when it ends or waits
+
+    `is_computing` says whether a direct command could go on.
     """
 
     def __init__(
@@ -95,7 +97,7 @@ class Brick:
     ) -> None:
         self.dialect = check_dialect(dialect)
         self.microseconds = 0
-        self.is_dead = False
+        self.is_dead = self.is_computing = False
         self.tests_until = 0
         self.settings = Settings()
         self.files = Storage(root)
@@ -220,13 +222,23 @@ class Brick:
             self._advance_parts()
             if self.microseconds % TICK == 0 or not self._is_running():
                 self._turn_programs()
-                self._serve()
+                if not self.is_computing or thread_time() < self._deadline:
+                    self._serve()
+        if self.is_computing:
+            self._serve()
         return self._take()
 
     @property
     def is_busy(self) -> bool:
         """Whether a direct command is under way: a real brick reads from no connection until it has ended."""
         return self._command is not None
+
+    def end_command(self) -> list[Outgoing]:
+        """Ends the direct command under way, which has failed then. Returns the replies that became due."""
+        if self._command is not None:
+            self.machine.end_program(self._command.program, FAIL)
+        self._serve()
+        return self._take()
 
     def disconnect(self, channel: Hashable) -> list[Outgoing]:
         """Ends a connection: its waiting frames are dropped, and a command of its own that waits is ended.
@@ -239,6 +251,7 @@ class Brick:
         if self._command is not None and self._command.channel == channel:
             self.machine.end_program(self._command.program, FAIL)
             self._command = None
+            self.is_computing = False
         self._serve()
         return self._take()
 
@@ -317,10 +330,12 @@ class Brick:
             now = thread_time()
             command.spent = spent + now - begun
             if now > self._deadline or (is_waiting and has_waited):
+                self.is_computing = not is_waiting
                 return False
             # Once more at once: some operations wait only for what they have changed themselves.
             has_waited = is_waiting
         self._command = None
+        self.is_computing = False
         if not self.is_dead:
             self._answer(command)
         # A real brick takes some milliseconds for a frame, in which its programs go on.

@@ -6,6 +6,7 @@ import sys
 
 import click
 
+from ev3proto.cli.brick import brick
 from ev3proto.cli.check import check
 from ev3proto.cli.decode import decode
 from ev3proto.cli.dissector import dissector
@@ -30,6 +31,7 @@ def cli() -> None:
     """
 
 
+cli.add_command(brick)
 cli.add_command(check)
 cli.add_command(decode)
 cli.add_command(dissector)

@@ -45,9 +45,14 @@ class _End:
 class Writer:
     """A computer and a brick in a network."""
 
-    def __init__(self) -> None:
+    def __init__(self, host_port: int = 49152) -> None:
+        """Begins before the first packet.
+
+        Args:
+            host_port: The TCP port of the computer, another one for each connection in a capture.
+        """
         host, brick = bytes((192, 0, 2, 1)), bytes((192, 0, 2, 10))
-        self._host = _End(bytes.fromhex("020000000001"), host, 49152, 0x10000000, 0x1000)
+        self._host = _End(bytes.fromhex("020000000001"), host, host_port, 0x10000000, 0x1000)
         self._brick = _End(bytes.fromhex("02000000000a"), brick, TCP_PORT, 0x20000000, 1)
         self._last: _End | None = None
 

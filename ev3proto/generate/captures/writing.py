@@ -33,6 +33,36 @@ _NANOSECONDS_DIGITS = 9
 _MOST_CAPTURED = 1 << 18
 
 
+class PacketFile:
+    """A pcapng file of one section: interfaces as they are needed, then packets with times in nanoseconds."""
+
+    def __init__(self, stream: BinaryIO) -> None:
+        """Takes a stream for bytes; nothing is written before the first interface."""
+        self._stream = stream
+        self._interfaces: dict[Carrier, int] = {}
+
+    def interface(self, carrier: Carrier) -> int:
+        """The number of the interface for a carrier, which is written when it is first asked for."""
+        if carrier not in self._interfaces:
+            if not self._interfaces:
+                self._stream.write(bytes(_section()))
+            self._stream.write(bytes(_interface(carrier)))
+            self._interfaces[carrier] = len(self._interfaces)
+        return self._interfaces[carrier]
+
+    def write(self, packet: bytes, time_ns: int, interface: int) -> None:
+        """Writes a packet.
+
+        Args:
+            packet: Its bytes.
+            time_ns: Nanoseconds since 1970-01-01 UTC.
+            interface: A number that `interface` gave.
+        """
+        high, low = divmod(time_ns, 1 << 32)
+        block = EnhancedPacketBlockLE(iface_id=interface, ts_high=high, ts_low=low, pkt_data=packet)
+        self._stream.write(bytes(block))
+
+
 class CaptureWriter:
     """Writes a capture of a computer and a brick that exchange frames, one frame after the other.
 
@@ -46,12 +76,13 @@ class CaptureWriter:
     ) -> None:
         """The arguments are those of `write_pcapng`."""
         self.count = 0
-        self._stream = stream
+        self._file = PacketFile(stream)
         self._carrier = _known(carrier)
-        self._writer = _writer(self._carrier)
+        self._writer = carrier_writer(self._carrier)
         self._begin_ns = begin_ns
         self._step_ns = step_ns
         self._last_ns: int | None = None
+        self._interface = 0
 
     def add(self, given: Message | bytes | TimedFrame) -> None:
         """Writes a frame.
@@ -88,7 +119,7 @@ class CaptureWriter:
         self._spread(closing, self._last_ns, MILLISECOND * (len(closing) + 1))
 
     def _open(self, time_ns: int) -> None:
-        self._stream.write(bytes(_section()) + bytes(_interface(self._carrier)))
+        self._interface = self._file.interface(self._carrier)
         opening = self._writer.opening()
         span_ns = MILLISECOND * (len(opening) + 1)
         self._spread(opening, max(time_ns - span_ns, 0), min(span_ns, time_ns))
@@ -99,9 +130,7 @@ class CaptureWriter:
             self._write(packet, begin_ns + span_ns * number // (len(packets) + 1))
 
     def _write(self, packet: bytes, time_ns: int) -> None:
-        high, low = divmod(time_ns, 1 << 32)
-        data = self._writer.stamped(packet, time_ns)
-        self._stream.write(bytes(EnhancedPacketBlockLE(ts_high=high, ts_low=low, pkt_data=data)))
+        self._file.write(self._writer.stamped(packet, time_ns), time_ns, self._interface)
 
 
 def write_pcapng(
@@ -150,7 +179,7 @@ def _known(carrier: str) -> Carrier:
         raise ValueError(f"carrier {carrier!r} is not known: it must be one of {', '.join(CARRIERS)}") from None
 
 
-def _writer(carrier: Carrier) -> CarrierWriter:
+def carrier_writer(carrier: Carrier) -> CarrierWriter:
     """A new writer of a carrier, from the module with its name."""
     made: CarrierWriter = import_module(f"{__package__}.{carrier}").Writer()
     return made

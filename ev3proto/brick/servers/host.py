@@ -1,0 +1,301 @@
+"""Drives a virtual brick with the real clock and serves its connections, each frame in its turn.
+
+A direct command under way keeps the whole brick waiting, as on the real one. Who is served next is decided by how much
+of the brick's time each connection has had, so that a client with endless commands cannot keep the others out.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Protocol
+
+from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, PATIENCE
+from ev3proto.schema.header import frame_size
+from ev3proto.tables.frame import LENGTH_FIELD
+
+if TYPE_CHECKING:
+    from ev3proto.brick.brick import Brick, Outgoing
+
+_COMPUTING_PERIOD, _BUSY_PERIOD, _IDLE_PERIOD = 0.0, 0.002, 0.02
+"""Seconds from one look at the clock to the next: while a direct command computes, while it waits, otherwise."""
+
+_MOST_SERVING = 0.01
+"""Seconds for which frames are served before the event loop gets its turn."""
+
+_LONG = 0.1
+"""Seconds from which on a command is one that keeps others waiting."""
+
+_LEAST_STEP = 500
+_MOST_STEP = 250_000
+"""Microseconds that the brick's clock advances at once. When this computer cannot keep up, that clock is slow."""
+
+_MICROSECONDS = 1_000_000
+_MOST_SHOWN = 48
+
+Say = Callable[[str], None]
+"""Tells a sentence to who started the server."""
+
+
+class Line(Protocol):
+    """What a carrier offers to its connection."""
+
+    def send(self, data: bytes) -> None:
+        """Sends bytes to the client."""
+
+    def pause(self) -> None:
+        """Reads no more from the client for now."""
+
+    def resume(self) -> None:
+        """Reads on."""
+
+
+class Observer(Protocol):
+    """Who is told what goes over the connections."""
+
+    def opened(self, connection: Connection) -> None:
+        """A client is there."""
+
+    def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
+        """A frame was taken from a client, or one was sent to it."""
+
+    def closed(self, connection: Connection) -> None:
+        """A client has gone."""
+
+
+class Connection:
+    """One client of the brick.
+
+    name     what it is called in messages
+    carrier  "wifi" or "bluetooth"
+    number   counted from 1, each connection its own
+    used     seconds of the brick's time that it has had
+    rests_until  when it is served again, after it kept others waiting
+    """
+
+    def __init__(self, host: Host, line: Line, name: str, carrier: str) -> None:
+        self.name = name
+        self.carrier = carrier
+        self.number = 0
+        self.used = 0.0
+        self.rests_until = 0.0
+        self._host = host
+        self._line = line
+        self._incoming = bytearray()
+        self._is_paused = False
+        self._is_choked = False
+        self._delayed = 0
+
+    def feed(self, data: bytes) -> None:
+        """Bytes came from the client."""
+        self._incoming += data
+        if len(self._incoming) > MOST_BUFFERED and not self._is_paused:
+            self._is_paused = True
+            self._line.pause()
+        self._host.wake()
+
+    def choke(self, is_choked: bool) -> None:
+        """Whether the client leaves too much unread; its frames wait meanwhile."""
+        self._is_choked = is_choked
+        if not is_choked:
+            self._host.wake()
+
+    @property
+    def is_ready(self) -> bool:
+        """Whether a whole frame is there that can be served."""
+        incoming = self._incoming
+        if self._is_choked or self._delayed >= MOST_DELAYED or len(incoming) < LENGTH_FIELD:
+            return False
+        return len(incoming) >= frame_size(incoming)
+
+    def take(self) -> bytes:
+        """The next whole frame."""
+        size = frame_size(self._incoming)
+        frame = bytes(self._incoming[:size])
+        del self._incoming[:size]
+        if self._is_paused and len(self._incoming) <= MOST_BUFFERED:
+            self._is_paused = False
+            self._line.resume()
+        return frame
+
+    def send(self, frame: bytes, delay: float) -> None:
+        """Sends a reply, after a while if that is asked for."""
+        if delay:
+            self._delayed += 1
+            asyncio.get_running_loop().call_later(delay, self._send_late, frame)
+        else:
+            self._line.send(frame)
+
+    def _send_late(self, frame: bytes) -> None:
+        self._delayed -= 1
+        self._line.send(frame)
+        self._host.wake()
+
+
+class Host:
+    """A brick that is on, and its connections."""
+
+    def __init__(self, brick: Brick, say: Say, faults: Faults | None = None) -> None:
+        """Must be made in the event loop that is to run it.
+
+        Args:
+            brick: the brick.
+            say: is told what the user of the server should know.
+            faults: what happens to replies.
+        """
+        self.brick = brick
+        self.say = say
+        self.connections: list[Connection] = []
+        self.observers: list[Observer] = []
+        self.faults = faults or Faults()
+        self._loop = asyncio.get_running_loop()
+        self._begin = self._loop.time()
+        self._timer: asyncio.TimerHandle | None = None
+        self._is_serving = self._is_stopped = False
+        self._now = 0
+        self._count = 0
+        self._virtual = 0.0
+        self._current: tuple[Connection, float] | None = None
+        self._was_said: set[str] = set()
+        self._schedule()
+
+    # Connections
+
+    def open(self, line: Line, name: str, carrier: str) -> Connection:
+        """A client is there."""
+        connection = Connection(self, line, name, carrier)
+        self._count += 1
+        connection.number = self._count
+        self.connections.append(connection)
+        for observer in self.observers:
+            observer.opened(connection)
+        return connection
+
+    def close(self, connection: Connection) -> None:
+        """A client has gone; what it left to do is dropped."""
+        self.connections.remove(connection)
+        self._advance()
+        self._deliver(self.brick.disconnect(connection))
+        if self._current is not None and self._current[0] is connection:
+            self._current = None
+        for observer in self.observers:
+            observer.closed(connection)
+        self.wake()
+
+    def stop(self) -> None:
+        """Stops the clock."""
+        if self._timer is not None:
+            self._timer.cancel()
+        self._timer = None
+        self._is_stopped = True
+
+    # Serving
+
+    def wake(self) -> None:
+        """Something may be there to serve."""
+        if not self._is_serving and not self._is_stopped:
+            self._serve()
+
+    def say_once(self, sentence: str) -> None:
+        """Tells a sentence, the first time only."""
+        if sentence not in self._was_said:
+            self._was_said.add(sentence)
+            self.say(sentence)
+
+    def _serve(self) -> None:
+        self._is_serving = True
+        until = self._loop.time() + _MOST_SERVING
+        try:
+            self._advance()
+            while not self.brick.is_busy:
+                self._settle()
+                connection = self._next()
+                if connection is None:
+                    break
+                self._take_up(connection)
+                if self._loop.time() > until:
+                    break
+                self._advance()
+        finally:
+            self._is_serving = False
+        self._schedule()
+
+    def _next(self) -> Connection | None:
+        """Of the connections with a frame the one that has had least of the brick's time."""
+        best: Connection | None = None
+        now = self._loop.time()
+        for connection in self.connections:
+            if connection.is_ready and connection.rests_until <= now and (best is None or connection.used < best.used):
+                best = connection
+        return best
+
+    def _take_up(self, connection: Connection) -> None:
+        # Who comes back after a pause has saved nothing up.
+        connection.used = self._virtual = max(connection.used, self._virtual)
+        self._current = (connection, self._loop.time())
+        frame = connection.take()
+        for observer in self.observers:
+            observer.frame(connection, frame, True)
+        try:
+            self._deliver(self.brick.receive_from(connection, frame))
+        except Exception as error:
+            # A defect of the brick must not take the other clients' brick away.
+            self._current = None
+            shown = frame[:_MOST_SHOWN].hex(" ") + (" ..." if len(frame) > _MOST_SHOWN else "")
+            self.say_once(f"a defect of the virtual brick, please report it: {error!r} at the frame {shown}")
+
+    def _settle(self) -> None:
+        """Charges a connection for the command that has ended; if it kept others waiting, it is their turn as long."""
+        if self._current is not None:
+            connection, begin = self._current
+            self._current = None
+            now = self._loop.time()
+            connection.used += now - begin
+            if now - begin > _LONG and self._is_awaited(connection):
+                connection.rests_until = now + min(now - begin, PATIENCE)
+
+    def _is_awaited(self, connection: Connection) -> bool:
+        """Whether another client has a frame to be served."""
+        return any(other.is_ready for other in self.connections if other is not connection)
+
+    def _advance(self) -> None:
+        """Lets the brick's clock follow the real one."""
+        brick = self.brick
+        now = int((self._loop.time() - self._begin) * _MICROSECONDS)
+        step = now - self._now
+        if step >= _LEAST_STEP or brick.is_computing:
+            self._now = now
+            self._deliver(brick.advance_all(min(step, _MOST_STEP) / _MICROSECONDS))
+        if self._current is not None and brick.is_busy:
+            connection, begin = self._current
+            if self._loop.time() - begin > PATIENCE and self._is_awaited(connection):
+                self.say_once(
+                    f"{connection.name}: its command was ended after {PATIENCE:g} s, because another client waits"
+                )
+                self._deliver(brick.end_command())
+        if brick.is_dead:
+            brick.is_dead = False
+            self.say_once(
+                "PROGRAM_STOP 0 ended everything: a real brick is dead until it is restarted, this one goes on"
+            )
+
+    def _deliver(self, replies: list[Outgoing]) -> None:
+        for channel, reply in replies:
+            sent = self.faults.befall(reply)
+            if isinstance(channel, Connection) and sent is not None:
+                for observer in self.observers:
+                    observer.frame(channel, sent, False)
+                channel.send(sent, self.faults.delay)
+
+    def _schedule(self) -> None:
+        """Looks at the clock again, soon enough for what is going on."""
+        if self._timer is not None:
+            self._timer.cancel()
+        if self.brick.is_computing:
+            period = _COMPUTING_PERIOD
+        elif self.brick.is_busy:
+            period = _BUSY_PERIOD
+        else:
+            period = _COMPUTING_PERIOD if self._next() is not None else _IDLE_PERIOD
+        self._timer = self._loop.call_later(period, self.wake)

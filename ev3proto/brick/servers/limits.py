@@ -1,0 +1,22 @@
+"""What one client may take, so that none can stop the others or fill this computer's memory."""
+
+STRETCH = 0.02
+"""Seconds of the processor after which a direct command pauses, so that everything else goes on meanwhile."""
+
+PATIENCE = 10.0
+"""Seconds after which a direct command is ended when another client waits for it."""
+
+MOST_BUFFERED = 1 << 17
+"""Bytes of a client that are kept unread by the brick; the client is read on when they are fewer. One frame fits."""
+
+MOST_UNREAD = 1 << 16
+"""Bytes of replies that a client leaves unread before its next frame waits."""
+
+MOST_DELAYED = 64
+"""Replies to one client that are held back by `--delay` before its next frame waits."""
+
+MOST_QUEUED = 64
+"""Connections that may wait for one of the clients to go; further ones are closed at once."""
+
+UNLOCK_TIME = 30.0
+"""Seconds in which a client has to send the unlock text."""

@@ -1,0 +1,147 @@
+"""A pseudo-terminal that stands for the serial port of a Bluetooth connection, for programs that open one.
+
+The port is reached by a symbolic link, the name of which the user chooses. While no program has it open nobody is
+connected; a program that opens it later starts anew.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import select
+from pathlib import Path
+
+from ev3proto.brick.servers.host import Connection, Host
+from ev3proto.brick.servers.limits import MOST_UNREAD
+
+_PERIOD = 0.05
+"""Seconds from one look whether the port was opened to the next."""
+
+_CHUNK = 1 << 14
+
+
+class SerialError(Exception):
+    """There can be no such port; the text says why and what to do."""
+
+
+class SerialPort:
+    """The pseudo-terminal, and the link to it."""
+
+    def __init__(self, host: Host, path: Path) -> None:
+        """Makes both.
+
+        Args:
+            host: what drives the brick.
+            path: where the link is to be; nothing may be there.
+
+        Raises:
+            SerialError: There is something, or the link cannot be made.
+        """
+        try:
+            import pty
+            import tty
+        except ImportError:
+            raise SerialError("this system has no pseudo-terminals: there is no --serial here") from None
+        self.path = path
+        self._host = host
+        self._loop = asyncio.get_running_loop()
+        self._connection: Connection | None = None
+        self._timer: asyncio.TimerHandle | None = None
+        self._outgoing = bytearray()
+        self._master, slave = pty.openpty()
+        try:
+            tty.setraw(slave)
+            self._target = os.ttyname(slave)
+            os.set_blocking(self._master, False)
+            path.symlink_to(self._target)
+        except FileExistsError:
+            os.close(self._master)
+            raise SerialError(
+                f"{path}: something is there already, and nothing is overwritten: give another name"
+            ) from None
+        except OSError as error:
+            os.close(self._master)
+            raise SerialError(f"{path}: no link can be made there: {error.strerror or error}") from None
+        finally:
+            os.close(slave)
+        self._wait()
+
+    def close(self) -> None:
+        """Ends the connection and removes the link, unless somebody has put something else in its place."""
+        if self._timer is not None:
+            self._timer.cancel()
+        self._hang_up()
+        os.close(self._master)
+        try:
+            if str(self.path.readlink()) == self._target:
+                self.path.unlink()
+        except OSError:
+            pass  # it is gone, or no link any more: not ours to remove
+
+    # Who has the port open
+
+    def _wait(self) -> None:
+        """Looks now and then whether a program has opened the port."""
+        self._timer = None
+        poll = select.poll()
+        poll.register(self._master, select.POLLIN)
+        if any(event & select.POLLHUP for _, event in poll.poll(0)):
+            self._timer = self._loop.call_later(_PERIOD, self._wait)
+            return
+        self._connection = self._host.open(self, str(self.path), "bluetooth")
+        self._loop.add_reader(self._master, self._read)
+
+    def _hang_up(self) -> None:
+        self._loop.remove_reader(self._master)
+        self._loop.remove_writer(self._master)
+        self._outgoing.clear()
+        connection, self._connection = self._connection, None
+        if connection is not None:
+            self._host.close(connection)
+
+    # Bytes
+
+    def _read(self) -> None:
+        try:
+            data = os.read(self._master, _CHUNK)
+        except BlockingIOError:
+            return
+        except OSError:
+            data = b""
+        if data and self._connection is not None:
+            self._connection.feed(data)
+        elif not data:
+            # The last program that had it open has closed it.
+            self._hang_up()
+            self._timer = self._loop.call_later(_PERIOD, self._wait)
+
+    def _write(self) -> None:
+        try:
+            del self._outgoing[: os.write(self._master, self._outgoing)]
+        except BlockingIOError:
+            pass
+        except OSError:
+            self._outgoing.clear()
+        if self._outgoing:
+            self._loop.add_writer(self._master, self._write)
+        else:
+            self._loop.remove_writer(self._master)
+        if self._connection is not None:
+            self._connection.choke(len(self._outgoing) > MOST_UNREAD)
+
+    def send(self, data: bytes) -> None:
+        """Sends bytes to the program that has the port open; those that it does not read wait."""
+        if self._connection is not None:
+            is_first = not self._outgoing
+            self._outgoing += data
+            if is_first:
+                self._write()
+
+    def pause(self) -> None:
+        """Reads no more for now."""
+        self._loop.remove_reader(self._master)
+
+    def resume(self) -> None:
+        """Reads on."""
+        if self._connection is not None:
+            self._loop.add_reader(self._master, self._read)

@@ -1,0 +1,196 @@
+"""A virtual brick with everything that is asked for around it, from the moment it is switched on until it is off."""
+
+from __future__ import annotations
+
+import asyncio
+import ipaddress
+from collections.abc import AsyncIterator
+from contextlib import AsyncExitStack, asynccontextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ev3proto.brick.brick import Brick
+from ev3proto.brick.display.canvas import WIDTH
+from ev3proto.brick.display.png import write_png
+from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.host import Host, Say
+from ev3proto.brick.servers.limits import STRETCH
+from ev3proto.brick.servers.recording import Recorder
+from ev3proto.brick.servers.reporting import Reporter
+from ev3proto.brick.servers.script import Script
+from ev3proto.brick.servers.serial_port import SerialError, SerialPort
+from ev3proto.brick.servers.wifi import Wifi, WifiError
+from ev3proto.tables.discovery import TCP_PORT
+
+LOOPBACK = "127.0.0.1"
+SCREENSHOT_SCALE = 3
+
+NETWORK = "ev3proto"
+"""Name of the network that the brick says it is in."""
+
+
+class ServerError(Exception):
+    """The brick cannot be switched on as asked for; the text says why and what to do."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """What is wanted around a brick.
+
+    address     where clients connect; loopback unless another one is named
+    port        TCP port of WiFi, 0 for any that is free; None: no WiFi
+    beacon      whether it says that it is there
+    clients     served at once
+    serial      where the link to a serial port is to be; None: no such port
+    page        TCP port of the page, 0 for any that is free; None: no page
+    faults      what happens to replies
+    record      file for a capture of what goes by
+    report      whether clients' frames are checked
+    screenshot  file for a picture of the display at the end
+    script      what is plugged in, and what happens
+    dialect     the firmware's instruction set
+    """
+
+    address: str = LOOPBACK
+    port: int | None = TCP_PORT
+    beacon: bool = True
+    clients: int = 1
+    serial: Path | None = None
+    page: int | None = None
+    faults: Faults = field(default_factory=Faults)
+    record: Path | None = None
+    report: bool = False
+    screenshot: Path | None = None
+    script: Script = field(default_factory=Script)
+    dialect: str = "official"
+
+
+@dataclass(frozen=True)
+class Running:
+    """A brick that is on.
+
+    brick     the brick
+    host      what drives it
+    address   where WiFi listens
+    port      of WiFi; 0 without WiFi
+    link      where the page is, with its token; empty without a page
+    reporter  what has checked the frames so far; None where that was not asked for
+    """
+
+    brick: Brick
+    host: Host
+    address: str = ""
+    port: int = 0
+    link: str = ""
+    reporter: Reporter | None = None
+
+
+@asynccontextmanager
+async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Running]:
+    """Switches a brick on, and off at the end.
+
+    Args:
+        options: what is wanted.
+        root: the folder of its files.
+        say: is told, in sentences, what its user should know.
+
+    Yields:
+        The brick with everything around it.
+
+    Raises:
+        ServerError: a port, a file or a library is not to be had.
+    """
+    async with AsyncExitStack() as stack:
+        brick = Brick(root, dialect=options.dialect, stretch=STRETCH)
+        options.script.set_up(brick)
+        host = Host(brick, say, options.faults)
+        stack.callback(host.stop)
+        if options.screenshot is not None:
+            stack.callback(_save_screenshot, brick, options.screenshot, say)
+        if options.record is not None:
+            recorder = _recorder(options.record, say)
+            host.observers.append(recorder)
+            stack.callback(recorder.close)
+        reporter = Reporter(options.dialect) if options.report else None
+        if reporter is not None:
+            host.observers.append(reporter)
+        link = ""
+        if options.page is not None:
+            link = await stack.enter_async_context(_page(host, options.address, options.page))
+        if options.serial is not None:
+            stack.callback(_serial(host, options.serial).close)
+        address, port = "", 0
+        if options.port is not None:
+            wifi = Wifi(host, options.clients)
+            stack.push_async_callback(wifi.close)
+            try:
+                await wifi.listen(options.address, options.port)
+            except WifiError as error:
+                raise ServerError(str(error)) from None
+            address, port = wifi.address, wifi.port
+            brick.settings.wifi, brick.settings.network, brick.settings.ip = True, NETWORK, address
+            if options.beacon:
+                wifi.announce()
+        if not is_loopback(options.address):
+            say(f"everybody who reaches {options.address} can use this brick and its files; WiFi has no password")
+        steps = asyncio.create_task(_follow(options.script, host))
+        stack.callback(steps.cancel)
+        yield Running(brick, host, address, port, link, reporter)
+
+
+def is_loopback(address: str) -> bool:
+    """Whether only this computer reaches an address."""
+    try:
+        return ipaddress.ip_address(address).is_loopback
+    except ValueError:
+        return address == "localhost"
+
+
+def save_screenshot(brick: Brick, path: Path) -> None:
+    """Writes the display as a picture. OSError where that cannot be."""
+    path.write_bytes(write_png(brick.display.rows, WIDTH, SCREENSHOT_SCALE))
+
+
+def _save_screenshot(brick: Brick, path: Path, say: Say) -> None:
+    try:
+        save_screenshot(brick, path)
+    except OSError as error:
+        say(f"{path}: the display cannot be saved: {error.strerror or error}")
+
+
+def _recorder(path: Path, say: Say) -> Recorder:
+    try:
+        return Recorder(path, say)
+    except OSError as error:
+        raise ServerError(f"{path}: cannot be written: {error.strerror or error}") from None
+
+
+def _serial(host: Host, path: Path) -> SerialPort:
+    try:
+        return SerialPort(host, path)
+    except SerialError as error:
+        raise ServerError(str(error)) from None
+
+
+@asynccontextmanager
+async def _page(host: Host, address: str, port: int) -> AsyncIterator[str]:
+    """The page, for as long as the brick is on; the link to it."""
+    try:
+        from ev3proto.brick.servers.page.server import PageError, serving
+    except ImportError:
+        raise ServerError("the page needs aiohttp: pip install 'ev3proto[page]' (or bin/setup page)") from None
+    try:
+        async with serving(host, address, port) as link:
+            yield link
+    except PageError as error:
+        raise ServerError(str(error)) from None
+
+
+async def _follow(script: Script, host: Host) -> None:
+    """Does the steps of a script, each in its time."""
+    loop = asyncio.get_running_loop()
+    begin = loop.time()
+    for at, step in script.times():
+        await asyncio.sleep(max(0.0, begin + at - loop.time()))
+        script.do(step, host.brick)
+        host.wake()

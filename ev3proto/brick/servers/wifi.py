@@ -1,0 +1,247 @@
+"""The brick's WiFi: the beacon, and the TCP port on which frames come after the unlock text."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import ipaddress
+import socket
+from collections import deque
+
+from ev3proto.brick.servers.host import Connection, Host
+from ev3proto.brick.servers.limits import MOST_QUEUED, MOST_UNREAD, UNLOCK_TIME
+from ev3proto.errors import BuildError
+from ev3proto.schema.discovery import Beacon
+from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, PROTOCOL, UNLOCK_PROTOCOL, UNLOCK_REQUEST
+
+BEACON_PERIOD = 5.0
+"""Seconds from one beacon to the next."""
+
+_UNLOCK = UNLOCK_REQUEST[1:].encode()
+"""What the firmware looks for."""
+
+_FIRST_READ = 100
+"""Bytes that the firmware reads to find it; what else is among them is lost."""
+
+_EVERYBODY = "255.255.255.255"
+
+
+class WifiError(Exception):
+    """The port cannot be opened; the text says why and what to do."""
+
+
+class Wifi:
+    """The TCP port, and the beacon if there is one.
+
+    address, port  where it listens
+    """
+
+    def __init__(self, host: Host, clients: int = 1) -> None:
+        """Makes it; `listen` opens the port.
+
+        Args:
+            host: what drives the brick.
+            clients: how many are served at once; further ones wait until one of them goes.
+        """
+        self.address = ""
+        self.port = 0
+        self._host = host
+        self._clients = clients
+        self._served: set[_Client] = set()
+        self._queued: deque[_Client] = deque()
+        self._server: asyncio.Server | None = None
+        self._beacon: asyncio.Task[None] | None = None
+
+    async def listen(self, address: str, port: int) -> None:
+        """Opens the port.
+
+        Args:
+            address: of this computer, where clients connect.
+            port: 0 for any that is free.
+
+        Raises:
+            WifiError: It cannot be opened.
+        """
+        loop = asyncio.get_running_loop()
+        try:
+            self._server = await loop.create_server(lambda: _Client(self, self._host), address, port, backlog=128)
+        except (OSError, OverflowError) as error:
+            raise WifiError(_why(error, address, port)) from None
+        self.address, self.port = self._server.sockets[0].getsockname()[:2]
+
+    def announce(self) -> None:
+        """Begins to send beacons."""
+        self._beacon = asyncio.create_task(self._announce())
+
+    async def close(self) -> None:
+        """Closes the port and all connections."""
+        if self._beacon is not None:
+            self._beacon.cancel()
+        if self._server is not None:
+            self._server.close()
+        for client in [*self._served, *self._queued]:
+            client.drop()
+
+    # Clients
+
+    def came(self, client: _Client) -> None:
+        """A client has connected: it is served, waits, or is sent away."""
+        if len(self._served) < self._clients:
+            self._served.add(client)
+            client.begin()
+        elif len(self._queued) < MOST_QUEUED:
+            self._queued.append(client)
+            self._host.say_once(
+                "a client waits for another one to go: the real brick, too, serves one at a time (see --clients)"
+            )
+        else:
+            client.drop()
+
+    def went(self, client: _Client) -> None:
+        """A client has gone: the next one is served."""
+        if client in self._queued:
+            self._queued.remove(client)
+        self._served.discard(client)
+        while self._queued and len(self._served) < self._clients:
+            self.came(self._queued.popleft())
+
+    # The beacon
+
+    async def _announce(self) -> None:
+        address = ipaddress.ip_address(self.address)
+        if address.version != 4:
+            self._host.say("there is no beacon: it goes by IPv4, and the address is one of IPv6")
+            return
+        target = str(address) if address.is_loopback else _EVERYBODY
+        with self._beacon_socket() as sender:
+            while True:
+                settings = self._host.brick.settings
+                beacon = Beacon(settings.bluetooth_address, str(self.port), settings.name, PROTOCOL)
+                try:
+                    sender.sendto(beacon.build(), (target, BEACON_PORT))
+                except (OSError, BuildError) as error:
+                    self._host.say_once(f"the beacon cannot be sent: {error}")
+                await asyncio.sleep(BEACON_PERIOD)
+
+    def _beacon_socket(self) -> socket.socket:
+        """Hosts answer to the port that the beacon names, or to that which it came from: they should be the same."""
+        sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        sender.setblocking(False)
+        sender.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
+        for port in (self.port, 0):
+            try:
+                sender.bind((self.address, port))
+                break
+            except OSError:
+                continue
+        return sender
+
+
+class _Client(asyncio.Protocol):
+    """One TCP connection, from the unlock text to its end."""
+
+    def __init__(self, wifi: Wifi, host: Host) -> None:
+        self._wifi = wifi
+        self._host = host
+        self._transport: asyncio.Transport | None = None
+        self._connection: Connection | None = None
+        self._text = b""
+        self._timer: asyncio.TimerHandle | None = None
+
+    # What asyncio calls
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        assert isinstance(transport, asyncio.Transport)
+        self._transport = transport
+        transport.set_write_buffer_limits(MOST_UNREAD)
+        transport.pause_reading()
+        self._wifi.came(self)
+
+    def data_received(self, data: bytes) -> None:
+        if self._connection is not None:
+            self._connection.feed(data)
+        else:
+            self._unlock(data)
+
+    def pause_writing(self) -> None:
+        if self._connection is not None:
+            self._connection.choke(True)
+
+    def resume_writing(self) -> None:
+        if self._connection is not None:
+            self._connection.choke(False)
+
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002 - whatever ended it
+        if self._timer is not None:
+            self._timer.cancel()
+        connection, self._connection = self._connection, None
+        if connection is not None:
+            self._host.close(connection)
+        self._wifi.went(self)
+
+    # What the port calls
+
+    def begin(self) -> None:
+        """Its turn has come."""
+        assert self._transport is not None
+        self._timer = asyncio.get_running_loop().call_later(UNLOCK_TIME, self.drop)
+        self._transport.resume_reading()
+
+    def drop(self) -> None:
+        """Ends the connection at once."""
+        if self._transport is not None:
+            self._transport.abort()
+
+    def _unlock(self, data: bytes) -> None:
+        """Looks for the unlock text; what stands beside it in the bytes read at once is lost, as on the real brick."""
+        for at in range(0, len(data), _FIRST_READ):
+            piece = data[at : at + _FIRST_READ]
+            if _UNLOCK in self._text + piece:
+                self._accept(data[at + _FIRST_READ :])
+                if piece.partition(UNLOCK_PROTOCOL.encode())[2].strip(b"\r\n\0"):
+                    self._host.say_once(
+                        f"what a client sends right after the unlock text is lost with it, within {_FIRST_READ} bytes,"
+                        " as on the real brick: wait for its answer"
+                    )
+                return
+            self._text = (self._text + piece)[-len(_UNLOCK) :]
+
+    def _accept(self, rest: bytes) -> None:
+        assert self._transport is not None
+        assert self._timer is not None
+        self._timer.cancel()
+        host, port = self._transport.get_extra_info("peername")[:2]
+        self._connection = self._host.open(self, f"{host}:{port}", "wifi")
+        # The zero that some firmware sends after it would stand before the first reply, where clients read 16 bytes.
+        self._transport.write(ACCEPT)
+        if rest:
+            self._connection.feed(rest)
+
+    # What the connection calls
+
+    def send(self, data: bytes) -> None:
+        assert self._transport is not None
+        if not self._transport.is_closing():
+            self._transport.write(data)
+
+    def pause(self) -> None:
+        assert self._transport is not None
+        self._transport.pause_reading()
+
+    def resume(self) -> None:
+        assert self._transport is not None
+        if not self._transport.is_closing():
+            self._transport.resume_reading()
+
+
+def _why(error: Exception, address: str, port: int) -> str:
+    code = getattr(error, "errno", None)
+    if isinstance(error, OverflowError):
+        return f"there is no port {port}: it must be 0 to 65535"
+    if code == errno.EADDRINUSE:
+        return f"port {port} of {address} is in use: end what uses it, or give another one (--port 0 takes any)"
+    if code == errno.EACCES:
+        return f"port {port} is not for everybody: take one above 1023"
+    if code == errno.EADDRNOTAVAIL:
+        return f"{address} is not an address of this computer"
+    return f"port {port} of {address} cannot be opened: {getattr(error, 'strerror', None) or error}"

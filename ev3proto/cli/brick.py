@@ -1,0 +1,248 @@
+"""`ev3proto brick`: a virtual brick for programs to talk to."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from inspect import cleandoc
+from pathlib import Path
+from random import Random
+from typing import TYPE_CHECKING
+
+import click
+
+from ev3proto.cli.output import Printer, complain
+from ev3proto.tables.declaration import DIALECTS
+from ev3proto.tables.discovery import TCP_PORT
+
+if TYPE_CHECKING:
+    from ev3proto.brick.servers.script import Script
+    from ev3proto.brick.servers.server import Options
+
+_SHARE = click.FloatRange(0, 1)
+_PORT = click.IntRange(0, 65535)
+_MOST_DELAY = 60
+
+_MOST_CLIENTS = 1000
+
+
+class _WithDifferences(click.Command):
+    """A command whose help ends with what the virtual brick does on purpose in another way than a real one."""
+
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        from ev3proto.brick.deviations import DEVIATIONS
+        from ev3proto.brick.servers.limits import PATIENCE
+
+        limit = f"A direct command that has taken {PATIENCE:g} s is ended when another client waits."
+        differences = "\n\n".join(f"- {sentence}" for sentence in (limit, *DEVIATIONS))
+        about = self.help
+        self.help = f"{cleandoc(about or '')}\n\nWhere it differs from a real brick on purpose:\n\n{differences}"
+        super().format_help_text(ctx, formatter)
+        self.help = about
+
+
+@click.command(cls=_WithDifferences)
+@click.option(
+    "--address", default="127.0.0.1", metavar="ADDRESS", help="Where to listen; only this computer by default."
+)
+@click.option("--port", type=_PORT, default=TCP_PORT, show_default=True, help="TCP port of WiFi; 0 takes any.")
+@click.option("--beacon/--no-beacon", default=True, help="Whether it says by UDP that it is there.")
+@click.option("--wifi/--no-wifi", default=True, help="Whether there is WiFi at all.")
+@click.option(
+    "--clients",
+    type=click.IntRange(1, _MOST_CLIENTS),
+    default=1,
+    show_default=True,
+    help="Clients served at once; a real brick serves one, and others wait.",
+)
+@click.option("--serial", type=click.Path(path_type=Path), metavar="PATH", help="A serial port too, by this link.")
+@click.option(
+    "--http",
+    "page",
+    type=_PORT,
+    is_flag=False,
+    flag_value=0,
+    metavar="[PORT]",
+    help="A page that shows the brick; the link is printed.",
+)
+@click.option(
+    "--root",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Folder that stands for /home/root/lms2012; otherwise one that is gone at the end.",
+)
+@click.option(
+    "--script",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="TOML file that says what is plugged in and what happens; see ev3proto.brick.servers.script.",
+)
+@click.option(
+    "--record", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Capture (pcapng) to write."
+)
+@click.option("--report", is_flag=True, help="At the end, say what `check` finds in the clients' frames.")
+@click.option(
+    "--screenshot",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Picture (PNG) of the display at the end.",
+)
+@click.option(
+    "--delay", type=click.FloatRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold every reply back."
+)
+@click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies that are lost, 0 to 1.")
+@click.option(
+    "--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte, 0 to 1."
+)
+@click.option("--seed", type=int, metavar="NUMBER", help="Lose and change the same replies every time.")
+@click.option("--dialect", type=click.Choice(list(DIALECTS)), default="official", show_default=True)
+@click.option("--quiet", is_flag=True, help="Do not say at the start where it differs from a real brick.")
+@click.option("--coverage", is_flag=True, help="List the operations that it cannot do, and end.")
+def brick(
+    address: str,
+    port: int,
+    beacon: bool,
+    wifi: bool,
+    clients: int,
+    serial: Path | None,
+    page: int | None,
+    root: Path | None,
+    script: Path | None,
+    record: Path | None,
+    report: bool,
+    screenshot: Path | None,
+    delay: float,
+    drop: float,
+    corrupt: float,
+    seed: int | None,
+    dialect: str,
+    quiet: bool,
+    coverage: bool,
+) -> None:
+    """A virtual brick: WiFi on this computer, a folder for files, and whatever else is asked for.
+
+    It answers as the firmware V1.04H does. The first line that it prints says where it listens; Ctrl-C switches it off.
+
+    \b
+      ev3proto brick
+      ev3proto brick --http --script robot.toml
+      ev3proto brick --serial /tmp/ev3 --record talk.pcapng --report
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    if coverage:
+        _show_coverage(dialect)
+        return
+    from ev3proto.brick.deviations import DEVIATIONS
+    from ev3proto.brick.servers.faults import Faults
+    from ev3proto.brick.servers.server import Options
+
+    options = Options(
+        address=address,
+        port=port if wifi else None,
+        beacon=beacon,
+        clients=clients,
+        serial=serial,
+        page=page,
+        faults=Faults(delay, drop, corrupt, Random(seed)),
+        record=record,
+        report=report,
+        screenshot=screenshot,
+        script=read_script_file(script),
+        dialect=dialect,
+    )
+    if options.port is None and serial is None and page is None:
+        raise click.UsageError("without WiFi there must be --serial or --http: nobody could reach the brick")
+    if not quiet:
+        complain(f"It differs from a real brick in {len(DEVIATIONS)} ways (--help lists them, --quiet hides this):")
+        for sentence in DEVIATIONS:
+            complain(f"- {sentence}")
+    with folder(root) as place:
+        sys.exit(asyncio.run(_serve(options, place)))
+
+
+async def _serve(options: Options, root: Path) -> int:
+    """Runs the brick until it is interrupted; the exit status."""
+    from ev3proto.brick.servers.server import ServerError, running
+
+    try:
+        async with running(options, root, complain) as now:
+            with ended_by_signals() as ended:
+                if now.port:
+                    click.echo(f"listening on {_shown(now.address)}:{now.port}")
+                if options.serial is not None:
+                    click.echo(f"serial port at {options.serial}")
+                if now.link:
+                    click.echo(f"page at {now.link}")
+                sys.stdout.flush()
+                await ended.wait()
+            reporter = now.reporter
+    except ServerError as error:
+        complain(str(error))
+        return 1
+    if reporter is not None:
+        Printer().lines(reporter.lines())
+    return 0
+
+
+@contextmanager
+def ended_by_signals() -> Iterator[asyncio.Event]:
+    """An event that Ctrl-C, or being asked to terminate, sets."""
+    loop = asyncio.get_running_loop()
+    ended = asyncio.Event()
+    numbers = [signal.SIGINT, signal.SIGTERM]
+    if hasattr(signal, "SIGHUP"):
+        numbers.append(signal.SIGHUP)
+    before = {}
+    for number in numbers:
+        # Not by the loop: its own way is missing on Windows.
+        before[number] = signal.signal(number, lambda *_: loop.call_soon_threadsafe(ended.set))
+    try:
+        yield ended
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+@contextmanager
+def folder(root: Path | None) -> Iterator[Path]:
+    """The folder of the brick's files: the one named, made if need be, or a fresh one that is removed at the end."""
+    if root is None:
+        with tempfile.TemporaryDirectory(prefix="ev3proto-brick-") as fresh:
+            yield Path(fresh)
+        return
+    try:
+        root.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        complain(f"{root}: there can be no such folder: {error.strerror or error}")
+        sys.exit(1)
+    yield root
+
+
+def read_script_file(path: Path | None) -> Script:
+    """The script in a file; an empty one without a file. Ends the program where it says something impossible."""
+    from ev3proto.brick.servers.script import Script, ScriptError, read_script
+
+    if path is None:
+        return Script()
+    try:
+        return read_script(path)
+    except (ScriptError, OSError) as error:
+        complain(f"{path}: {error}")
+        sys.exit(1)
+
+
+def _show_coverage(dialect: str) -> None:
+    from ev3proto.brick.handlers import coverage as covered_operations
+
+    names = list(covered_operations(dialect))
+    missing = [name for name, is_there in names if not is_there]
+    for name in missing:
+        click.echo(name)
+    complain(f"{len(names) - len(missing)} of {len(names)} operations are there")
+
+
+def _shown(address: str) -> str:
+    return f"[{address}]" if ":" in address else address

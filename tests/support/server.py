@@ -1,0 +1,140 @@
+"""A virtual brick on loopback, in a thread of the tests, and a plain client for it."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import fcntl
+import socket
+import tempfile
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+from ev3proto.brick.servers.server import Options, Running, running
+from ev3proto.text.assembly import assemble
+
+UNLOCK = b"GET /target?sn=0016530f0c1e VMTP1.0\r\nProtocol: EV3\r\n\r\n"
+ACCEPT = b"Accept:EV340\r\n\r\n"
+
+
+class Served(NamedTuple):
+    """A brick that is on: what it has around it, and the sentences it said."""
+
+    now: Running
+    said: list[str]
+
+    @property
+    def port(self) -> int:
+        return self.now.port
+
+
+@contextmanager
+def served(root: Path, options: Options | None = None) -> Iterator[Served]:
+    """Switches a brick on, by default without a beacon on any free port, for as long as the context lasts."""
+    options = options or Options(port=0, beacon=False)
+    said: list[str] = []
+    found: list[Running | BaseException] = []
+    there = threading.Event()
+    loop = asyncio.new_event_loop()
+    over = asyncio.Event()
+
+    async def serve() -> None:
+        try:
+            async with running(options, root, said.append) as now:
+                found.append(now)
+                there.set()
+                await over.wait()
+        except BaseException as error:
+            found.append(error)
+            there.set()
+
+    thread = threading.Thread(target=lambda: loop.run_until_complete(serve()))
+    thread.start()
+    try:
+        assert there.wait(10)
+        first = found[0]
+        if isinstance(first, BaseException):
+            raise first
+        yield Served(first, said)
+    finally:
+        loop.call_soon_threadsafe(over.set)
+        thread.join(10)
+        assert not thread.is_alive()
+        loop.close()
+    for late in found[1:]:
+        if isinstance(late, BaseException):
+            raise late
+
+
+class Client:
+    """A connection to a brick: TCP that has been unlocked, unless that is not wanted."""
+
+    def __init__(self, port: int, *, unlocks: bool = True, timeout: float = 10.0) -> None:
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout)
+        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        if unlocks:
+            self.send(UNLOCK)
+            assert self.read(len(ACCEPT)) == ACCEPT
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.socket.close()
+
+    def send(self, data: bytes) -> None:
+        self.socket.sendall(data)
+
+    def read(self, size: int) -> bytes:
+        data = b""
+        while len(data) < size:
+            more = self.socket.recv(size - len(data))
+            if not more:
+                raise ConnectionError(f"the brick closed the connection after {data!r}")
+            data += more
+        return data
+
+    def reply(self) -> bytes:
+        head = self.read(2)
+        return head + self.read(int.from_bytes(head, "little"))
+
+    def ask(self, frame: bytes) -> bytes:
+        self.send(frame)
+        return self.reply()
+
+    def is_silent(self, seconds: float = 0.2) -> bool:
+        """Whether nothing comes for a while."""
+        self.socket.settimeout(seconds)
+        try:
+            return self.socket.recv(1) == b"never"
+        except TimeoutError:
+            return True
+        finally:
+            self.socket.settimeout(10)
+
+
+def command(text: str, counter: int = 1) -> bytes:
+    """The frame of a direct command that wants a reply, written in assembly."""
+    (message,) = assemble(text, reply=True)
+    frame = message.build()
+    return frame[:2] + counter.to_bytes(2, "little") + frame[4:]
+
+
+@contextmanager
+def beacon_port() -> Iterator[None]:
+    """Has the UDP port of beacons to itself: the tests run in several processes, and it is one for all of them."""
+    with (Path(tempfile.gettempdir()) / "ev3proto-tests-beacon.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def free_port(lowest: int = 6000, highest: int = 9999) -> int:
+    """A TCP port of four digits that nobody uses: some clients take no others from a beacon."""
+    for port in range(lowest, highest):
+        with contextlib.suppress(OSError), socket.socket() as probe:
+            probe.bind(("127.0.0.1", port))
+            return port
+    raise OSError("no port is free")

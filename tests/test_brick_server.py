@@ -1,0 +1,478 @@
+"""The virtual brick on loopback: carriers, clients that behave badly, and what its user is told."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from random import Random
+
+import pytest
+import serial
+from support.cli import run_ev3proto_text
+from support.server import ACCEPT, UNLOCK, Client, beacon_port, command, served
+
+import ev3proto
+from ev3proto.brick.servers import limits
+from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.script import Script, ScriptError, read_script
+from ev3proto.brick.servers.server import Options, ServerError
+from ev3proto.schema.discovery import Beacon
+
+PLAIN = Options(port=0, beacon=False)
+# INPUT_READ of port 1 in its mode, to GV0.
+READ = bytes.fromhex("0b00 0700 00 0100 9a 00 00 00 00 60".replace(" ", ""))
+# INFO GET_VOLUME to GV0; a brick that was never used answers 100.
+VOLUME = command("DATA8 volume\nINFO(GET_VOLUME, volume)")
+HUNDRED = bytes.fromhex("0400 0100 02 64".replace(" ", ""))
+# JR to itself.
+ENDLESS = bytes.fromhex("0700 0300 00 0000 40 3e".replace(" ", ""))
+
+
+def frame(counter: int, kind: int, body: bytes) -> bytes:
+    """A frame by hand."""
+    rest = counter.to_bytes(2, "little") + bytes((kind,)) + body
+    return len(rest).to_bytes(2, "little") + rest
+
+
+def system(number: int, body: bytes) -> bytes:
+    """A system command that wants a reply, by hand."""
+    return frame(9, 0x01, bytes((number,)) + body)
+
+
+def test_first_line_says_where_it_listens(tmp_path: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-m", "ev3proto", "brick", "--port", "0", "--no-beacon", "--root", tmp_path, "--report"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    line = process.stdout.readline()
+    assert line.startswith("listening on 127.0.0.1:")
+    with Client(int(line.rpartition(":")[2])) as client:
+        assert client.ask(VOLUME) == HUNDRED
+        # SOUND TONE with a frequency that the loudspeaker cannot play.
+        client.send(bytes.fromhex("0e002a0080000094010182c80082e803"))
+        assert client.ask(VOLUME) == HUNDRED
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=10)
+    assert process.returncode == 0
+    assert "3 frames from clients" in out
+    assert "W303" in out
+    assert "SYSTEM never runs a command" in err
+    assert "Traceback" not in err
+    assert {entry.name for entry in tmp_path.iterdir()} == {"apps", "prjs", "sys", "tools"}
+
+
+def test_unlock_text_comes_first(tmp_path: Path) -> None:
+    with served(tmp_path) as brick, Client(brick.port, unlocks=False) as client:
+        client.send(b"hello\r\n")
+        assert client.is_silent()
+        client.send(UNLOCK)
+        assert client.read(16) == ACCEPT
+        assert client.ask(VOLUME) == HUNDRED
+
+
+def test_frames_in_the_segment_of_the_unlock_text_are_lost(tmp_path: Path) -> None:
+    with served(tmp_path) as brick, Client(brick.port, unlocks=False) as client:
+        client.send(UNLOCK + VOLUME)
+        assert client.read(16) == ACCEPT
+        assert client.is_silent()
+        assert client.ask(VOLUME) == HUNDRED
+        assert "is lost with it" in brick.said[0]
+
+
+def test_frames_may_be_cut_and_share_segments(tmp_path: Path) -> None:
+    with served(tmp_path) as brick, Client(brick.port) as client:
+        for byte in VOLUME:
+            client.send(bytes((byte,)))
+        assert client.reply() == HUNDRED
+        client.send(VOLUME * 20)
+        assert [client.reply() for _ in range(20)] == [HUNDRED] * 20
+
+
+def test_one_client_at_a_time(tmp_path: Path) -> None:
+    with served(tmp_path) as brick, Client(brick.port) as first, Client(brick.port, unlocks=False) as second:
+        second.send(UNLOCK)
+        assert second.is_silent()
+        assert first.ask(VOLUME) == HUNDRED
+        first.socket.close()
+        assert second.read(16) == ACCEPT
+        assert second.ask(VOLUME) == HUNDRED
+        assert "--clients" in brick.said[0]
+
+
+def test_beacon(tmp_path: Path) -> None:
+    with beacon_port(), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
+        listener.bind(("127.0.0.1", 3015))
+        listener.settimeout(10)
+        with served(tmp_path, Options(port=0)) as brick:
+            datagram, (_, source) = listener.recvfrom(1024)
+            assert Beacon.parse(datagram) == Beacon("0016530f0c1e", str(brick.port), "EV3", "EV3")
+            assert source == brick.port
+
+
+# Bad clients
+
+
+def test_a_client_that_goes_in_the_middle_of_a_frame(tmp_path: Path) -> None:
+    with served(tmp_path) as brick:
+        with Client(brick.port) as client:
+            client.send(VOLUME[:5])
+        with Client(brick.port) as client:
+            assert client.ask(VOLUME) == HUNDRED
+
+
+def test_garbage_and_frames_without_meaning(tmp_path: Path) -> None:
+    with served(tmp_path) as brick:
+        with Client(brick.port) as client:
+            # Lengths of 0, 1 and 2, an unknown type, a reply, a command without operations.
+            client.send(b"\0\0" + b"\1\0x" + b"\2\0xy" + frame(1, 0x77, b"??") + HUNDRED)
+            assert client.ask(frame(5, 0x00, b"\0\0")) == bytes.fromhex("0300050004")
+            assert client.ask(VOLUME) == HUNDRED
+        with Client(brick.port) as client:
+            client.send(Random(1).randbytes(300_000))
+        with Client(brick.port) as client:
+            assert client.ask(VOLUME) == HUNDRED
+
+
+def test_a_frame_that_never_ends(tmp_path: Path) -> None:
+    with (
+        served(tmp_path, replace(PLAIN, clients=2)) as brick,
+        Client(brick.port) as endless,
+        Client(brick.port) as other,
+    ):
+        endless.send(b"\xff\xff" + bytes(40_000))
+        assert other.ask(VOLUME) == HUNDRED
+        assert len(brick.now.host.connections) == 2
+
+
+def test_a_client_that_does_not_read_waits_and_the_others_do_not(tmp_path: Path) -> None:
+    # Each answer has 1,000 bytes; nobody reads the first client's.
+    large = frame(1, 0x00, b"\xe8\x03\x01")
+    with served(tmp_path, replace(PLAIN, clients=2)) as brick, Client(brick.port) as slow, Client(brick.port) as other:
+        slow.socket.settimeout(0.5)
+        sent = 0
+        with contextlib.suppress(TimeoutError):
+            while sent < 100_000_000:
+                sent += slow.socket.send(large * 1000)
+        assert sent < 100_000_000
+        assert other.ask(VOLUME) == HUNDRED
+        held = brick.now.host.connections[0]
+        assert len(held._incoming) < limits.MOST_BUFFERED * 4
+        # Once it reads, everything comes.
+        slow.socket.settimeout(10)
+        assert [slow.reply()[:5] for _ in range(500)] == [bytes.fromhex("eb03010002")] * 500
+
+
+def test_endless_commands_do_not_keep_others_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.brick.servers.host.PATIENCE", 0.3)
+    waiting = command("local DATA32 timer\nTIMER_WAIT(100000, timer)\nTIMER_READY(timer)")
+    with served(tmp_path, replace(PLAIN, clients=2)) as brick, Client(brick.port) as bad, Client(brick.port) as good:
+        bad.send((ENDLESS + waiting) * 5)
+        time.sleep(0.05)
+        begin = time.monotonic()
+        for _ in range(20):
+            assert good.ask(VOLUME) == HUNDRED
+        assert time.monotonic() - begin < 3
+        assert bad.reply()[4] == 0x04
+        assert "was ended after 0.3 s" in brick.said[-1]
+
+
+def test_an_endless_command_ends_with_its_connection(tmp_path: Path) -> None:
+    with served(tmp_path) as brick:
+        with Client(brick.port) as client:
+            client.send(ENDLESS)
+        with Client(brick.port) as client:
+            assert client.ask(VOLUME) == HUNDRED
+
+
+def test_a_command_that_switches_a_brick_off(tmp_path: Path) -> None:
+    with served(tmp_path) as brick, Client(brick.port) as client:
+        client.send(command("PROGRAM_STOP(0)"))
+        time.sleep(0.05)
+        assert client.ask(VOLUME) == HUNDRED
+        assert "PROGRAM_STOP 0" in brick.said[0]
+
+
+# Files
+
+
+def test_a_large_file_there_and_back(tmp_path: Path) -> None:
+    data = Random(2).randbytes(1_000_000)
+    with served(tmp_path) as brick, Client(brick.port) as client:
+        assert upload(client, b"../prjs/x/big.bin", data) == 8
+        assert (tmp_path / "prjs" / "x" / "big.bin").read_bytes() == data
+        assert download(client, b"../prjs/x/big.bin") == data
+
+
+def test_a_file_larger_than_the_limit_and_a_full_folder(tmp_path: Path) -> None:
+    with served(tmp_path) as brick, Client(brick.port) as client:
+        reply = client.ask(system(0x92, (6_200_000).to_bytes(4, "little") + b"big.bin\0"))
+        assert reply[4:] == bytes.fromhex("05 92 09 ff".replace(" ", ""))
+        assert not (tmp_path / "sys" / "big.bin").exists()
+        (tmp_path / "prjs" / "x.bin").write_bytes(bytes(100))
+    with served(tmp_path) as brick, Client(brick.port) as client:
+        brick.now.brick.files.quota = 150
+        assert upload(client, b"y.bin", bytes(100)) == 9
+        assert upload(client, b"z.bin", bytes(40)) == 8
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+def test_a_full_disk_ends_the_recording_only(tmp_path: Path) -> None:
+    options = replace(PLAIN, record=Path("/dev/full"))
+    with served(tmp_path, options) as brick, Client(brick.port) as client:
+        assert client.ask(VOLUME) == HUNDRED
+        assert "nothing more is recorded: No space left" in brick.said[0]
+
+
+def test_nothing_outside_the_folder(tmp_path: Path) -> None:
+    root, secret = tmp_path / "root", tmp_path / "secret.txt"
+    root.mkdir()
+    secret.write_text("do not tell")
+    (root / "link").symlink_to(tmp_path)
+    (root / "file").symlink_to(secret)
+    os.mkfifo(root / "pipe")
+    paths = (
+        b"/etc/passwd",
+        b"../../../../etc/passwd",
+        b"../../secret.txt",
+        b"../link/secret.txt",
+        b"../file",
+        b"../pipe",
+        str(secret).encode(),
+        b"/home/root/lms2012/link/secret.txt",
+    )
+    with served(root) as brick, Client(brick.port) as client:
+        for path in paths:
+            reply = client.ask(system(0x94, b"\xe8\x03" + path + b"\0"))
+            assert reply[4] == 0x05, path
+            assert b"do not tell" not in reply
+            client.ask(system(0x92, b"\4\0\0\0" + path + b"\0data"))
+            client.ask(system(0x9C, path + b"\0"))
+        assert client.ask(system(0x99, b"\xe8\x03../link/\0"))[4] == 0x05
+    assert secret.read_text() == "do not tell"
+
+
+def upload(client: Client, path: bytes, data: bytes) -> int:
+    """Sends a file to the brick in pieces; the last status."""
+    reply = client.ask(system(0x92, len(data).to_bytes(4, "little") + path + b"\0"))
+    status, handle = reply[6], reply[7]
+    for at in range(0, len(data), 1017):
+        if status not in (0,):
+            break
+        status = client.ask(system(0x93, bytes((handle,)) + data[at : at + 1017]))[6]
+    return status
+
+
+def download(client: Client, path: bytes) -> bytes:
+    """Fetches a file from the brick in pieces."""
+    reply = client.ask(system(0x94, (1000).to_bytes(2, "little") + path + b"\0"))
+    handle, data = reply[11], reply[12:]
+    while reply[6] == 0:
+        reply = client.ask(system(0x95, bytes((handle,)) + (1000).to_bytes(2, "little")))
+        data += reply[8:]
+    assert reply[6] == 8
+    return data
+
+
+# Several clients
+
+
+def test_fifty_clients_get_their_own_replies(tmp_path: Path) -> None:
+    with served(tmp_path, replace(PLAIN, clients=50)) as brick:
+        clients = [Client(brick.port) for _ in range(50)]
+        for turn in range(10):
+            for number, client in enumerate(clients):
+                client.send(command(f"DATA8 value\nMOVE8_8({number}, value)", turn * 50 + number))
+            for number, client in enumerate(clients):
+                counter = (turn * 50 + number).to_bytes(2, "little")
+                assert client.reply() == b"\4\0" + counter + b"\2" + bytes((number,))
+        for client in clients:
+            client.socket.close()
+
+
+# Faults on purpose
+
+
+def test_replies_come_late(tmp_path: Path) -> None:
+    with served(tmp_path, replace(PLAIN, faults=Faults(delay=0.2))) as brick, Client(brick.port) as client:
+        begin = time.monotonic()
+        client.send(VOLUME * 3)
+        assert [client.reply() for _ in range(3)] == [HUNDRED] * 3
+        assert 0.2 <= time.monotonic() - begin < 0.5
+
+
+def test_replies_are_lost_or_changed(tmp_path: Path) -> None:
+    options = replace(PLAIN, faults=Faults(drop=0.5, corrupt=0.5, random=Random(1)))
+    frames = [command("DATA8 volume\nINFO(GET_VOLUME, volume)", counter) for counter in range(200)]
+    with served(tmp_path, options) as brick, Client(brick.port) as client:
+        client.send(b"".join(frames))
+        client.socket.settimeout(0.5)
+        replies = []
+        with contextlib.suppress(TimeoutError):
+            while True:
+                replies.append(client.reply())
+    assert 70 < len(replies) < 130
+    assert all(len(reply) == 6 for reply in replies)
+    assert 20 < sum(reply[4:] != HUNDRED[4:] for reply in replies) < 70
+
+
+# The serial port
+
+
+def test_serial_port(tmp_path: Path) -> None:
+    link = tmp_path / "ev3"
+    with served(tmp_path / "root", replace(PLAIN, port=None, serial=link)) as brick:
+        with serial.Serial(str(link), timeout=5) as port:
+            port.write(VOLUME * 2)
+            assert port.read(12) == HUNDRED * 2
+            port.write(VOLUME[:4])
+        # A program that opens it later does not continue the frame of the one before.
+        deadline = time.monotonic() + 5
+        while brick.now.host.connections and time.monotonic() < deadline:
+            time.sleep(0.01)
+        with serial.Serial(str(link), timeout=5) as port:
+            port.write(VOLUME)
+            assert port.read(6) == HUNDRED
+    assert not link.is_symlink()
+
+
+def test_serial_port_overwrites_nothing(tmp_path: Path) -> None:
+    link = tmp_path / "ev3"
+    link.write_text("mine")
+    with pytest.raises(ServerError, match="something is there already"), served(tmp_path, replace(PLAIN, serial=link)):
+        pass
+    assert link.read_text() == "mine"
+
+
+def test_serial_port_removes_only_its_own_link(tmp_path: Path) -> None:
+    link = tmp_path / "ev3"
+    with served(tmp_path / "root", replace(PLAIN, serial=link)):
+        link.unlink()
+        link.write_text("mine")
+    assert link.read_text() == "mine"
+
+
+# What is written
+
+
+def test_recorded_traffic_is_read_back(tmp_path: Path) -> None:
+    capture = tmp_path / "talk.pcapng"
+    options = replace(PLAIN, clients=2, record=capture)
+    with served(tmp_path / "root", options) as brick, Client(brick.port) as first, Client(brick.port) as second:
+        assert first.ask(VOLUME) == HUNDRED
+        assert second.ask(READ)[:4] == bytes.fromhex("04000700")
+    done = run_ev3proto_text("decode", capture)
+    assert "INFO GET_VOLUME" in done.stdout
+    assert "VALUE = 100" in done.stdout
+    assert "INPUT_READ" in done.stdout
+    assert done.stderr == ""
+
+
+def test_screenshot(tmp_path: Path) -> None:
+    picture = tmp_path / "display.png"
+    with served(tmp_path / "root", replace(PLAIN, screenshot=picture)) as brick, Client(brick.port) as client:
+        client.ask(command("UI_DRAW(FILLRECT, 1, 0, 0, 60, 40)\nUI_DRAW(UPDATE)"))
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+# Scripts
+
+
+SCRIPT = """
+name = "Robby"
+voltage = 8.1
+[ports.1]
+type = "TYPE_TOUCH"
+readings.0 = [500]
+[ports.B]
+type = 7
+[[steps]]
+at = 0.1
+ports.1.0 = 4000
+press = "enter"
+"""
+
+
+def test_script(tmp_path: Path) -> None:
+    path = tmp_path / "robot.toml"
+    path.write_text(SCRIPT)
+    with served(tmp_path / "root", replace(PLAIN, script=read_script(path))) as brick, Client(brick.port) as client:
+        read = command("DATA8 touch\nDATA8 enter\nINPUT_READ(0, 0, TYPE_TOUCH, 0, touch)\nUI_BUTTON(PRESSED, 2, enter)")
+        time.sleep(0.3)
+        assert client.ask(read)[5:] == bytes((100, 1))
+        name = client.ask(command("DATA8 name 10\nCOM_GET(GET_BRICKNAME, 10, name)"))
+        assert name[5:].rstrip(b"\0") == b"Robby"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("name = [", "it is no TOML"),
+        ("nmae = 'x'", "the script has no key 'nmae'; it must be one of name, voltage"),
+        ("[ports.5]\ntype = 16", "ports.5: there is no such port"),
+        ("[ports.1]\ntype = 'TYPE_TUOCH'", "there is no type 'TYPE_TUOCH': did you mean TYPE_TOUCH"),
+        ("[ports.1]\ntype = 16\nreadings.7 = 1", "ports.1.readings.7: the modes of this type are 0 to 1"),
+        ("[[steps]]\npress = 'enter'", "needs its time"),
+        ("[[steps]]\nat = 1\nports.2.0 = 1", "nothing is plugged in there"),
+        ("[[steps]]\nat = 1\npress = 'middle'", "there is no button 'middle'"),
+        ("[[steps]]\nat = nan", "must be a number"),
+        ("period = 1\n[[steps]]\nat = 2", "period must be 2 s at least"),
+    ],
+)
+def test_script_that_says_something_impossible(tmp_path: Path, text: str, expected: str) -> None:
+    path = tmp_path / "robot.toml"
+    path.write_text(text)
+    with pytest.raises(ScriptError, match=expected):
+        read_script(path)
+    done = run_ev3proto_text("brick", "--script", path)
+    assert done.returncode == 1
+    assert expected in done.stderr
+
+
+def test_steps_begin_again(tmp_path: Path) -> None:
+    path = tmp_path / "robot.toml"
+    path.write_text("period = 3\n[[steps]]\nat = 1\npress = 'up'\n[[steps]]\nat = 2\nrelease = 'up'")
+    times = read_script(path).times()
+    assert [next(times)[0] for _ in range(5)] == [1, 2, 4, 5, 7]
+    assert list(Script().times()) == []
+
+
+# The call
+
+
+def test_what_is_wrong_with_a_call(tmp_path: Path) -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        done = run_ev3proto_text("brick", "--quiet", "--port", str(port))
+    assert done.returncode == 1
+    assert done.stderr.startswith(f"port {port} of 127.0.0.1 is in use")
+    done = run_ev3proto_text("brick", "--no-wifi")
+    assert done.returncode == 2
+    done = run_ev3proto_text("brick", "--quiet", "--root", __file__)
+    assert done.returncode == 2
+    done = run_ev3proto_text("brick", "--quiet", "--port", "0", "--record", tmp_path / "no" / "x.pcapng")
+    assert done.returncode == 1
+    assert "cannot be written" in done.stderr
+
+
+def test_coverage() -> None:
+    done = run_ev3proto_text("brick", "--coverage")
+    assert done.returncode == 0
+    assert "operations are there" in done.stderr
+
+
+def test_another_address_is_warned_of(tmp_path: Path) -> None:
+    with served(tmp_path, replace(PLAIN, address="0.0.0.0")) as brick:
+        assert "everybody who reaches 0.0.0.0" in brick.said[0]
+    assert ev3proto.parse(VOLUME).build() == VOLUME

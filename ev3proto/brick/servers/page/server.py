@@ -1,0 +1,267 @@
+"""Serves the page. Only who has the link, with the token in it, gets anything; pages of other sites get nothing.
+
+The token is made anew at each start. The page turns it into a cookie that scripts cannot read. Names and texts go to
+the page as JSON, and it shows them as text.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import ipaddress
+import json
+import secrets
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager, suppress
+from importlib.resources import files
+from typing import Any
+
+from aiohttp import WSMsgType, web
+
+from ev3proto.brick.display.canvas import WIDTH
+from ev3proto.brick.display.png import write_png
+from ev3proto.brick.servers.host import Host
+from ev3proto.brick.servers.page.state import ActionError, act, contents, facts, listing, state
+from ev3proto.brick.servers.page.watcher import Talk, Watcher
+
+PERIOD = 0.05
+"""Seconds from one look at the brick to the next."""
+
+MOST_PAGES = 16
+"""Pages at once."""
+
+_MOST_MESSAGE = 1 << 14
+_MOST_TALKS = 25
+"""Dialogues that are decoded at each look."""
+
+_STATIC = {
+    "/": ("page.html", "text/html"),
+    "/page.js": ("page.js", "text/javascript"),
+    "/page.css": ("page.css", "text/css"),
+}
+_SCREENSHOT_SCALE = 3
+_HEADERS = {
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-store",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+}
+
+Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
+
+
+class PageError(Exception):
+    """The page cannot be served; the text says why and what to do."""
+
+
+@asynccontextmanager
+async def serving(host: Host, address: str, port: int) -> AsyncIterator[str]:
+    """Serves the page for as long as the context lasts.
+
+    Args:
+        host: what drives the brick.
+        address: of this computer.
+        port: 0 for any that is free.
+
+    Yields:
+        The link that opens it.
+
+    Raises:
+        PageError: The port cannot be opened.
+    """
+    page = _Page(host)
+
+    async def guard(request: web.Request, handler: Handler) -> web.StreamResponse:
+        return await page.guard(request, handler)
+
+    application = web.Application(middlewares=[web.middleware(guard)])
+    for path in _STATIC:
+        application.router.add_get(path, page.static)
+    application.router.add_get("/live", page.live)
+    application.router.add_get("/file", page.file)
+    application.router.add_get("/display.png", page.display)
+    runner = web.AppRunner(application, access_log=None, handle_signals=False, shutdown_timeout=1.0)
+    await runner.setup()
+    try:
+        try:
+            await web.TCPSite(runner, address, port).start()
+        except OSError as error:
+            raise PageError(
+                f"port {port} of {address} cannot be opened for the page: {error.strerror or error}; --http alone takes"
+                " any that is free"
+            ) from None
+        page.port = runner.addresses[0][1]
+        host.observers.append(page.watcher)
+        shown = f"[{address}]" if ":" in address else address
+        yield f"http://{shown}:{page.port}/?token={page.token}"
+    finally:
+        await page.close()
+        await runner.cleanup()
+
+
+class _Page:
+    """What answers the browser."""
+
+    def __init__(self, host: Host) -> None:
+        self.port = 0
+        self.token = secrets.token_urlsafe(24)
+        self.watcher = Watcher(lambda: host.brick.microseconds / 1_000_000)
+        self._host = host
+        self._sockets: set[web.WebSocketResponse] = set()
+
+    async def close(self) -> None:
+        """Ends all pages."""
+        for socket in list(self._sockets):
+            with suppress(OSError, TimeoutError):
+                await asyncio.wait_for(socket.close(), 1)
+
+    # Who may come in
+
+    async def guard(self, request: web.Request, handler: Handler) -> web.StreamResponse:
+        """Lets nobody in who was not given the link, nor a page of another site that sends its visitors here."""
+        reason = self._refusal(request)
+        if reason is not None:
+            response: web.StreamResponse = web.Response(status=403, text=f"{reason}\n")
+        else:
+            try:
+                response = await handler(request)
+            except web.HTTPException as error:
+                response = web.Response(status=error.status, text=f"{error.reason}\n")
+        if not response.prepared:
+            response.headers.update(_HEADERS)
+            response.headers["Content-Security-Policy"] = self._policy(request.host if reason is None else "")
+            if reason is None and "token" in request.query:
+                response.set_cookie(self._cookie, self.token, httponly=True, samesite="Strict", path="/")
+        return response
+
+    def _refusal(self, request: web.Request) -> str | None:
+        """Why a request is refused."""
+        if not self._is_own_host(request.host):
+            return "this page is reached by its address only, not by another name"
+        origin = request.headers.get("Origin")
+        if origin is not None and origin != f"http://{request.host}":
+            return "another site's page may not come here"
+        given = request.query.get("token") or request.cookies.get(self._cookie, "")
+        if not hmac.compare_digest(given.encode(errors="replace"), self.token.encode()):
+            return "open the link that ev3proto printed: it has a token, which is another one at each start"
+        return None
+
+    def _is_own_host(self, host: str) -> bool:
+        """Whether a Host header names this computer by number: a name could be one that others let lead here."""
+        name, _, port = host.rpartition(":")
+        if port != str(self.port):
+            return False
+        if name == "localhost":
+            return True
+        try:
+            ipaddress.ip_address(name.removeprefix("[").removesuffix("]"))
+        except ValueError:
+            return False
+        return True
+
+    @property
+    def _cookie(self) -> str:
+        # A browser keeps cookies by host, whatever the port.
+        return f"ev3proto-{self.port}"
+
+    @staticmethod
+    def _policy(host: str) -> str:
+        live = f" ws://{host}" if host else ""
+        return (
+            f"default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'{live};"
+            " base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+        )
+
+    # What there is
+
+    async def static(self, request: web.Request) -> web.StreamResponse:
+        """The page itself."""
+        name, kind = _STATIC[request.path]
+        body = (files("ev3proto.brick.servers.page") / "static" / name).read_bytes()
+        return web.Response(body=body, content_type=kind, charset="utf-8")
+
+    async def display(self, _: web.Request) -> web.StreamResponse:
+        """The display as a picture."""
+        picture = write_png(self._host.brick.display.rows, WIDTH, _SCREENSHOT_SCALE)
+        return web.Response(body=picture, content_type="image/png")
+
+    async def file(self, request: web.Request) -> web.StreamResponse:
+        """A file of the brick, to be saved and never shown."""
+        try:
+            body = contents(self._host, request.query.get("path", ""))
+        except ActionError:
+            return web.Response(status=404, text="there is no such file\n")
+        headers = {"Content-Disposition": "attachment"}
+        return web.Response(body=body, content_type="application/octet-stream", headers=headers)
+
+    async def live(self, request: web.Request) -> web.StreamResponse:
+        """All that happens, as it happens, and what is asked for."""
+        if len(self._sockets) >= MOST_PAGES:
+            return web.Response(status=503, text=f"there are {MOST_PAGES} pages already\n")
+        socket = web.WebSocketResponse(max_msg_size=_MOST_MESSAGE, heartbeat=20)
+        await socket.prepare(request)
+        self._sockets.add(socket)
+        sender = asyncio.create_task(self._send(socket))
+        try:
+            async for message in socket:
+                if message.type is not WSMsgType.TEXT:
+                    continue
+                answer = self._answer(message.data)
+                if answer is not None:
+                    await socket.send_str(json.dumps(answer))
+        except ConnectionError:
+            pass  # the browser has gone
+        finally:
+            sender.cancel()
+            self._sockets.discard(socket)
+        return socket
+
+    def _answer(self, text: str) -> dict[str, Any] | None:
+        """Does what a message asks for; what is to be sent back."""
+        try:
+            asked = json.loads(text)
+            if isinstance(asked, dict) and asked.get("do") == "list":
+                return {"folder": listing(self._host, str(asked.get("path", "")))}
+            act(self._host, asked)
+        except (json.JSONDecodeError, RecursionError):
+            return {"error": "that was no JSON"}
+        except (ActionError, OSError) as error:
+            return {"error": str(error)}
+        return None
+
+    async def _send(self, socket: web.WebSocketResponse) -> None:
+        """Sends what has changed. A page that does not read is sent nothing more until it does."""
+        unshown = self.watcher.open()
+        last: dict[str, Any] = {}
+        try:
+            await socket.send_str(json.dumps({"facts": facts()}))
+            while True:
+                now = state(self._host)
+                message = {key: value for key, value in now.items() if last.get(key, _UNSEEN) != value}
+                last = now
+                talks = [self._talk(talk) for talk in unshown.take(_MOST_TALKS)]
+                if talks:
+                    message["talks"] = talks
+                    message["left_out"] = unshown.left_out
+                if message:
+                    await socket.send_str(json.dumps(message))
+                await asyncio.sleep(PERIOD)
+        except ConnectionError:
+            pass  # the browser has gone
+        finally:
+            self.watcher.close(unshown)
+
+    def _talk(self, talk: Talk) -> dict[str, Any]:
+        line, is_wrong = talk.line(self._host.brick.dialect)
+        return {
+            "number": talk.number,
+            "client": talk.client,
+            "time": round(talk.begun, 3),
+            "text": line,
+            "wrong": is_wrong,
+        }
+
+
+_UNSEEN = object()

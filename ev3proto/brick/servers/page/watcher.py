@@ -1,0 +1,136 @@
+"""The dialogue as it happens, for pages: each command with its reply, decoded only when a page is there to show it."""
+
+from __future__ import annotations
+
+from collections import OrderedDict, deque
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ev3proto.schema.header import HEADER_SIZE, Header
+from ev3proto.tables.frame import MAX_FRAME
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ev3proto.brick.servers.host import Connection
+
+MOST_KEPT = 200
+"""Dialogues that a page finds when it is opened."""
+
+MOST_PENDING = 256
+"""Commands that may wait for a reply."""
+
+MOST_UNSHOWN = 400
+"""Dialogues that a page has not been sent yet; older ones are counted only."""
+
+
+@dataclass(eq=False)
+class Talk:
+    """A command and its reply.
+
+    number   counted from 1
+    client   who sent it
+    begun    seconds of the brick's clock
+    command  the frame; None for a reply to nothing that was seen
+    reply    the frame; None while there is none
+    latency  seconds between them
+    """
+
+    number: int
+    client: str
+    begun: float
+    command: bytes | None
+    reply: bytes | None = None
+    latency: float | None = None
+
+    def line(self, dialect: str) -> tuple[str, bool]:
+        """What both say, decoded, and whether something went wrong."""
+        from ev3proto.dialogue import Dialogue
+        from ev3proto.schema.frame import parse
+        from ev3proto.text.dialogues import command_spans, dialogue_line
+        from ev3proto.text.spans import Role, plain_text
+
+        dialogue = Dialogue()
+        command = None if self.command is None else parse(self.command, strict=False, dialect=dialect)
+        if command is not None:
+            dialogue.follow(command)
+        if self.reply is not None:
+            exchange = dialogue.follow(parse(self.reply, strict=False, dialect=dialect))
+            line = dialogue_line(command, exchange, self.latency)
+        else:
+            line = [] if command is None else command_spans(command)
+        return plain_text(line), any(role is Role.FAULT for _, role in line)
+
+
+class Unshown:
+    """What one page has not been sent yet."""
+
+    def __init__(self, kept: deque[Talk]) -> None:
+        self.left_out = 0
+        self._talks: OrderedDict[int, Talk] = OrderedDict((talk.number, talk) for talk in kept)
+
+    def add(self, talk: Talk) -> None:
+        """Something is new about a dialogue."""
+        self._talks[talk.number] = talk
+        if len(self._talks) > MOST_UNSHOWN:
+            self._talks.popitem(last=False)
+            self.left_out += 1
+
+    def take(self, most: int) -> list[Talk]:
+        """The next ones to send."""
+        return [self._talks.popitem(last=False)[1] for _ in range(min(most, len(self._talks)))]
+
+
+class Watcher:
+    """Watches the brick's connections for all pages."""
+
+    def __init__(self, clock: Callable[[], float]) -> None:
+        """Sees nothing yet.
+
+        Args:
+            clock: seconds of the brick's clock.
+        """
+        self._clock = clock
+        self._count = 0
+        self._kept: deque[Talk] = deque(maxlen=MOST_KEPT)
+        self._pending: OrderedDict[tuple[int, int], Talk] = OrderedDict()
+        self._pages: set[Unshown] = set()
+
+    def open(self) -> Unshown:
+        """A page is there."""
+        unshown = Unshown(self._kept)
+        self._pages.add(unshown)
+        return unshown
+
+    def close(self, unshown: Unshown) -> None:
+        """A page has gone."""
+        self._pages.discard(unshown)
+
+    def opened(self, connection: Connection) -> None:
+        """Nothing to show yet."""
+
+    def closed(self, connection: Connection) -> None:
+        """Nothing to show."""
+
+    def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
+        """A command begins a dialogue, the reply with its counter ends it."""
+        if len(frame) < HEADER_SIZE:
+            return
+        key = connection.number, Header.read(frame).counter
+        now = self._clock()
+        frame = frame[:MAX_FRAME]
+        talk = None if is_from_host else self._pending.pop(key, None)
+        if talk is not None:
+            talk.reply, talk.latency = frame, now - talk.begun
+        else:
+            self._count += 1
+            talk = Talk(self._count, connection.name, now, frame if is_from_host else None)
+            if is_from_host:
+                self._pending[key] = talk
+                if len(self._pending) > MOST_PENDING:
+                    self._pending.popitem(last=False)
+            else:
+                talk.reply = frame
+            self._kept.append(talk)
+        for page in self._pages:
+            page.add(talk)

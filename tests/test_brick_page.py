@@ -1,0 +1,180 @@
+"""The page of the virtual brick: who may open it, what it sends, and what a real browser shows of it."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import aiohttp
+import pytest
+from selenium.webdriver import Chrome, ChromeOptions
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import WebDriverWait
+from support.server import Client, Served, command, served
+
+from ev3proto.brick.servers.server import Options
+
+WITH_PAGE = Options(port=0, beacon=False, page=0)
+
+
+@pytest.fixture
+def brick(tmp_path: Path) -> Iterator[Served]:
+    with served(tmp_path, WITH_PAGE) as brick:
+        yield brick
+
+
+def fetch(url: str, **headers: str) -> tuple[int, Any, bytes]:
+    """Status, headers and body of what a plain client gets."""
+    request = urllib.request.Request(url, headers={name.replace("_", "-"): value for name, value in headers.items()})
+    try:
+        with urllib.request.urlopen(request, timeout=5) as response:
+            return response.status, response.headers, response.read()
+    except urllib.error.HTTPError as error:
+        return error.code, error.headers, error.read()
+
+
+def test_link_opens_the_page_and_nothing_else_does(brick: Served) -> None:
+    link = brick.now.link
+    parts = urlsplit(link)
+    assert parts.hostname == "127.0.0.1"
+    status, headers, body = fetch(link)
+    assert status == 200
+    assert b"/page.js" in body
+    plain = link.partition("?")[0]
+    assert fetch(plain)[0] == 403
+    assert fetch(plain + "?token=guessed")[0] == 403
+    assert fetch(plain + "live")[0] == 403
+    cookie = headers["Set-Cookie"]
+    assert "HttpOnly" in cookie
+    assert "SameSite=Strict" in cookie
+    assert fetch(plain + "page.js", Cookie=cookie.partition(";")[0])[0] == 200
+    # A name that somebody lets lead to this computer, and a page of another site.
+    assert fetch(link, Host=f"ev3.example:{parts.port}")[0] == 403
+    assert fetch(link, Host="127.0.0.1:1")[0] == 403
+    assert fetch(link, Origin="http://ev3.example")[0] == 403
+    assert fetch(link, Origin="null")[0] == 403
+    assert fetch(plain + "file?path=/home/root/lms2012/../../../etc/passwd&" + parts.query)[0] == 404
+
+
+def test_policy_of_the_page(brick: Served) -> None:
+    _, headers, body = fetch(brick.now.link)
+    policy = headers["Content-Security-Policy"]
+    assert "default-src 'none'" in policy
+    assert "unsafe" not in policy
+    assert headers["X-Content-Type-Options"] == "nosniff"
+    assert headers["Referrer-Policy"] == "no-referrer"
+    assert not re.search(rb"<script(?![^>]*src=)|style=|\son\w+=", body)
+
+
+def test_token_is_another_one_at_each_start(tmp_path: Path) -> None:
+    with served(tmp_path, WITH_PAGE) as first, served(tmp_path, WITH_PAGE) as second:
+        assert first.now.link.partition("token=")[2] != second.now.link.partition("token=")[2]
+
+
+def test_actions_and_what_is_wrong_with_them(brick: Served) -> None:
+    async def talk() -> list[dict[str, Any]]:
+        found: list[dict[str, Any]] = []
+        url = brick.now.link.replace("http", "ws", 1).replace("/?", "/live?")
+        async with aiohttp.ClientSession() as session, session.ws_connect(url) as socket:
+            for action in (
+                "no JSON",
+                '{"do": "fly"}',
+                '{"do": "press", "button": "middle"}',
+                '{"do": "plug", "port": 9, "type": 16}',
+                '{"do": "plug", "port": 1, "type": 16}',
+                '{"do": "read", "port": 1, "mode": 0, "values": [4000]}',
+                '{"do": "read", "port": 1, "mode": 0, "values": ["x"]}',
+                '{"do": "read", "port": 1, "mode": 7, "values": [1]}',
+                '{"do": "list", "path": "/etc"}',
+                '{"do": "list", "path": "/home/root/lms2012"}',
+            ):
+                await socket.send_str(action)
+            until = time.monotonic() + 5
+            while time.monotonic() < until and not any("folder" in message for message in found):
+                found.append(json.loads(await socket.receive_str(timeout=5)))
+        return found
+
+    messages = asyncio.run(talk())
+    assert "facts" in messages[0] or "facts" in messages[1]
+    errors = [message["error"] for message in messages if "error" in message]
+    assert len(errors) == 7
+    assert errors[-1] == "there is no folder /etc"
+    (folder,) = [message["folder"] for message in messages if "folder" in message]
+    assert [entry["name"] for entry in folder["entries"]] == ["apps", "prjs", "sys", "tools"]
+    assert brick.now.brick.inputs.plugged()[1].raw() == 4000
+
+
+def test_page_in_a_browser(tmp_path: Path) -> None:
+    (tmp_path / "prjs").mkdir()
+    (tmp_path / "<img src=x>.rbf").write_bytes(b"12345")
+    options = ChromeOptions()
+    for argument in (
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        "--window-size=1400,1000",
+        f"--user-data-dir={tmp_path / 'profile'}",
+    ):
+        options.add_argument(argument)
+    options.binary_location = "/usr/bin/chromium"
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    with served(tmp_path, replace(WITH_PAGE, clients=2)) as brick, Client(brick.port) as client:
+        browser = Chrome(options, Service("/usr/bin/chromedriver"))
+        try:
+            _look(browser, brick, client)
+            log: Any = browser
+            severe = [entry["message"] for entry in log.get_log("browser") if entry["level"] == "SEVERE"]
+            assert [message for message in severe if "favicon" not in message] == []
+        finally:
+            browser.quit()
+
+
+def _look(browser: Chrome, brick: Served, client: Client) -> None:
+    wait = WebDriverWait(browser, 5, 0.05)
+    browser.get(brick.now.link)
+    assert "token" not in browser.current_url
+    brick.now.brick.plug("A", 7)
+    client.ask(
+        command(
+            "UI_DRAW(FILLRECT, 1, 0, 0, 60, 40)\nUI_DRAW(UPDATE)\nUI_WRITE(LED, 6)\n"
+            "SOUND(TONE, 50, 440, 3000)\nOUTPUT_SPEED(0, 1, 50)\nOUTPUT_START(0, 1)"
+        )
+    )
+    wait.until(lambda _: browser.find_element(By.ID, "light").text == "LED_ORANGE_FLASH")
+    assert "orange" in str(browser.find_element(By.ID, "pad").get_attribute("class"))
+    pixel = "return [...document.getElementById('display').getContext('2d').getImageData(arguments[0], 5, 1, 1).data]"
+    wait.until(lambda _: browser.execute_script(pixel, 59)[0] < 60)
+    assert browser.execute_script(pixel, 60)[0] > 180
+    wait.until(lambda _: "rotate(" in str(browser.find_element(By.CSS_SELECTOR, ".wheel").get_attribute("style")))
+    wait.until(lambda _: "FREQUENCY=440" in browser.find_element(By.ID, "talks").text)
+
+    # A button is pressed, a sensor is plugged in and dragged.
+    brick.now.brick.plug(1, 29, {0: (10,)})
+    slider = wait.until(lambda _: browser.find_element(By.CSS_SELECTOR, ".sensor input"))
+    drag = "arguments[0].value = 77; arguments[0].dispatchEvent(new Event('input'))"
+    browser.execute_script(drag, slider)
+    browser.find_element(By.CSS_SELECTOR, "[data-button=enter]").click()
+    read = command("DATA8 light\nDATA8 enter\nINPUT_READ(0, 0, 0, -1, light)\nUI_BUTTON(SHORTPRESS, 2, enter)", 7)
+    wait.until(lambda _: client.ask(read)[5] == 77)
+    assert brick.now.brick.buttons.bump(2)
+
+    # What is not asked for is hidden; a name is shown as text.
+    browser.find_element(By.ID, "filter").send_keys("input_read")
+    assert "FREQUENCY" not in browser.find_element(By.ID, "talks").text
+    assert "INPUT_READ" in browser.find_element(By.ID, "talks").text
+    wait.until(lambda _: "<img src=x>.rbf" in browser.find_element(By.ID, "files").text)

@@ -131,7 +131,7 @@ def test_a_program_made_by_hand() -> None:
             10,
             "the table of objects is cut off: 2 should be in it, 1 are",
         ),
-        (lambda image: image[:16] + b"\xff" + image[17:], 16, "object 1 should be at offset 255, behind the end"),
+        (lambda image: image[:16] + b"\xff" + image[17:], 16, "object 1 should be at offset 255, after the end"),
         (lambda image: image[:16] + b"\x00" + image[17:], 16, "object 1 should be at offset 0, in the header"),
         (lambda image: image[:0x2B] + b"\xdf" + image[0x2C:], 0x2B, "0xDF is no opcode"),
         (lambda image: image[:0x51] + b"\xff" + image[0x52:], 0x51, "it should declare 255 parameters"),

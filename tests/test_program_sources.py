@@ -501,7 +501,7 @@ def test_every_error_has_its_line() -> None:
         (r"vmthread M { MOVE8_8('\d', 1) }", "no escape"),
         ("vmthread M { MOVE8_8(1, 2", "missing"),
         ("vmthread M {", "has no }"),
-        ("vmthread M { NOP }", "a ( should stand behind NOP"),
+        ("vmthread M { NOP }", "a ( should stand after NOP"),
         ("vmthread M { ; }", "';' cannot stand here"),
         ("/* never ends", "has no"),
         ("define A B\ndefine B A\nvmthread M { UI_BUTTON(A) }", "defined by itself"),

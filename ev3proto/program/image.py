@@ -148,7 +148,7 @@ class _Reader:
     def _nowhere(self, number: int, offset: int) -> _Code:
         """An object whose offset leads to no code."""
         at = IMAGE_HEADER_SIZE + (number - 1) * OBJECT_HEADER_SIZE
-        where = "in the header" if offset < len(self.image) else "behind the end of the image"
+        where = "in the header" if offset < len(self.image) else "after the end of the image"
         fault = Fault(at, f"the code of object {number} should be at offset {offset}, {where}")
         return _Code(flaw=Flaw(fault, headless=True))
 
@@ -173,7 +173,7 @@ class _Reader:
 
 
 def _own_operations(operations: tuple[Operation, ...]) -> int | None:
-    """How many operations there are up to the first OBJECT_END behind which no jump leads; None without one.
+    """How many operations there are up to the first OBJECT_END after which no jump leads; None without one.
 
     What follows it is never run: code that belongs to no object, or no code at all.
     """
@@ -271,7 +271,7 @@ def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect
     """A program image.
 
     image    from its sign to its last byte, at most 32 MiB
-    strict   False: nothing behind the header raises; `program.faults` says what is wrong and where, and what could be
+    strict   False: nothing after the header raises; `program.faults` says what is wrong and where, and what could be
              read is there
     dialect  "official", "xtended" or "compat": the firmware whose instruction set to read by
 

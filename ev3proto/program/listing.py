@@ -111,7 +111,7 @@ def _rest(code: ObjectCode) -> Iterator[Line]:
     rest = code.part.rest
     if rest:
         shown = spaced_hex(rest[:_MOST_REST]) + (" ..." if len(rest) > _MOST_REST else "")
-        what = "not read" if code.part.fault is not None else "behind the end"
+        what = "not read" if code.part.fault is not None else "after the end"
         yield [(f"         {what}: ", Role.ASIDE), (shown, Role.PLAIN)]
 
 

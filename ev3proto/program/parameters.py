@@ -48,7 +48,7 @@ class ProgramParameter:
     """A parameter that a subcall declares.
 
     code  the byte that stands in the image: direction and type
-    size  of a string: the byte behind it, its size modulo 256; else None
+    size  of a string: the byte after it, its size modulo 256; else None
     """
 
     code: int
@@ -71,7 +71,7 @@ class ProgramParameter:
 
 
 def read_table(data: bytes, at: int, end: int) -> tuple[tuple[ProgramParameter, ...], int]:
-    """The parameters that a subcall declares, and the offset behind their table. Raises DecodeError."""
+    """The parameters that a subcall declares, and the offset after their table. Raises DecodeError."""
     start = at
     count = data[at] if at < end else None
     at += 1

@@ -63,12 +63,12 @@ class RetypedSchema:
     def _retyped(self, data: bytes, arguments: tuple[Argument, ...]) -> tuple[Argument, ...]:
         kept = arguments[: self.first]
         retyped = arguments[self.first : self.first + len(self.kinds)]
-        behind = arguments[self.first + len(self.kinds) :]
+        after = arguments[self.first + len(self.kinds) :]
         read = (
             _schema_of_argument(argument, kind, direction).read(data, argument.offset)[0]
             for argument, (kind, direction) in zip(retyped, self.kinds, strict=False)
         )
-        return (*kept, *read, *behind)
+        return (*kept, *read, *after)
 
     def __reduce__(self) -> tuple[object, tuple[OperationSchema, int, Kinds]]:
         """Copied and pickled as what it was made from, so that there is one of each."""

@@ -372,7 +372,7 @@ class Assembler:
             case Marked(at, sign, name):
                 place_of = self._names.meaning(name.text, name.at, body.names)
                 if not isinstance(place_of, Place):
-                    raise SourceError(at, f"{name.text[:40]} is no variable, and only one can stand behind {sign}")
+                    raise SourceError(at, f"{name.text[:40]} is no variable, and only one can stand after {sign}")
                 return marked(place_of, sign), None
             case RawArgument(_, data):
                 return data, None
@@ -427,7 +427,7 @@ class Assembler:
     # Jumps
 
     def _code(self, body: Body) -> bytes:
-        """The bytes of an object's code behind its table of parameters."""
+        """The bytes of an object's code after its table of parameters."""
         jumps = [place for place, part in enumerate(body.parts) if isinstance(part, Jump)]
         if not jumps:
             return b"".join(body.parts)  # type: ignore[arg-type]

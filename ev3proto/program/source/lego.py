@@ -105,7 +105,7 @@ class LegoParser:
             found = _WORD.match(text, at)
             kind = None if found is None else found.lastgroup
             if found is None:
-                # An error only where somebody looks at it: behind a label or a brace nobody does.
+                # An error only where somebody looks at it: after a label or a brace nobody does.
                 end = re.compile(r"[\r\n]").search(text, at)
                 words.append(_Word(at, False, text[at : end.start() if end else size]))
                 at = end.start() if end else size
@@ -207,7 +207,7 @@ class LegoParser:
 
     def _name(self, words: list[_Word], place: int, what: str) -> str:
         if len(words) <= place:
-            raise SourceError(words[-1].at, f"{what} should stand behind {words[-1].text[:40]}")
+            raise SourceError(words[-1].at, f"{what} should stand after {words[-1].text[:40]}")
         word = words[place]
         if word.is_text or not _NAME.fullmatch(word.text):
             raise SourceError(word.at, f"{what} should stand here, not {word.text[:40]}")
@@ -227,7 +227,7 @@ class LegoParser:
             operators.append(operator.text)
             values.append(self._value(operand))
         if len(words) - start != len(values) + len(operators):
-            raise SourceError(words[-1].at, f"nothing can stand behind {what}, and here is {words[-1].text[:40]}")
+            raise SourceError(words[-1].at, f"nothing can stand after {what}, and here is {words[-1].text[:40]}")
         return values[0] if not operators else Sum(words[start].at, tuple(values), tuple(operators), is_usual=True)
 
     def _value(self, word: _Word) -> Value:

@@ -14,7 +14,8 @@ from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS
 
 _SETTING = re.compile(r"^[ \t]*//[ \t]*ev3proto:[ \t]*(\w+)[ \t]*([^\r\n]*)", re.MULTILINE | re.ASCII)
 
-MARK = "// ev3proto:"
+_WORD = "ev3proto:"
+MARK = f"// {_WORD}"
 SHORTEST = "shortest"
 GAP = "gap"
 OPEN = "open"
@@ -70,7 +71,7 @@ class SettingsReader:
         self.file = Settings()
         self._of_objects: list[tuple[int, str, int | None]] = []
         self._taken = 0
-        if MARK.rstrip(":").split()[1] not in text:
+        if _WORD not in text:
             return
         for found in _SETTING.finditer(text):
             try:

@@ -194,7 +194,7 @@ class StrictParser:
         kind = self._texts[self._at]
         self._at += 1
         name = self._name(f"the name of the {kind}")
-        self._expect("{", f"behind {kind} {name}")
+        self._expect("{", f"after {kind} {name}")
         body: list[Statement] = []
         while self._texts[self._at] != "}" or self._kinds[self._at] != "mark":
             if self._kinds[self._at] == "end":
@@ -241,7 +241,7 @@ class StrictParser:
                 return self._define()
             if word in OBJECT_WORDS:
                 raise SourceError(at, f"a {word} cannot stand in another object: a }} is missing in front of it")
-            raise SourceError(self._ats[i + 1], f"a ( should stand behind {word[:40]}, not {self._shown(i + 1)}")
+            raise SourceError(self._ats[i + 1], f"a ( should stand after {word[:40]}, not {self._shown(i + 1)}")
         if kind == "raw":
             self._at = i + 1
             return _raw(at, word)
@@ -314,7 +314,7 @@ class StrictParser:
         if kind == "float":
             return _float(at, word, -1)
         self._at = i
-        raise SourceError(at, "only a number can stand behind a -; put an expression into parentheses")
+        raise SourceError(at, "only a number can stand after a -; put an expression into parentheses")
 
     def _number(self, at: int, word: str, sign: int) -> int:
         if word[:2] in ("0x", "0X"):
@@ -345,7 +345,7 @@ class StrictParser:
                 )
             if re.search(r"\\\\[nqrt]", body):
                 self.warnings.append(
-                    (at, r"escapes are replaced kind after kind: of \\n stays a backslash with the line end behind it")
+                    (at, r"escapes are replaced kind after kind: of \\n stays a backslash with the line end after it")
                 )
         return Text(at, strict_text(body, self._coding))
 
@@ -354,7 +354,7 @@ class StrictParser:
         self._deeper(at)
         value = self._value()
         self._depth -= 1
-        self._expect(")", f"behind the value of {name}")
+        self._expect(")", f"after the value of {name}")
         return Form(at, name, value)
 
     def _sum(self, at: int) -> Value:

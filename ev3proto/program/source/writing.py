@@ -19,7 +19,7 @@ from ev3proto.program.source.encoding import JUMP_SIZES, LABEL, integer, shortes
 from ev3proto.program.source.jumps import shrink
 from ev3proto.program.source.memory import MOST_DECLARED, Variable, declared
 from ev3proto.program.source.names import builtin_names
-from ev3proto.program.source.numbers import fits, is_finite, single_bits
+from ev3proto.program.source.numbers import fits, is_finite, single_bits, single_of
 from ev3proto.program.source.settings import GAP, MARK, OPEN, OWN, SHORTEST
 from ev3proto.schema.argument import encode_as, with_bits
 from ev3proto.schema.identification import LABEL_BYTE
@@ -56,7 +56,7 @@ class ObjectCode:
     steps  the operations to be written
     open   neither RETURN nor OBJECT_END is added
     raw    the table of parameters in bytes, where it cannot be said otherwise
-    rest   bytes behind the operations
+    rest   bytes after the operations
     uses   by the kind of memory: as what the steps use each place in it
     """
 
@@ -98,7 +98,7 @@ class ObjectCode:
 
     @property
     def places(self) -> set[int]:
-        """Offsets that a label can stand at: of the steps, and behind the last one where an operation is added."""
+        """Offsets that a label can stand at: of the steps, and after the last one where an operation is added."""
         found = {step.offset for step in self.steps}
         if not self.is_open:
             found.add(_end(self.steps[-1]) if self.steps else self.part.operations[0].offset)
@@ -182,9 +182,9 @@ class Writer:
                 yield f"{label}:"
             yield f"  {self.step(step)}"
         if not code.is_open:
-            behind = _end(steps[-1]) if steps else part.operations[0].offset
-            if behind in self._labels:
-                yield f"{self._labels[behind]}:"
+            end = _end(steps[-1]) if steps else part.operations[0].offset
+            if end in self._labels:
+                yield f"{self._labels[end]}:"
         if code.rest:
             yield from _raw(code.rest)
         yield "}"
@@ -451,9 +451,7 @@ def _text(argument: Argument) -> str:
 
 def float_text(bits: int) -> str:
     """A finite single as a literal that means the same bits: `1.5F`, `-0.0F`, never with a signed exponent."""
-    import struct
-
-    value = struct.unpack("<f", bits.to_bytes(4, "little", signed=True))[0]
+    value = single_of(bits)
     text = short_float(value)
     if "e" in text:
         text = format(Decimal(text), "f")

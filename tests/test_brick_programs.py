@@ -174,6 +174,14 @@ def test_damaged_images_are_not_started(brick: Brick, data: bytes) -> None:
     assert state(brick)[0] == STOPPED
 
 
+def test_what_the_validator_does_not_mind_is_no_damage(brick: Brick) -> None:
+    """A CMD that no table has is accepted, and does nothing; bytes behind the last object are not looked at."""
+    code = bytes.fromhex("8D 1F") + op("MOVE8_8", 7, GV(0)) + op("JR", -2)
+    start(brick, image((0, 0, 0, code + op("OBJECT_END")), globals=1) + b"more")
+    brick.advance(0.01)
+    assert globals_of(brick, 1) == b"\x07"
+
+
 def test_an_address_that_is_no_image_does_nothing(brick: Brick) -> None:
     assert run(brick, op("PROGRAM_START", 1, 100, 12345, 0))[0] == OK
     assert state(brick) == (STOPPED, 0)

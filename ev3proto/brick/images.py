@@ -10,9 +10,11 @@ from typing import NamedTuple
 
 from ev3proto.brick.handles import ROOM
 from ev3proto.brick.programs import RUNNING, Program, ProgramObject
+from ev3proto.checking.verdict import Reason, code_verdict
 from ev3proto.errors import DecodeError
-from ev3proto.program import parse
-from ev3proto.tables.program import kind_of
+from ev3proto.program import CodeObject, parse
+from ev3proto.program.parameters import table_bytes
+from ev3proto.tables.program import ObjectKind
 
 FIRST_ADDRESS = 0x40000000
 STEP = 0x01000000
@@ -56,14 +58,32 @@ class Images:
         return self._images.get(address)
 
 
+def _is_sound(part: CodeObject, dialect: str) -> bool:
+    """Whether the validator lets an object's code pass, which minds less than who wants to read all of it."""
+    if part.fault is None:
+        return True
+    if part.flaw.headless:
+        return False
+    code = b"".join(operation.raw for operation in part.operations) + part.rest
+    found = code_verdict(code, dialect)
+    return found.accepted or found.reason is Reason.AFTER_END
+
+
+def _first_operation(part: CodeObject) -> int:
+    """Where an object's operations begin: behind the table of parameters that a subcall has."""
+    return part.offset + (len(table_bytes(part.parameters)) if part.kind is ObjectKind.SUBCALL else 0)
+
+
 def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
     """A program made of an image, with its first object ready to run; None where the image is damaged or too large.
 
     started  of the clock, in microseconds
     """
     try:
-        parsed = parse(image.data, dialect=dialect)
+        parsed = parse(image.data, strict=False, dialect=dialect)
     except DecodeError:
+        return None
+    if not all(_is_sound(part, dialect) for part in parsed.objects):
         return None
     needed = parsed.global_size + sum(part.local_size for part in parsed.objects)
     if needed > ROOM or not parsed.objects:
@@ -72,10 +92,10 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
     for part in parsed.objects:
         objects[part.number] = ProgramObject(
             part.number,
-            part.operations[0].offset if part.operations else part.offset,
+            _first_operation(part),
             bytearray(part.local_size),
             part.local_size,
-            kind=kind_of(part.owner, part.triggers),
+            kind=part.kind,
             triggers=part.triggers,
             parameters=part.parameters,
         )

@@ -196,13 +196,15 @@ def test_every_code_can_be_explained() -> None:
     listed = run("--explain", "all")
     codes = [line.split()[0] for line in listed.stdout.splitlines()]
     assert len(codes) == len(set(codes)) > 10
-    done = run("--explain", codes[0].lower())
-    assert done.returncode == 0
-    assert f"[{codes[0]}]: " in done.stdout
-    assert "example: 0x|" in done.stdout
-    entry = json.loads(run("--json", "--explain", codes[0]).stdout)
-    assert entry["code"] == codes[0]
-    assert codes[0] in [found["code"] for found in entries(entry["example"])[0]["findings"]]
+    for code, example in (("E101", "example: 0x|"), ("E001", "example: 4C 45 47 4F ")):
+        assert code in codes
+        done = run("--explain", code.lower())
+        assert done.returncode == 0
+        assert f"[{code}]: " in done.stdout
+        assert example in done.stdout
+        assert json.loads(run("--json", "--explain", code).stdout)["code"] == code
+    entry = json.loads(run("--json", "--explain", "E101").stdout)
+    assert "E101" in [found["code"] for found in entries(entry["example"])[0]["findings"]]
 
 
 @pytest.mark.parametrize(

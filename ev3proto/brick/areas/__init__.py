@@ -11,6 +11,7 @@ from ev3proto.brick.areas import (
     compare,
     dialogues,
     drawing,
+    factory_tests,
     filenames,
     files,
     info,
@@ -26,7 +27,6 @@ from ev3proto.brick.areas import (
     programs,
     sound,
     strings,
-    tests,
     timers,
 )
 
@@ -38,6 +38,7 @@ __all__ = [
     "compare",
     "dialogues",
     "drawing",
+    "factory_tests",
     "filenames",
     "files",
     "info",
@@ -53,6 +54,5 @@ __all__ = [
     "programs",
     "sound",
     "strings",
-    "tests",
     "timers",
 ]

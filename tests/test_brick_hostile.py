@@ -85,13 +85,15 @@ def test_arrays_of_all_programs_have_one_room() -> None:
     assert run(brick, create, op("ARRAY.RESIZE", LV(0), 0x7FFFFFFF), locals=2)[0] == FAIL
 
 
-def test_frames_that_wait_have_one_room() -> None:
+def test_frames_that_wait_have_one_room(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.brick.brick.MOST_WAITING", 100)
     brick = Brick()
     assert brick.receive(command(op("OBJECT_WAIT", 1))) == []
-    large = command(op("NOP") * 1000, reply=False)
-    for _ in range(6000):
-        assert brick.receive(large) == []
-    assert brick.advance(0.1)
+    for _ in range(50):
+        assert brick.receive(NOP) == []
+    [ended, *served] = brick.advance(0.1)
+    assert taken_apart(ended)[0] == FAIL
+    assert len(served) == 100 // len(NOP)
 
 
 def test_memory_stays_flat_over_many_commands(root: Path) -> None:

@@ -37,7 +37,7 @@ def nothing(_: Machine, *__: object) -> None:
 
 @handles("BP0", "BP1", "BP2", raw=True)
 def breakpoint_hit(vm: Machine) -> None:
-    """The debugger, who never lets it go on."""
+    """Waits for a debugger, which there is not."""
     vm.wait()
 
 

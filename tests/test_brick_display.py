@@ -131,9 +131,13 @@ def test_a_picture_moves_up() -> None:
     assert pixels(canvas) == {(7, 5)}
 
 
-def test_lines_of_any_length_end() -> None:
+def test_shapes_of_any_size_end() -> None:
     """16-bit sums overflow in lines longer than 16383 pixels; on a brick some of them never end."""
-    Canvas().line(1, -32768, -32768, 32767, 32000)
+    canvas = Canvas()
+    canvas.line(1, -32768, -32768, 32767, 32000)
+    canvas.clean()
+    canvas.fillcircle(1, 0, 0, 32767)
+    assert len(pixels(canvas)) == WIDTH * HEIGHT
 
 
 class TestShowing:

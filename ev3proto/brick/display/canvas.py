@@ -76,11 +76,13 @@ class Canvas:
     # Lines
 
     def line(self, color: int, x0: int, y0: int, x1: int, y1: int) -> None:
-        """A straight line, both ends included."""
+        """A straight line, both ends included; of a flat or upright one too long for the firmware only its start."""
         if y0 == y1 and abs(x1 - x0) < 0x4000:
             self._paint(color, span(min(x0, x1), max(x0, x1) + 1), y0, y0 + 1)
         elif x0 == x1 and abs(y1 - y0) < 0x4000:
             self._paint(color, span(x0, x0 + 1), min(y0, y1), max(y0, y1) + 1)
+        elif x0 == x1 or y0 == y1:
+            self.pixel(color, x0, y0)
         else:
             for x, y in _walk(x0, y0, x1, y1):
                 self.pixel(color, x, y)
@@ -154,8 +156,9 @@ class Canvas:
         for dx, dy in _octant(radius):
             for across, down in ((dx, dy), (dy, dx)):
                 for row in (y + down, y - down):
-                    self.pixel(color, x + across, row)
-                    self.pixel(color, x - across, row)
+                    if 0 <= row < HEIGHT:
+                        self.pixel(color, x + across, row)
+                        self.pixel(color, x - across, row)
 
     def fillcircle(self, color: int, x: int, y: int, radius: int) -> None:
         """A filled circle; nothing where the radius is 0."""
@@ -163,7 +166,7 @@ class Canvas:
             for across, down in ((dx, dy), (dy, dx)):
                 for row in (y + down, y - down):
                     if 0 <= row < HEIGHT:
-                        self._paint(color, span(x - across, x + across + 1), row, row + 1)
+                        self._paint(color, span(x - abs(across), x + abs(across) + 1), row, row + 1)
 
     # Areas
 

@@ -3886,7 +3886,7 @@ local BEACON_LINES = {
     { name = "name", label = "Name" },
     { name = "protocol", label = "Protocol" },
 }
-local UNLOCK_PATTERN = "^GET /target%?sn=([%w_]*) ?VMTP1%.0(\r?\n)Protocol: EV3()"
+local UNLOCK_PATTERN = "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: EV3()"
 local UNLOCK_REQUEST = "GET /target?sn="
 local MOST_UNLOCK = 128
 local UNLOCK_ENDINGS = 2

@@ -66,7 +66,7 @@ class Pieces:
         if data.startswith(UNLOCK_REQUEST.encode()):
             data = data[UNLOCK.read(data, 0)[1] :]
         elif data.startswith(ACCEPT):
-            data = data[len(ACCEPT) + 1 :]
+            data = data.removeprefix(ACCEPT).removeprefix(b"\0")
         return (message.build() for message in self.decoder.feed(data))
 
 
@@ -146,6 +146,7 @@ CARRIERS = {
     "bluetooth.log": Carrier(over_rfcomm(), 24),
     "bluetooth.pcapng": Carrier(over_rfcomm(*LATE), 13),
     "daisy.pcap": Carrier(over_usb("usb.data_len == 64"), 8),
+    "ev3_dc.pcap": Carrier(over_tcp, 188),
     "usb-bootloader.pcapng": Carrier(over_usb("usb.data_len == 1024"), 16),
     "usb-plugged.pcap": Carrier(over_usb('usb.data_len == 1024 && usb.addr == "1.7.1"'), 9),
     "usb-windows.pcap": Carrier(over_usb("usb.data_len == 1024"), 15),

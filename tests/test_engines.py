@@ -32,6 +32,7 @@ EVENTS = {
     "bluetooth.log": 24,
     "bluetooth.pcapng": 13,
     "daisy.pcap": 8,
+    "ev3_dc.pcap": 192,
     "usb-bootloader.pcapng": 16,
     "usb-plugged.pcap": 9,
     "usb-windows.pcap": 15,

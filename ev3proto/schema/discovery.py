@@ -83,7 +83,7 @@ class Beacon:
 class Unlock:
     r"""What a host sends first on the TCP connection. The brick looks only for `ET /target?sn=`, so senders differ.
 
-    serial      serial number of the brick, as its beacon gave it
+    serial      serial number of the brick, as its beacon gave it, or with colons
     space       whether a space stands before the protocol's version
     newline     how lines end, "\r\n" or "\n"
     endings     how many line ends stand after the last line, 0 to 2 (2: an empty line ends the text)
@@ -111,7 +111,7 @@ class UnlockSchema(Bytewise):
     """The schema of the unlock text."""
 
     FORM = re.compile(
-        rf"{re.escape(UNLOCK_REQUEST)}(\w*?)( ?){re.escape(UNLOCK_VERSION)}(\r?\n)"
+        rf"{re.escape(UNLOCK_REQUEST)}([\w:]*?)( ?){re.escape(UNLOCK_VERSION)}(\r?\n)"
         rf"{re.escape(UNLOCK_PROTOCOL)}((?:\3){{0,{UNLOCK_ENDINGS}}})".encode()
     )
 
@@ -134,7 +134,7 @@ class UnlockSchema(Bytewise):
         if found is None:
             raise BuildError(
                 f"no unlock text has the serial number {value.serial!r} and line ends {value.newline!r}: the one is"
-                " letters and digits, the others \\r\\n or \\n"
+                " letters, digits and colons, the others \\r\\n or \\n"
             )
         return found.group()
 

@@ -282,7 +282,7 @@ def _wifi() -> Iterator[str]:
     lines = [Table(named={"name": name, "label": label}) for name, label in discovery.BEACON_LINES.items()]
     yield _assign("BEACON_LINES", Table(lines))
     pieces = (
-        f"^{_plain(discovery.UNLOCK_REQUEST)}([%w_]*) ?{_plain(discovery.UNLOCK_VERSION)}"
+        f"^{_plain(discovery.UNLOCK_REQUEST)}([%w_:]*) ?{_plain(discovery.UNLOCK_VERSION)}"
         f"(\r?\n){_plain(discovery.UNLOCK_PROTOCOL)}()"
     )
     yield _assign("UNLOCK_PATTERN", pieces)

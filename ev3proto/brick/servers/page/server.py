@@ -11,6 +11,7 @@ import hmac
 import ipaddress
 import json
 import secrets
+import time
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 from importlib.resources import files
@@ -107,7 +108,8 @@ class _Page:
     def __init__(self, host: Host) -> None:
         self.port = 0
         self.token = secrets.token_urlsafe(24)
-        self.watcher = Watcher(lambda: host.brick.microseconds / 1_000_000)
+        begin = time.perf_counter()
+        self.watcher = Watcher(lambda: time.perf_counter() - begin)
         self._host = host
         self._sockets: set[web.WebSocketResponse] = set()
 

@@ -30,7 +30,7 @@ class Talk:
 
     number   counted from 1
     client   who sent it
-    begun    seconds of the brick's clock
+    begun    seconds since the brick was switched on
     command  the frame; None for a reply to nothing that was seen
     reply    the frame; None while there is none
     latency  seconds between them
@@ -88,7 +88,7 @@ class Watcher:
         """Sees nothing yet.
 
         Args:
-            clock: seconds of the brick's clock.
+            clock: seconds since the brick was switched on.
         """
         self._clock = clock
         self._count = 0

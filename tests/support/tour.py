@@ -1,0 +1,149 @@
+"""A tour of what `ev3_dc`, a client nobody here wrote, can do with a brick over WiFi.
+
+As a program it shows a virtual brick to the client and prints what that says; `captures/making/record-tour` captures
+it.
+"""
+
+from __future__ import annotations
+
+import gc
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import ev3_dc
+from thread_task import concat
+
+from ev3proto.brick.servers.script import Plug, Script
+from ev3proto.brick.servers.server import Options
+from ev3proto.tables.discovery import TCP_PORT
+from support.server import Served, beacon_port, free_port, served
+
+ROBOT = Script(
+    plugs=(
+        Plug(1, 16, {0: (0.0,)}),
+        Plug(2, 29, {0: (42.0,), 1: (7.0,), 2: (5.0,), 4: (100.0, 200.0, 300.0)}),
+        Plug(3, 33, {0: (55.0,)}),
+        Plug("A", 7, {}),
+        Plug("C", 8, {}),
+        Plug("D", 7, {}),
+    ),
+    name="Robby",
+    voltage=7.9,
+    current=0.2,
+)
+PROJECTS = "/home/root/lms2012/prjs"
+
+
+@contextmanager
+def connected(root: Path, port: int | None = None) -> Iterator[tuple[Served, Any]]:
+    """A virtual robot and the client that has found it by its beacon."""
+    with beacon_port(), served(root, Options(port=port or free_port(), script=ROBOT)) as brick:
+        client = ev3_dc.EV3(protocol=ev3_dc.WIFI)
+        try:
+            yield brick, client
+        finally:
+            # Its objects talk to the brick when they are deleted, so they go before it does.
+            gc.collect()
+            client._physical_ev3._socket.close()
+            type(client._physical_ev3)._devices.clear()
+
+
+def about(client: Any) -> Iterator[Any]:
+    """What it says of the brick, and what can be set."""
+    yield client.name
+    yield client.battery
+    yield client.sensors
+    yield client.system
+    yield client.memory
+    yield client.network
+    client.name, client.volume, client.sleep = "Robot", 20, 10
+    yield client.battery and (client.name, client.volume, client.sleep)
+
+
+def sensors(client: Any, brick: Served) -> Iterator[Any]:
+    """Touch, colour and infrared."""
+    plug = brick.now.brick.plug
+    touch = ev3_dc.Touch(ev3_dc.PORT_1, ev3_obj=client)
+    yield touch.touched, touch.bumps
+    plug(1, 16, {0: (4000,)})
+    yield touch.touched, touch.bumps
+    plug(1, 16, {0: (0,)})
+    yield touch.touched, touch.bumps
+    color = ev3_dc.Color(ev3_dc.PORT_2, ev3_obj=client)
+    yield color.reflected, color.ambient, color.color
+    yield tuple(color.rgb_raw)
+    yield ev3_dc.Infrared(ev3_dc.PORT_3, ev3_obj=client).distance
+
+
+def motor(client: Any) -> Iterator[Any]:
+    """A quarter of a turn and back."""
+    motor = ev3_dc.Motor(ev3_dc.PORT_C, ev3_obj=client)
+    yield motor.position, motor.busy
+    motor.move_by(90, speed=100).start(thread=False)
+    yield motor.position, motor.busy
+    motor.move_to(0, speed=100, brake=True).start(thread=False)
+    yield motor.position, motor.busy
+
+
+def square(client: Any) -> Any:
+    """Drives a square and says where the vehicle is then."""
+    vehicle = ev3_dc.TwoWheelVehicle(0.0282, 0.1175, ev3_obj=client, speed=100)
+    sides = [part for _ in range(4) for part in (vehicle.drive_straight(0.02), vehicle.drive_turn(90, 0.0))]
+    concat(*sides).start(thread=False)
+    return vehicle.position
+
+
+def jukebox(client: Any, brick: Served) -> Iterator[Any]:
+    """Light and tones. A command that wants no reply is served before one that does: the battery is asked for."""
+    jukebox = ev3_dc.Jukebox(ev3_obj=client)
+    jukebox.volume = 12
+    jukebox.change_color(ev3_dc.LED_ORANGE)
+    yield client.battery and brick.now.brick.leds
+    jukebox.play_tone("a'", duration=0.2)
+    yield client.battery and _frequency(brick)
+    song = jukebox.song(ev3_dc.HAPPY_BIRTHDAY)
+    song.start()
+    time.sleep(0.3)
+    yield client.battery and _frequency(brick)
+    song.stop()
+    song.join()
+
+
+def _frequency(brick: Served) -> int | None:
+    """Of the tone that sounds."""
+    playing = brick.now.brick.sound.playing
+    return None if playing is None else playing.frequency
+
+
+def files(client: Any) -> Iterator[Any]:
+    """A folder, a file there and back, a copy, and all of it removed."""
+    system = ev3_dc.FileSystem(ev3_obj=client)
+    folders, names = system.list_dir("/home/root/lms2012")
+    yield sorted(folders), sorted(names)
+    system.create_dir(f"{PROJECTS}/tour")
+    system.write_file(f"{PROJECTS}/tour/a.txt", b"hello" * 300)
+    yield system.read_file(f"{PROJECTS}/tour/a.txt") == b"hello" * 300
+    system.copy_file(f"{PROJECTS}/tour/a.txt", f"{PROJECTS}/tour/b.txt")
+    _, names = system.list_dir(f"{PROJECTS}/tour")
+    yield sorted(names)
+    system.del_file(f"{PROJECTS}/tour/b.txt")
+    system.del_dir(f"{PROJECTS}/tour", secure=False)
+    folders, _ = system.list_dir(PROJECTS)
+    yield "tour" in folders
+
+
+def main(say: Callable[[Any], None] = print) -> None:
+    """The whole tour."""
+    with tempfile.TemporaryDirectory() as root, connected(Path(root), TCP_PORT) as (brick, client):
+        for part in (about(client), sensors(client, brick), motor(client), jukebox(client, brick), files(client)):
+            for said in part:
+                say(said)
+        say(square(client))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+"""A real client that nobody here wrote, `ev3_dc`, talks to the virtual brick: what it returns is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from support import tour
+from support.server import Served
+
+Talking = tuple[Served, Any]
+
+
+@pytest.fixture(scope="module")
+def talking(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Talking]:
+    with tour.connected(tmp_path_factory.mktemp("root")) as talking:
+        yield talking
+
+
+def test_about_the_brick(talking: Talking) -> None:
+    brick, client = talking
+    name, battery, sensors, system, memory, network, changed = tour.about(client)
+    assert name == "Robby"
+    assert battery == (pytest.approx(7.9), pytest.approx(0.2), 100)
+    assert tuple(sensors) == (16, 29, 33, None, 7, None, 8, 7)
+    assert (system.fw_version, system.hw_version) == ("V1.04H", "V0.60")
+    assert memory == (6000, 6000)
+    assert network == ("ev3proto", "127.0.0.1", "44:49:94:0F:0C:1E")
+    assert changed == ("Robot", 20, 10)
+    assert client.host == "00:16:53:0F:0C:1E"
+    assert str(client) == "WiFi connected EV3 00:16:53:0F:0C:1E (Robot)"
+    assert brick.now.brick.settings.name == "Robot"
+
+
+def test_sensors(talking: Talking) -> None:
+    brick, client = talking
+    assert list(tour.sensors(client, brick)) == [
+        (False, 0),
+        (True, 0),
+        (False, 1),
+        (42, 7, 5),
+        (100, 200, 300),
+        0.55,
+    ]
+
+
+def test_motor(talking: Talking) -> None:
+    _, client = talking
+    assert list(tour.motor(client)) == [(0, False), (90, False), (0, False)]
+
+
+def test_vehicle_drives_a_square(talking: Talking) -> None:
+    _, client = talking
+    # It ends where it began, and looks to where it looked.
+    assert tuple(tour.square(client)) == pytest.approx((0, 0, 0), abs=0.002)
+
+
+def test_jukebox(talking: Talking) -> None:
+    brick, client = talking
+    # LED_ORANGE is pattern 3; a' has 440 Hz; the song begins with d' (294 Hz).
+    assert list(tour.jukebox(client, brick)) == [3, 440, 294]
+
+
+def test_files(talking: Talking) -> None:
+    _, client = talking
+    # What md5sum prints of it.
+    digest = "3C75ACA2359B8B5B31670E96EE3DAF86"
+    folders, is_intact, names, is_left = tour.files(client)
+    assert folders == ([".", "..", "apps", "prjs", "sys", "tools"], [])
+    assert is_intact
+    assert names == [("a.txt", 1500, digest), ("b.txt", 1500, digest)]
+    assert not is_left

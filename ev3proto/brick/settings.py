@@ -19,7 +19,7 @@ class Settings:
     bluetooth_address    12 hexadecimal digits in lower case
     mode2                Bluetooth's mode for Apple devices
     wifi                 whether WiFi is on
-    network, mac, ip     of WiFi, as COM_GET GET_NETWORK says it; None: not connected. Clients put the colons in `mac`
+    network, mac, ip     of WiFi, as COM_GET GET_NETWORK says it; None: not connected
     errors               the log of errors, oldest first
     """
 
@@ -32,7 +32,7 @@ class Settings:
     mode2: bool = False
     wifi: bool = False
     network: str | None = None
-    mac: str = "4449940F0C1E"
+    mac: str = "44:49:94:0F:0C:1E"
     ip: str | None = None
     errors: list[int] = field(default_factory=list)
 

@@ -1,0 +1,98 @@
+"""A serial port: the one that a system makes of a Bluetooth connection. It needs pyserial."""
+
+from __future__ import annotations
+
+import errno
+from typing import TYPE_CHECKING
+
+from ev3proto.link.carriers.wire import SEND_TIMEOUT
+from ev3proto.link.errors import ConnectionLostError, LinkError, NoBrickError, PortInUseError
+from ev3proto.link.targets import Target
+from ev3proto.tables.carriers import Carrier
+
+if TYPE_CHECKING:
+    import serial
+
+_TURN = 0.1
+"""Seconds after which a read that got nothing looks whether the port was closed."""
+
+
+class SerialWire:
+    """An open port; `Wire` says what its methods do."""
+
+    def __init__(self, port: serial.Serial) -> None:
+        """Takes an open port over."""
+        self.carrier = Carrier.BLUETOOTH
+        self.label = f"the brick at {port.name}"
+        self._port = port
+
+    def send(self, frame: bytes) -> None:
+        """Sends one whole frame. Raises ConnectionLostError."""
+        import serial
+
+        try:
+            self._port.write(frame)
+        except serial.SerialTimeoutException:
+            raise ConnectionLostError(f"{self.label} has taken nothing for {SEND_TIMEOUT:g} s: restart it") from None
+        except (OSError, TypeError) as error:
+            raise self._gone(error) from None
+
+    def receive(self, timeout: float) -> bytes:  # noqa: ARG002 - the port has its own, changing it takes long
+        """Waits for bytes, for a tenth of a second at most. Raises ConnectionLostError."""
+        try:
+            return self._port.read(max(1, self._port.in_waiting))
+        except (OSError, TypeError) as error:
+            raise self._gone(error) from None
+
+    def stop(self) -> None:
+        """Does nothing: who receives looks about soon enough."""
+
+    def close(self) -> None:
+        """Ends the connection. A second call does nothing."""
+        self._port.close()
+
+    def _gone(self, error: Exception) -> ConnectionLostError:
+        # pyserial stumbles with a TypeError where another thread has closed the port.
+        reason = str(error) if isinstance(error, OSError) else "it was closed"
+        return ConnectionLostError(f"the connection to {self.label} is gone ({reason}): connect again")
+
+
+def open_serial(target: Target) -> SerialWire:
+    """Opens the serial port to a brick.
+
+    Args:
+        target: The port is the host.
+
+    Raises:
+        LinkError: It cannot be opened, or pyserial is not installed.
+    """
+    try:
+        import serial
+    except ImportError:
+        raise LinkError(
+            "a serial port needs the package pyserial, which is not installed: pip install 'ev3proto[serial]'"
+        ) from None
+    try:
+        port = serial.Serial(target.host, timeout=_TURN, write_timeout=SEND_TIMEOUT, exclusive=True)
+    except (OSError, ValueError) as error:
+        raise _why(error, str(target.host)) from None
+    return SerialWire(port)
+
+
+def _why(error: Exception, name: str) -> LinkError:
+    code = getattr(error, "errno", None)
+    if code == errno.ENOENT or isinstance(error, FileNotFoundError):
+        return NoBrickError(
+            f"there is no serial port {name}: pair the brick with this computer first; on Linux, `rfcomm bind 0 MAC`"
+            " makes /dev/rfcomm0"
+        )
+    if code in (errno.EACCES, errno.EPERM):
+        return NoBrickError(
+            f"this user may not open {name}: join the group that may (on Linux `sudo usermod -aG dialout $USER`, then"
+            " log in again); on Windows another program may have it open"
+        )
+    if code in (errno.EBUSY, errno.EAGAIN):
+        return PortInUseError(f"another program has {name} open: end it, then try again")
+    if code == errno.EHOSTDOWN:
+        return NoBrickError(f"the brick behind {name} does not answer: is it on and near, is Bluetooth on at it?")
+    return NoBrickError(f"{name} cannot be opened: {error}")

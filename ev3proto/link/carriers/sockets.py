@@ -1,0 +1,71 @@
+"""Bytes over a connected socket: what WiFi and Bluetooth share."""
+
+from __future__ import annotations
+
+import contextlib
+import selectors
+import socket
+
+from ev3proto.link.carriers.wire import SEND_TIMEOUT
+from ev3proto.link.errors import ConnectionLostError
+from ev3proto.tables.carriers import Carrier
+
+_CHUNK = 1 << 16
+
+
+class SocketWire:
+    """A connected socket; `Wire` says what its methods do."""
+
+    def __init__(self, connected: socket.socket, carrier: Carrier, label: str, first: bytes = b"") -> None:
+        """Takes a socket over.
+
+        Args:
+            connected: The socket.
+            carrier: What it is, as captures call it.
+            label: Which brick, as messages call it.
+            first: Bytes that were read from it already.
+        """
+        self.carrier = carrier
+        self.label = label
+        self._socket = connected
+        self._first = first
+        self._selector = selectors.DefaultSelector()
+        self._selector.register(connected, selectors.EVENT_READ)
+        connected.settimeout(SEND_TIMEOUT)
+
+    def send(self, frame: bytes) -> None:
+        """Sends one whole frame. Raises ConnectionLostError."""
+        try:
+            self._socket.sendall(frame)
+        except TimeoutError:
+            raise ConnectionLostError(f"{self.label} has taken nothing for {SEND_TIMEOUT:g} s: restart it") from None
+        except OSError as error:
+            raise ConnectionLostError(
+                f"the connection to {self.label} is gone ({error.strerror or error}): connect again"
+            ) from None
+
+    def receive(self, timeout: float) -> bytes:
+        """Waits for bytes. Raises ConnectionLostError."""
+        if self._first:
+            first, self._first = self._first, b""
+            return first
+        try:
+            if not self._selector.select(timeout):
+                return b""
+            data = self._socket.recv(_CHUNK)
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or "it was closed"
+            raise ConnectionLostError(f"the connection to {self.label} is gone ({reason}): connect again") from None
+        if not data:
+            raise ConnectionLostError(f"{self.label} has closed the connection: connect again")
+        return data
+
+    def stop(self) -> None:
+        """Wakes who receives."""
+        with contextlib.suppress(OSError):
+            self._socket.shutdown(socket.SHUT_RDWR)
+
+    def close(self) -> None:
+        """Ends the connection. A second call does nothing."""
+        self._selector.close()
+        self._socket.close()

@@ -1,0 +1,81 @@
+"""A virtual brick in this process: no socket, the real clock."""
+
+from __future__ import annotations
+
+import threading
+import time
+from pathlib import Path
+
+from ev3proto.brick import Brick
+from ev3proto.link.errors import ConnectionLostError, NoBrickError
+from ev3proto.link.targets import Target
+from ev3proto.tables.carriers import DEFAULT_CARRIER
+
+_TURN = 0.01
+"""Seconds from one look at the clock to the next."""
+
+
+class VirtualWire:
+    """A virtual brick; `Wire` says what its methods do."""
+
+    def __init__(self, brick: Brick) -> None:
+        """Takes a brick over; its clock follows the real one from now on."""
+        self.carrier = DEFAULT_CARRIER
+        self.label = "the virtual brick"
+        self._brick = brick
+        self._replies: list[bytes] = []
+        self._changed = threading.Condition()
+        self._now = time.monotonic()
+        self._is_closed = False
+
+    def send(self, frame: bytes) -> None:
+        """Sends one whole frame. Raises ConnectionLostError."""
+        with self._changed:
+            if self._is_closed:
+                raise ConnectionLostError("the connection to the virtual brick was closed")
+            self._advance()
+            self._replies += self._brick.receive(frame)
+            self._changed.notify_all()
+
+    def receive(self, timeout: float) -> bytes:
+        """Waits for bytes. Raises ConnectionLostError."""
+        deadline = time.monotonic() + timeout
+        with self._changed:
+            while not self._is_closed:
+                self._advance()
+                left = deadline - time.monotonic()
+                if self._replies or left <= 0:
+                    data = b"".join(self._replies)
+                    self._replies.clear()
+                    return data
+                self._changed.wait(min(left, _TURN if self._brick.is_busy else left))
+        raise ConnectionLostError("the connection to the virtual brick was closed")
+
+    def stop(self) -> None:
+        """Wakes who receives."""
+        with self._changed:
+            self._is_closed = True
+            self._changed.notify_all()
+
+    def close(self) -> None:
+        """Ends the connection. A second call does nothing."""
+        self.stop()
+
+    def _advance(self) -> None:
+        now = time.monotonic()
+        self._replies += self._brick.advance(now - self._now)
+        self._now = now
+
+
+def open_virtual(target: Target) -> VirtualWire:
+    """Switches a virtual brick on.
+
+    Args:
+        target: The host is the folder of its files; None: there are no files.
+
+    Raises:
+        NoBrickError: There is no such folder.
+    """
+    if target.host is not None and not Path(target.host).is_dir():
+        raise NoBrickError(f"{target.host} is no folder: the virtual brick's files are in one")
+    return VirtualWire(Brick(root=target.host))

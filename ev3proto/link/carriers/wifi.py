@@ -1,0 +1,186 @@
+"""WiFi: the beacon by which a brick is found, the text that unlocks its TCP port, and the connection."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import re
+import socket
+import time
+from dataclasses import dataclass
+
+from ev3proto.errors import DecodeError
+from ev3proto.link.carriers.sockets import SocketWire
+from ev3proto.link.errors import NoBrickError, PortInUseError
+from ev3proto.link.targets import Target
+from ev3proto.schema.discovery import Beacon, Unlock
+from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, TCP_PORT
+
+_ANY_SERIAL = "0" * 12
+"""What is sent where the serial number is not known: the brick does not compare it."""
+
+_ANSWER = b"ev3proto"
+"""What is answered to a beacon; any datagram will do."""
+
+_MOST_BEACON = 1 << 10
+_MOST_TEXT = 64
+_DIGITS = re.compile("[0-9a-f]{12}")
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A brick whose beacon was heard: its address, TCP port, serial number and name."""
+
+    address: str
+    port: int
+    serial_number: str
+    name: str
+
+
+def open_wifi(target: Target, timeout: float) -> SocketWire:
+    """Connects to a brick by WiFi.
+
+    Args:
+        target: With an address, the beacon is not waited for.
+        timeout: Seconds to wait for the beacon, and again for the connection.
+
+    Raises:
+        LinkError: There is no such brick, or it does not take the connection.
+    """
+    serial_number = target.serial_number
+    if target.host is None or serial_number is not None:
+        found = discover(serial_number, timeout)
+        return connect(found.address, target.port or found.port, timeout, found.serial_number)
+    return connect(target.host, target.port or TCP_PORT, timeout)
+
+
+def discover(serial_number: str | None, timeout: float, *, interface: str = "", port: int = BEACON_PORT) -> Found:
+    """Waits for a brick's beacon and answers it.
+
+    Args:
+        serial_number: Of the brick, 12 lower-case hex digits; None for the one that is heard first.
+        timeout: Seconds to wait at most.
+        interface: Address of this computer at which to listen, all of them unless it is given.
+        port: UDP port at which beacons arrive.
+
+    Raises:
+        PortInUseError: Another program listens for beacons.
+        NoBrickError: No beacon of that brick came.
+    """
+    deadline = time.monotonic() + timeout
+    others: dict[str, str] = {}
+    with _listening(interface, port) as listening:
+        while (left := deadline - time.monotonic()) > 0:
+            listening.settimeout(left)
+            try:
+                datagram, sender = listening.recvfrom(_MOST_BEACON)
+                beacon = Beacon.parse(datagram)
+            except TimeoutError:
+                break
+            except (DecodeError, OSError):
+                continue  # not a beacon, or one that cannot be read: the next one may be better
+            found = _found(beacon, sender[0])
+            if found is None:
+                continue
+            if serial_number in (None, found.serial_number):
+                with contextlib.suppress(OSError):
+                    listening.sendto(_ANSWER, sender)
+                return found
+            others[found.serial_number] = found.address
+    raise NoBrickError(_not_heard(serial_number, timeout, others))
+
+
+def _found(beacon: Beacon, address: str) -> Found | None:
+    """A brick by its beacon; None where the beacon makes no sense."""
+    serial_number = beacon.serial.lower()
+    if not beacon.port.isdecimal() or not 1 <= int(beacon.port) <= 0xFFFF or not _DIGITS.fullmatch(serial_number):
+        return None
+    return Found(address, int(beacon.port), serial_number, beacon.name)
+
+
+def _not_heard(serial_number: str | None, timeout: float, others: dict[str, str]) -> str:
+    which = "no brick" if serial_number is None else f"no brick with the serial number {serial_number}"
+    heard = "".join(f"; {number} is at {address}" for number, address in others.items())
+    return (
+        f"{which} was heard within {timeout:g} s{heard}. Is WiFi on at the brick, is it in the same network as this"
+        " computer, and does the firewall let UDP port 3015 in? An address (wifi:ADDRESS) needs no beacon"
+    )
+
+
+def _listening(interface: str, port: int) -> socket.socket:
+    listening = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    try:
+        listening.bind((interface, port))
+    except OSError as error:
+        listening.close()
+        if error.errno == errno.EADDRINUSE:
+            raise PortInUseError(
+                f"UDP port {port} is in use: another program waits for a brick's beacon. End it, or give the brick's"
+                " address (wifi:ADDRESS), which needs no beacon"
+            ) from None
+        raise NoBrickError(f"UDP port {port} cannot be opened: {error.strerror or error}") from None
+    return listening
+
+
+def connect(address: str, port: int, timeout: float, serial_number: str = _ANY_SERIAL) -> SocketWire:
+    """Connects to a brick whose address is known, and unlocks it.
+
+    Args:
+        address: Name or number.
+        port: TCP port.
+        timeout: Seconds to wait at most.
+        serial_number: What the unlock text says.
+
+    Raises:
+        NoBrickError: Nobody takes the connection, or who takes it is no brick.
+    """
+    place = f"[{address}]:{port}" if ":" in address else f"{address}:{port}"
+    deadline = time.monotonic() + timeout
+    try:
+        connected = socket.create_connection((address, port), timeout)
+    except (OSError, UnicodeError) as error:
+        raise NoBrickError(_unreachable(place, error, timeout)) from None
+    try:
+        connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        connected.sendall(Unlock(serial_number).build())
+        rest = _accepted(connected, place, deadline)
+    except TimeoutError:
+        connected.close()
+        raise NoBrickError(
+            f"{place} took the connection and does not answer the unlock text: a brick serves one program at a time,"
+            " end the other one; or what listens there is no brick"
+        ) from None
+    except OSError as error:
+        connected.close()
+        raise NoBrickError(f"{place} ended the connection: {error.strerror or error}") from None
+    except NoBrickError:
+        connected.close()
+        raise
+    return SocketWire(connected, Carrier.WIFI, f"the brick at {place}", rest)
+
+
+def _accepted(connected: socket.socket, place: str, deadline: float) -> bytes:
+    """Waits for the answer to the unlock text. Returns what came after it."""
+    text = b""
+    while len(text) < len(ACCEPT):
+        connected.settimeout(max(deadline - time.monotonic(), 0.001))
+        piece = connected.recv(_MOST_TEXT)
+        if not piece:
+            raise NoBrickError(f"{place} closed the connection after the unlock text: what listens there is no brick")
+        text += piece
+        if not text.startswith(ACCEPT[: len(text)]):
+            raise NoBrickError(f"what listens at {place} is no brick: it answered {text[:_MOST_TEXT]!r}")
+    # Some firmware sends a zero after the text.
+    return text[len(ACCEPT) :].removeprefix(b"\0")
+
+
+def _unreachable(place: str, error: Exception, timeout: float) -> str:
+    if isinstance(error, TimeoutError):
+        return f"{place} did not answer within {timeout:g} s: is the brick on, and in the same network?"
+    if isinstance(error, ConnectionRefusedError):
+        return f"nobody listens at {place}: is WiFi on at the brick? A virtual one is started by `ev3proto brick`"
+    if isinstance(error, socket.gaierror | UnicodeError):
+        return f"{place}: there is no computer or brick of that name"
+    reason = getattr(error, "strerror", None) or str(error)
+    return f"{place} cannot be reached: {reason}"

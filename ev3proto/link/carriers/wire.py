@@ -1,0 +1,43 @@
+"""What every carrier offers."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from ev3proto.tables.carriers import Carrier
+
+SEND_TIMEOUT = 30.0
+"""Seconds after which a brick that takes no bytes counts as gone."""
+
+
+class Wire(Protocol):
+    """A connection to one brick that carries bytes. One thread sends while another receives.
+
+    carrier  what carries them, as captures call it
+    label    which brick, as messages call it
+    """
+
+    carrier: Carrier
+    label: str
+
+    def send(self, frame: bytes) -> None:
+        """Sends one whole frame. Raises ConnectionLostError."""
+
+    def receive(self, timeout: float) -> bytes:
+        """Waits for bytes.
+
+        Args:
+            timeout: Seconds to wait at most.
+
+        Returns:
+            What came; nothing where nothing came in time.
+
+        Raises:
+            ConnectionLostError: Nothing more will come.
+        """
+
+    def stop(self) -> None:
+        """Wakes who receives, where that is possible: nothing will be sent or received any more."""
+
+    def close(self) -> None:
+        """Ends the connection, when nobody receives any more. A second call does nothing."""

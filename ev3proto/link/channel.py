@@ -1,0 +1,227 @@
+"""One connection to a brick, shared by any number of threads: a session on a carrier, and a thread that reads."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from concurrent.futures import Future
+from concurrent.futures import TimeoutError as FutureTimeoutError
+
+from ev3proto.bounded import Bounded
+from ev3proto.errors import counted
+from ev3proto.link.carriers.wire import Wire
+from ev3proto.link.errors import ConnectionLostError, LinkError, NoAnswerError
+from ev3proto.link.reply_stream import Garbage
+from ev3proto.link.session import Answered, Event, Request, Session
+from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.frame import MessageType
+
+TURN = 0.1
+"""Seconds after which the reading thread looks whether the connection was closed, where nothing can wake it."""
+
+MOST_UNFETCHED = 8192
+"""Replies that are kept for whoever asks for them by their counter."""
+
+_MOST_SHOWN = 24
+_JOIN = 5.0
+
+
+class Ticket:
+    """A command on its way, and the place where its reply will be.
+
+    request  the command
+    reply    becomes the frame of its reply; done at once where it wants none
+    """
+
+    __slots__ = ("reply", "request")
+
+    def __init__(self, request: Request) -> None:
+        self.request = request
+        self.reply: Future[bytes] = Future()
+
+
+class Channel:
+    """A connection to a brick.
+
+    carrier  what carries it
+    label    which brick, as messages call it
+    """
+
+    def __init__(self, wire: Wire) -> None:
+        """Takes over a connected carrier, and begins to read from it."""
+        self.carrier: Carrier = wire.carrier
+        self.label = wire.label
+        self._wire = wire
+        self._session = Session()
+        self._tickets: Bounded[int, Ticket] = Bounded(MOST_UNFETCHED)
+        self._by_request: dict[int, Ticket] = {}
+        self._sending = threading.Lock()
+        self._state = threading.Lock()
+        self._is_closing = False
+        self._lost: ConnectionLostError | None = None
+        self._odd: Event | None = None
+        self._reader = threading.Thread(target=self._read, name=f"reads from {self.label}", daemon=True)
+        self._reader.start()
+
+    def send(self, kind: MessageType, body: bytes, *, before: Callable[[bytes], None] | None = None) -> Ticket:
+        """Sends a command, whose counter is chosen here.
+
+        Args:
+            kind: The message type.
+            body: What follows the header.
+            before: Called with the frame just before it is sent, in the order of sending; None for nothing.
+
+        Returns:
+            The command on its way.
+
+        Raises:
+            BuildError: The frame would be too long.
+            ConnectionLostError: The connection is gone.
+        """
+        with self._sending:
+            with self._state:
+                if self._lost is not None:
+                    raise self._again()
+                request = self._session.command(kind, body)
+                ticket = Ticket(request)
+                if request.wants_reply:
+                    self._by_request[id(request)] = ticket
+                    self._tickets.add(request.counter, ticket)
+                else:
+                    ticket.reply.set_result(b"")
+            if before is not None:
+                before(request.frame)
+            try:
+                self._wire.send(request.frame)
+            except ConnectionLostError as error:
+                self._end(error)
+                raise
+        return ticket
+
+    def ticket(self, counter: int) -> Ticket:
+        """The command with a counter whose reply nobody has fetched yet.
+
+        Args:
+            counter: Of a command that wants a reply.
+
+        Raises:
+            LinkError: There is none.
+        """
+        with self._state:
+            found = self._tickets.get(counter)
+        if found is None:
+            raise LinkError(
+                f"no command with the counter {counter} waits for its reply: it wanted none, or its reply was fetched"
+            )
+        return found
+
+    def wait(self, ticket: Ticket, timeout: float | None, *, keep: bool = False) -> bytes:
+        """Waits for a reply.
+
+        Args:
+            ticket: What `send` gave.
+            timeout: Seconds to wait at most; None waits as long as the connection lasts.
+            keep: The command goes on waiting where no reply came in time: it can be waited for again.
+
+        Returns:
+            The frame of the reply.
+
+        Raises:
+            NoAnswerError: None came in time.
+            ConnectionLostError: None will come.
+        """
+        try:
+            frame = ticket.reply.result(timeout)
+        except FutureTimeoutError:
+            raise self.give_up(ticket, timeout or 0.0, keep=keep) from None
+        self.fetched(ticket)
+        return frame
+
+    def give_up(self, ticket: Ticket, timeout: float, *, keep: bool = False) -> NoAnswerError:
+        """Says that a reply did not come in time, and waits no more for it unless it is kept."""
+        with self._state:
+            if not keep:
+                self._session.abandon(ticket.request)
+                self._by_request.pop(id(ticket.request), None)
+                self._forget(ticket)
+            odd = self._odd
+        sentence = (
+            f"no answer from {self.label} to the command with the counter {ticket.request.counter} within {timeout:g} s"
+            ": it may be busy with a command that waits, switched off or out of reach"
+        )
+        if odd is not None:
+            sentence += f". What came last: {_told(odd)}"
+        return NoAnswerError(sentence)
+
+    def fetched(self, ticket: Ticket) -> None:
+        """Says that a reply is in good hands."""
+        with self._state:
+            self._forget(ticket)
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the connection is there, as far as is known."""
+        return self._lost is None
+
+    def close(self) -> None:
+        """Ends the connection; whoever waits for a reply gets a ConnectionLostError. A second call does nothing."""
+        self._end(ConnectionLostError(f"the connection to {self.label} was closed"))
+        self._is_closing = True
+        self._wire.stop()
+        if threading.current_thread() is not self._reader:
+            self._reader.join(_JOIN)
+        self._wire.close()
+
+    def _forget(self, ticket: Ticket) -> None:
+        if self._tickets.get(ticket.request.counter) is ticket:
+            del self._tickets[ticket.request.counter]
+
+    def _read(self) -> None:
+        while not self._is_closing:
+            try:
+                data = self._wire.receive(TURN)
+            except ConnectionLostError as error:
+                self._end(error)
+                return
+            if data:
+                self._take(data)
+
+    def _take(self, data: bytes) -> None:
+        done = []
+        with self._state:
+            for event in self._session.feed(data):
+                if isinstance(event, Answered):
+                    done.append((self._by_request.pop(id(event.request)), event.frame))
+                else:
+                    self._odd = event
+        for ticket, frame in done:
+            ticket.reply.set_result(frame)
+
+    def _end(self, error: ConnectionLostError) -> None:
+        with self._state:
+            if self._lost is not None:
+                return
+            missing = self._session.missing
+            if missing:
+                came = len(self._session.pending)
+                error = ConnectionLostError(
+                    f"{error}. It went away in the middle of a reply: {counted(came, 'byte')} came, {missing} did not"
+                )
+            self._lost = error
+            waiting = list(self._by_request.values())
+            self._by_request.clear()
+        for ticket in waiting:
+            ticket.reply.set_exception(ConnectionLostError(str(error)))
+
+    def _again(self) -> ConnectionLostError:
+        return ConnectionLostError(str(self._lost))
+
+
+def _told(event: Event) -> str:
+    if isinstance(event, Garbage):
+        shown, rest = event.data, "bytes that are no frame"
+    else:
+        assert not isinstance(event, Answered)
+        shown, rest = event.frame, f"a frame that {event.oddity.value}"
+    dots = "..." if len(shown) > _MOST_SHOWN else ""
+    return f"{rest}, {shown[:_MOST_SHOWN].hex(':').upper()}{dots}"

@@ -1,0 +1,157 @@
+"""What a program gives to be sent, as type and body of a message; and what it gets for the reply.
+
+Joined bytes give bytes, as in the lessons: a reply's memory, or the counter. Operations of `ev3proto.ops`, and
+messages, give the named values of the reply.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ev3proto.compose import Draft, command
+from ev3proto.errors import BuildError
+from ev3proto.link.errors import DirectCommandError, SystemCommandError
+from ev3proto.link.modes import SyncMode, plan
+from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, write_memory
+from ev3proto.semantics.replies import Value, values_of
+from ev3proto.tables.frame import LENGTH_FIELD, MessageType
+from ev3proto.tables.system import SystemStatus
+
+Operations = bytes | bytearray | Draft | Operation | DirectCommand | Iterable[Draft | Operation]
+"""What a direct command is made of."""
+
+Result = bytes | list[Value]
+"""What sending gives: for bytes, bytes; for operations and messages, the values of the reply."""
+
+
+@dataclass(frozen=True, slots=True)
+class Prepared:
+    """A command before it is sent.
+
+    kind      its message type
+    body      what follows the header
+    waits     the program waits for the reply
+    is_named  the reply is given as values; else as bytes
+    dialect   the firmware whose instruction set it is read by
+    """
+
+    kind: MessageType
+    body: bytes
+    waits: bool
+    is_named: bool
+    dialect: str = "official"
+
+    def result(self, request: bytes, reply: bytes) -> Result:
+        """What the program gets for a reply.
+
+        Args:
+            request: The frame of the command.
+            reply: The frame of the reply.
+
+        Raises:
+            DirectCommandError: The brick refused or failed the direct command.
+            SystemCommandError: The brick says that the system command failed.
+        """
+        message = parse(reply, strict=False, dialect=self.dialect)
+        if isinstance(message, SystemReply):
+            self._check_status(message)
+        elif message.type is MessageType.DIRECT_REPLY_ERROR:
+            from ev3proto.checking.checking import check
+
+            raise DirectCommandError(request, reply[HEADER_SIZE:], check(request, dialect=self.dialect))
+        if self.is_named:
+            return values_of(message, parse(request, strict=False, dialect=self.dialect))
+        # The number of the system command is known to who sent it; its status is not.
+        return reply[HEADER_SIZE + isinstance(message, SystemReply) :]
+
+    def _check_status(self, reply: SystemReply) -> None:
+        is_refused = reply.type is MessageType.SYSTEM_REPLY_ERROR and reply.status is not SystemStatus.END_OF_FILE
+        if is_refused or (self.is_named and reply.is_error):
+            raise SystemCommandError(reply)
+
+
+def counter_bytes(request: bytes) -> bytes:
+    """The counter of a command as it stands in its frame: what sending gives where there is no reply to wait for."""
+    return request[LENGTH_FIELD : 2 * LENGTH_FIELD]
+
+
+def counter_of(given: bytes | int) -> int:
+    """A counter, given as a number or as its two bytes. Raises ValueError for anything else."""
+    if isinstance(given, int) and not isinstance(given, bool):
+        return given
+    if isinstance(given, bytes) and len(given) == LENGTH_FIELD:
+        return int.from_bytes(given, "little")
+    raise ValueError(f"a counter must be what send_direct_cmd gave, two bytes or a number, not {given!r}")
+
+
+def direct(operations: Operations, local_mem: int, global_mem: int, mode: SyncMode, dialect: str) -> Prepared:
+    """Prepares a direct command.
+
+    Args:
+        operations: Bytes, operations, or a whole message.
+        local_mem: Bytes of local memory, 0 to 63. Operations ask for as much as they need where it is 0.
+        global_mem: Bytes of global memory, 0 to 1019; the same holds.
+        mode: Whether to ask for a reply and to wait for it.
+        dialect: The firmware whose instruction set the command is in.
+
+    Raises:
+        BuildError: There is no such command.
+    """
+    if isinstance(operations, bytes | bytearray):
+        body = write_memory(global_mem, local_mem) + bytes(operations)
+        return _direct(body, bool(global_mem), mode, is_named=False, dialect=dialect)
+    if isinstance(operations, DirectCommand):
+        message = operations
+    else:
+        drafts = (operations,) if isinstance(operations, Draft | Operation) else _listed(operations)
+        message = command(
+            *drafts,
+            reply=True if mode is SyncMode.SYNC else None,
+            global_size=global_mem or None,
+            local_size=local_mem or None,
+        )
+    has_globals = message.wants_reply if mode is not SyncMode.SYNC else True
+    return _direct(message.build()[HEADER_SIZE:], has_globals, mode, is_named=True, dialect=dialect)
+
+
+def _direct(body: bytes, has_globals: bool, mode: SyncMode, *, is_named: bool, dialect: str) -> Prepared:
+    if len(body) == COMMAND_HEADER_SIZE - HEADER_SIZE:
+        raise BuildError("a command needs an operation: the brick refuses an empty one")
+    asks, waits = plan(mode, has_globals)
+    kind = MessageType.DIRECT_COMMAND_REPLY if asks else MessageType.DIRECT_COMMAND_NO_REPLY
+    return Prepared(kind, body, waits, is_named, dialect)
+
+
+def _listed(operations: object) -> tuple[Draft | Operation, ...]:
+    if isinstance(operations, str | Message) or not isinstance(operations, Iterable):
+        raise BuildError(
+            f"{operations!r:.60} is no direct command: it must be bytes, or operations such as"
+            " ops.sound.tone(1, 440, 1000)"
+        )
+    return tuple(operations)
+
+
+def system(given: bytes | bytearray | SystemCommand, reply: bool) -> Prepared:
+    """Prepares a system command.
+
+    Args:
+        given: Its number and fields as bytes, or a message of `ev3proto.system`.
+        reply: Whether the brick is to answer; a message says so itself.
+
+    Raises:
+        BuildError: There is no such command.
+    """
+    if isinstance(given, SystemCommand):
+        wants_reply, body = given.wants_reply and reply, given.build()[HEADER_SIZE:]
+    elif isinstance(given, bytes | bytearray) and given:
+        wants_reply, body = reply, bytes(given)
+    else:
+        raise BuildError(
+            f"{given!r:.60} is no system command: it must be bytes, the command's number first, or such as"
+            " ev3proto.system.list_files('.')"
+        )
+    kind = MessageType.SYSTEM_COMMAND_REPLY if wants_reply else MessageType.SYSTEM_COMMAND_NO_REPLY
+    return Prepared(kind, body, wants_reply, isinstance(given, SystemCommand))

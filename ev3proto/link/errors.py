@@ -1,0 +1,112 @@
+"""What goes wrong between a program and a brick. Each error is a sentence that says what to do about it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ev3proto.errors import counted
+
+if TYPE_CHECKING:
+    from ev3proto.checking.report import Report
+    from ev3proto.messages import SystemReply
+
+
+class LinkError(Exception):
+    """Something went wrong between this program and the brick."""
+
+
+class NoBrickError(LinkError):
+    """No brick can be reached: none is there, or this computer does not let the program at it."""
+
+
+class PortInUseError(LinkError):
+    """Another program has what is needed: the UDP port of the beacon, or the serial port."""
+
+
+class NoAnswerError(LinkError, TimeoutError):
+    """The brick did not answer in time."""
+
+
+class ConnectionLostError(LinkError, ConnectionError):
+    """The connection to the brick is gone."""
+
+
+class DirectCommandError(LinkError):
+    """The brick answered a direct command with DIRECT_REPLY_ERROR.
+
+    Attributes:
+        frame: The command.
+        memory: The global memory in the reply.
+        report: What `check` says about the command.
+    """
+
+    def __init__(self, frame: bytes, memory: bytes, report: Report) -> None:
+        self.frame = frame
+        self.memory = memory
+        self.report = report
+        super().__init__(_refusal(report))
+
+
+class SystemCommandError(LinkError):
+    """The brick answered that a system command failed.
+
+    Attributes:
+        reply: The answer, with its status.
+    """
+
+    def __init__(self, reply: SystemReply, about: str = "") -> None:
+        self.reply = reply
+        super().__init__(_failure(reply, about))
+
+
+class TransferError(LinkError):
+    """A file did not arrive as it was sent."""
+
+
+_MOST_FINDINGS = 3
+
+_ADVICE_OF_COMMANDS = {
+    ("BEGIN_DOWNLOAD", "UNKNOWN_HANDLE"): "no such file can be made",
+    ("BEGIN_DOWNLOAD", "NO_HANDLES_AVAILABLE"): "the name has characters that it does not take, or too many files are"
+    " open",
+    ("BEGIN_UPLOAD", "UNKNOWN_HANDLE"): "there is no such file",
+    ("BEGIN_UPLOAD", "NO_HANDLES_AVAILABLE"): "the name has characters that it does not take, or too many files are"
+    " open",
+    ("LIST_FILES", "UNKNOWN_ERROR"): "there is no such folder",
+    ("CREATE_DIR", "NO_PERMISSION"): "it exists already, or the folder that it should be in does not",
+    ("DELETE_FILE", "NO_PERMISSION"): "there is none, or it is a folder that is not empty",
+}
+"""What the firmware means by a status of one command."""
+
+_ADVICE = {
+    "UNKNOWN_HANDLE": "the file is not open any more",
+    "HANDLE_NOT_READY": "the file is busy; try again",
+    "CORRUPT_FILE": "the file cannot be read",
+    "NO_HANDLES_AVAILABLE": "too many files are open on the brick; restart it",
+    "NO_PERMISSION": "the brick does not allow it there",
+    "ILLEGAL_PATH": "there is no such file or folder; paths are absolute or relative to /home/root/lms2012/sys",
+    "FILE_EXITS": "it exists already; delete it first",
+    "SIZE_ERROR": "there is no room for it on the brick, or its size is wrong; delete files that are not needed",
+    "ILLEGAL_FILENAME": "the name has characters that the brick does not take",
+    "ILLEGAL_CONNECTION": "this works by USB only",
+}
+
+
+def _refusal(report: Report) -> str:
+    sentence = "the brick answered DIRECT_REPLY_ERROR"
+    errors = report.errors
+    if report.accepted and not errors:
+        return f"{sentence}. Check finds nothing wrong with the command: an operation failed while it was executed"
+    found = [f"at offset {finding.offset}: {finding.message} ({finding.code}); {finding.help}" for finding in errors]
+    if len(found) > _MOST_FINDINGS:
+        found[_MOST_FINDINGS:] = [f"and {counted(len(found) - _MOST_FINDINGS, 'error')} more"]
+    if not found:
+        found = [f"the brick's own check gives up at offset {report.rejected_at}"]
+    return f"{sentence}. Check says: {'; '.join(found)}"
+
+
+def _failure(reply: SystemReply, about: str) -> str:
+    name = f"status {reply.status_code}" if reply.status is None else reply.status.name
+    what = reply.command or f"system command 0x{reply.number:02X}"
+    advice = _ADVICE_OF_COMMANDS.get((what, name)) or _ADVICE.get(name)
+    return f"{about}{': ' if about else ''}the brick answered {what} with {name}{f': {advice}' if advice else ''}"

@@ -1,0 +1,450 @@
+"""`EV3`: a brick as a program sees it, as the lessons and the package ev3_dc have it."""
+
+from __future__ import annotations
+
+import weakref
+from collections.abc import Callable
+from pathlib import Path
+from types import TracebackType
+from typing import Any, TypeVar
+
+from ev3proto.link import file_moves, questions
+from ev3proto.link.carriers import open_wire
+from ev3proto.link.carriers.opening import CONNECT_TIMEOUT
+from ev3proto.link.channel import Channel, Ticket
+from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
+from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
+from ev3proto.link.modes import SyncMode
+from ev3proto.link.printing import RECEIVED, SENT, frame_line
+from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
+from ev3proto.link.sharing import Shared
+from ev3proto.link.targets import Target, chosen_target
+from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.schema.frame import parse
+
+T = TypeVar("T")
+
+REPLY_TIMEOUT = 30.0
+"""Seconds to wait for a reply unless something else is asked for."""
+
+VERBOSITIES = (0, 1, 2)
+"""Nothing is printed; frames are; frames are, and what they say."""
+
+
+class EV3:
+    """A connection to a brick. Any number of threads may use it at once.
+
+    It is a context manager: leaving it closes the connection.
+    """
+
+    def __init__(
+        self,
+        *,
+        protocol: str | None = None,
+        host: str | None = None,
+        ev3_obj: EV3 | None = None,
+        sync_mode: str | None = None,
+        verbosity: int = 0,
+        address: tuple[str, int] | None = None,
+        target: str | Target | None = None,
+        timeout: float | None = REPLY_TIMEOUT,
+        dialect: str = "official",
+    ) -> None:
+        """Connects to a brick. The environment variable EV3PROTO_TARGET overrides what is said here about which one.
+
+        Args:
+            protocol: BLUETOOTH, USB or WIFI.
+            host: Bluetooth: its MAC address, or the serial port of the connection. USB: its serial number, where
+                several are plugged in. WiFi: its serial number or address; the first one that is heard when omitted.
+            ev3_obj: Another object, whose connection is shared; in place of protocol and host.
+            sync_mode: STD, ASYNC or SYNC; STD when omitted, or that of `ev3_obj`.
+            verbosity: 0 prints nothing, 1 each frame, 2 also what it says.
+            address: WiFi: address and TCP port; no beacon is waited for.
+            target: The brick as the command line names it, such as `usb`; in place of protocol and host.
+            timeout: Seconds to wait for each reply; None waits as long as the connection lasts.
+            dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+
+        Raises:
+            ValueError: The arguments do not say which brick is meant.
+            LinkError: It cannot be reached; the sentence says what to do.
+        """
+        self.timeout = timeout
+        self.dialect = dialect
+        self._verbosity = _known_verbosity(verbosity)
+        if ev3_obj is None:
+            self._sync_mode = SyncMode.of(sync_mode or SyncMode.STD)
+            self._target = chosen_target(protocol, host, address, target)
+            self._shared = Shared(Channel(open_wire(self._target, CONNECT_TIMEOUT)))
+        else:
+            if not isinstance(ev3_obj, EV3):
+                raise ValueError(f"ev3_obj must be an EV3, not {ev3_obj!r:.60}")
+            self._sync_mode = SyncMode.of(sync_mode or ev3_obj.sync_mode)
+            self._target = ev3_obj._target
+            self._shared = ev3_obj._shared
+        self._shared.take()
+        self._release = weakref.finalize(self, self._shared.release)
+
+    # The connection
+
+    @property
+    def target(self) -> str:
+        """The brick as the command line names it."""
+        return str(self._target)
+
+    @property
+    def protocol(self) -> str:
+        """How the brick is reached: the value of BLUETOOTH, USB or WIFI."""
+        return self._shared.channel.carrier.facts.label
+
+    @property
+    def host(self) -> str | None:
+        """The address, serial number or port that was given, None where none was."""
+        return self._target.host
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the connection is there, as far as is known."""
+        return self._release.alive and self._shared.channel.is_open
+
+    def close(self) -> None:
+        """Ends the connection, unless another object shares it. A second call does nothing."""
+        self._release()
+
+    def __enter__(self) -> EV3:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def __str__(self) -> str:
+        return f"EV3 at {self._target}"
+
+    # How commands go
+
+    @property
+    def sync_mode(self) -> str:
+        """STD, ASYNC or SYNC.
+
+        STD asks for a reply where there is global memory, and waits for it. ASYNC asks for it, too; the program waits
+        for it with `wait_for_reply`. SYNC asks for a reply always, and waits for it.
+        """
+        return self._sync_mode.value
+
+    @sync_mode.setter
+    def sync_mode(self, value: str) -> None:
+        self._sync_mode = SyncMode.of(value)
+
+    @property
+    def verbosity(self) -> int:
+        """What is printed: 0 nothing, 1 each frame, 2 also what it says."""
+        return self._verbosity
+
+    @verbosity.setter
+    def verbosity(self, value: int) -> None:
+        self._verbosity = _known_verbosity(value)
+
+    # Commands
+
+    def send_direct_cmd(
+        self,
+        ops: Operations,
+        *,
+        local_mem: int = 0,
+        global_mem: int = 0,
+        sync_mode: str | None = None,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Result:
+        """Sends a direct command.
+
+        Args:
+            ops: Joined byte code; or operations of `ev3proto.ops`, for which memory and reply are worked out.
+            local_mem: Bytes of local memory, 0 to 63.
+            global_mem: Bytes of global memory, which the reply brings, 0 to 1019.
+            sync_mode: STD, ASYNC or SYNC for this command.
+            verbosity: 0, 1 or 2 for this command.
+            timeout: Seconds to wait for the reply to this command.
+
+        Returns:
+            Where a reply was waited for: the memory in it for joined bytes, its named values for operations. Else the
+            message counter, as two bytes.
+
+        Raises:
+            BuildError: No frame can carry the command.
+            DirectCommandError: The brick refused or failed it; the sentence has what `check` says.
+            NoAnswerError: The reply did not come in time.
+            ConnectionLostError: The connection is gone.
+        """
+        mode = self._sync_mode if sync_mode is None else SyncMode.of(sync_mode)
+        return self._send(direct(ops, local_mem, global_mem, mode, self.dialect), verbosity, timeout)
+
+    def send_system_cmd(
+        self,
+        cmd: bytes | SystemCommand,
+        *,
+        reply: bool = True,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Result:
+        """Sends a system command.
+
+        Args:
+            cmd: Its number and its fields as joined bytes; or a message of `ev3proto.system`.
+            reply: Whether the brick is to answer.
+            verbosity: 0, 1 or 2 for this command.
+            timeout: Seconds to wait for the reply to this command.
+
+        Returns:
+            The reply: status and fields for joined bytes, named values for a message. The message counter, as two
+            bytes, where there is no reply.
+
+        Raises:
+            BuildError: No frame can carry the command.
+            SystemCommandError: The brick says that it failed.
+            NoAnswerError: The reply did not come in time.
+            ConnectionLostError: The connection is gone.
+        """
+        return self._send(system(cmd, reply), verbosity, timeout)
+
+    def wait_for_reply(
+        self, msg_cnt: bytes | int, *, verbosity: int | None = None, timeout: float | None = None
+    ) -> Result:
+        """Waits for the reply to a command that was sent with ASYNC. One that did not come can be waited for again.
+
+        Args:
+            msg_cnt: What sending it gave.
+            verbosity: 0, 1 or 2 for this reply.
+            timeout: Seconds to wait.
+
+        Returns:
+            What sending it with STD would have given.
+
+        Raises:
+            LinkError: As for `send_direct_cmd`; also where no such command waits for its reply.
+        """
+        ticket = self._shared.channel.ticket(counter_of(msg_cnt))
+        return self._wait(ticket, self._shared.prepared(ticket), verbosity, timeout, keep=True)
+
+    def _send(self, prepared: Prepared, verbosity: int | None, timeout: float | None) -> Result:
+        ticket = self._shared.send(prepared, self._printer(SENT, verbosity))
+        if prepared.waits:
+            return self._wait(ticket, prepared, verbosity, timeout, keep=False)
+        return counter_bytes(ticket.request.frame)
+
+    def _wait(
+        self, ticket: Ticket, prepared: Prepared, verbosity: int | None, timeout: float | None, *, keep: bool
+    ) -> Result:
+        frame = self._shared.channel.wait(ticket, self.timeout if timeout is None else timeout, keep=keep)
+        printer = self._printer(RECEIVED, verbosity, ticket.request.frame)
+        if printer is not None:
+            printer(frame)
+        return prepared.result(ticket.request.frame, frame)
+
+    def _printer(
+        self, direction: str, verbosity: int | None, request: bytes | None = None
+    ) -> Callable[[bytes], None] | None:
+        level = self._verbosity if verbosity is None else _known_verbosity(verbosity)
+        if not level:
+            return None
+        return lambda frame: print_frame(direction, frame, level, request, self.dialect)
+
+    # What the brick is and has
+
+    @property
+    def name(self) -> str:
+        """The brick's name; it can be set."""
+        return self._ask(questions.name())
+
+    @name.setter
+    def name(self, value: str) -> None:
+        self._tell(questions.set_name(value))
+
+    @property
+    def volume(self) -> int:
+        """The volume of sounds in percent; it can be set."""
+        return self._ask(questions.volume())
+
+    @volume.setter
+    def volume(self, value: int) -> None:
+        self._tell(questions.set_volume(value))
+
+    @property
+    def sleep(self) -> int:
+        """Minutes without use after which the brick powers off, 0 for never; it can be set."""
+        return self._ask(questions.sleep())
+
+    @sleep.setter
+    def sleep(self, value: int) -> None:
+        self._tell(questions.set_sleep(value))
+
+    @property
+    def battery(self) -> Battery:
+        """Voltage in V, current in A, charge in percent."""
+        return self._ask(questions.battery())
+
+    @property
+    def sensors(self) -> Sensors:
+        """The types of the devices at all ports, None where there is none: `sensors.Port_1`, `sensors.Port_A`."""
+        return self._ask(questions.sensors())
+
+    @property
+    def system(self) -> System:
+        """The versions of operating system, firmware and hardware."""
+        return self._ask(questions.system())
+
+    @property
+    def memory(self) -> Memory:
+        """The memory for users' files in KiB: all of it, and what is free."""
+        return self._ask(questions.memory())
+
+    @property
+    def network(self) -> Network:
+        """The WiFi network that the brick is in, and its addresses there."""
+        return self._ask(questions.network())
+
+    def _ask(self, question: Question[T]) -> T:
+        values = self.send_direct_cmd(question.operations, sync_mode=SyncMode.SYNC)
+        assert not isinstance(values, bytes)
+        return question.read(values)
+
+    def _tell(self, operations: Any) -> None:
+        self.send_direct_cmd(operations, sync_mode=SyncMode.SYNC)
+
+    # Files
+
+    def download(self, source: bytes | str | Path, path: str, progress: Progress = nothing_moved) -> File:
+        """Writes a file to the brick (the protocol's word for it), and compares its MD5 there.
+
+        Args:
+            source: A file of this computer, or the contents themselves as bytes.
+            path: Where it goes, absolute or relative to /home/root/lms2012/sys. Missing folders are made.
+            progress: Called with the bytes that were moved and those that there are.
+
+        Returns:
+            The file as the brick lists it.
+
+        Raises:
+            OSError: The file cannot be read.
+            SystemCommandError: The brick does not take it.
+            TransferError: It has not arrived as it was sent.
+        """
+        data = source if isinstance(source, bytes) else Path(source).read_bytes()
+        return self._run(file_moves.download(data, path, progress))
+
+    def upload(
+        self, path: str, destination: str | Path | None = None, progress: Progress = nothing_moved
+    ) -> bytes:
+        """Reads a file from the brick (the protocol's word for it), and compares its MD5 there.
+
+        Args:
+            path: Where it is, absolute or relative to /home/root/lms2012/sys.
+            destination: The file of this computer to write; None writes none. It appears only when it is complete.
+            progress: Called with the bytes that were moved and those that there are.
+
+        Returns:
+            The contents.
+
+        Raises:
+            OSError: The file cannot be written.
+            SystemCommandError: The brick does not give it.
+            TransferError: It has not arrived as the brick has it.
+        """
+        data = self._run(file_moves.upload(path, progress))
+        if destination is not None:
+            write_whole(Path(destination), data)
+        return data
+
+    def list_dir(self, path: str) -> Listing:
+        """Lists a folder of the brick: its folders and its files, each with size and MD5.
+
+        Args:
+            path: Where it is, absolute or relative to /home/root/lms2012/sys.
+
+        Raises:
+            SystemCommandError: There is no such folder.
+        """
+        return self._run(file_moves.list_dir(path))
+
+    def delete(self, path: str) -> None:
+        """Deletes a file or an empty folder of the brick. Raises SystemCommandError."""
+        self._run(file_moves.delete(path))
+
+    def mkdir(self, path: str) -> None:
+        """Makes a folder on the brick. Raises SystemCommandError."""
+        self._run(file_moves.mkdir(path))
+
+    def _run(self, task: Task[T]) -> T:
+        # The firmware reads from the file that was opened last, whatever handle is named: one at a time.
+        with self._shared.moving:
+            reply: SystemReply | None = None
+            while True:
+                try:
+                    command = next(task) if reply is None else task.send(reply)
+                except StopIteration as end:
+                    result: T = end.value
+                    return result
+                reply = self._exchange(command)
+
+    def _exchange(self, command: SystemCommand) -> SystemReply:
+        prepared = system(command, True)
+        ticket = self._shared.send(prepared, self._printer(SENT, None))
+        frame = self._shared.channel.wait(ticket, self.timeout)
+        printer = self._printer(RECEIVED, None, ticket.request.frame)
+        if printer is not None:
+            printer(frame)
+        return system_reply(frame)
+
+
+def system_reply(frame: bytes) -> SystemReply:
+    """The system reply in a frame that answers a system command."""
+    message = parse(frame, strict=False)
+    assert isinstance(message, SystemReply)
+    return message
+
+
+def print_frame(direction: str, frame: bytes, level: int, request: bytes | None, dialect: str) -> None:
+    """Prints a frame, and at level 2 what it says.
+
+    Args:
+        direction: SENT or RECEIVED.
+        frame: The frame.
+        level: 1 or 2.
+        request: For a reply: the frame of its command.
+        dialect: The firmware whose instruction set to read by.
+    """
+    print(frame_line(direction, frame))
+    if level > 1:
+        from ev3proto.link.printing import meaning_line
+
+        print(meaning_line(frame, request, dialect))
+
+
+def write_whole(path: Path, data: bytes) -> None:
+    """Writes a file that appears only when it is complete.
+
+    Args:
+        path: Where it goes; what is there is replaced.
+        data: Its contents.
+
+    Raises:
+        OSError: It cannot be written; nothing has changed then.
+    """
+    import os
+    import tempfile
+
+    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
+        try:
+            file.write(data)
+            file.flush()
+        except BaseException:
+            os.unlink(file.name)
+            raise
+    os.replace(file.name, path)
+
+
+def _known_verbosity(value: int) -> int:
+    if value not in VERBOSITIES:
+        raise ValueError(f"verbosity must be 0, 1 or 2, not {value!r}")
+    return value

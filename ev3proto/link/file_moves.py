@@ -1,0 +1,221 @@
+"""Files to the brick and from it, without I/O: each task is a generator that yields commands and is sent the replies.
+
+The words are the protocol's: a *download* writes a file to the brick, an *upload* reads one from it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import posixpath
+from collections.abc import Callable, Generator
+from typing import NamedTuple, TypeVar
+
+from ev3proto.errors import BuildError
+from ev3proto.link.errors import SystemCommandError, TransferError
+from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.system import (
+    begin_download,
+    begin_upload,
+    close_filehandle,
+    continue_list_files,
+    continue_upload,
+    create_dir,
+    delete_file,
+    list_files,
+    pieces,
+)
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.system import SystemStatus
+
+T = TypeVar("T")
+Task = Generator[SystemCommand, SystemReply, T]
+"""Yields commands and is sent the reply to each. What it returns is the result."""
+
+Progress = Callable[[int, int], None]
+"""Is told how many bytes have been moved, and how many there are."""
+
+MOST_FILE = 1 << 28
+"""Bytes of the largest file or listing that is read from a brick: more than any brick has, card included, in RAM."""
+
+_DIGEST_DIGITS = 32
+_SIZE_DIGITS = 8
+
+
+class File(NamedTuple):
+    """A file in a listing: its name, its bytes, and the MD5 of its contents in lower-case hex."""
+
+    name: str
+    size: int
+    md5: str
+
+
+class Listing(NamedTuple):
+    """What is in a folder, in the order in which the brick lists it; `.` and `..` are omitted."""
+
+    folders: tuple[str, ...]
+    files: tuple[File, ...]
+
+
+def nothing_moved(_done: int, _total: int) -> None:
+    """The progress that nobody watches."""
+
+
+def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task[File]:
+    """Writes a file to the brick, and compares the MD5 that the brick lists for it.
+
+    Args:
+        data: The contents.
+        path: Where it goes, absolute or relative to /home/root/lms2012/sys.
+        progress: Is told how far it is.
+
+    Returns:
+        The file as the brick lists it.
+
+    Raises:
+        SystemCommandError: The brick does not take it.
+        TransferError: It has not arrived as it was sent.
+    """
+    reply = yield begin_download(path, len(data))
+    handle = _begun(reply, path)
+    progress(0, len(data))
+    done = 0
+    for command in pieces(handle, data):
+        reply = yield command
+        _check(reply, path)
+        done += len(_bytes(command.fields["data"]))
+        progress(done, len(data))
+    return (yield from _compared(data, path))
+
+
+def upload(path: str, progress: Progress = nothing_moved) -> Task[bytes]:
+    """Reads a file from the brick, and compares its MD5 with that which the brick lists for it.
+
+    Args:
+        path: Where it is, absolute or relative to /home/root/lms2012/sys.
+        progress: Is told how far it is.
+
+    Returns:
+        The contents.
+
+    Raises:
+        SystemCommandError: The brick does not give it.
+        TransferError: It has not arrived as the brick has it.
+    """
+    data = yield from _read(begin_upload(path), continue_upload, "size", "data", path, progress)
+    yield from _compared(data, path)
+    return data
+
+
+def list_dir(path: str) -> Task[Listing]:
+    """Lists a folder.
+
+    Args:
+        path: Where it is, absolute or relative to /home/root/lms2012/sys.
+
+    Raises:
+        SystemCommandError: There is no such folder.
+    """
+    data = yield from _read(list_files(path), continue_list_files, "list_size", "list", path, nothing_moved)
+    return read_listing(data)
+
+
+def delete(path: str) -> Task[None]:
+    """Deletes a file or an empty folder. Raises SystemCommandError."""
+    _check((yield delete_file(path)), path)
+
+
+def mkdir(path: str) -> Task[None]:
+    """Makes a folder. Raises SystemCommandError."""
+    _check((yield create_dir(path)), path)
+
+
+def read_listing(data: bytes) -> Listing:
+    """Reads a listing as the brick sends it. Lines that make no sense are omitted.
+
+    Args:
+        data: All of it.
+    """
+    folders, files = [], []
+    for line in data.decode(STRING_CODING).split("\n"):
+        md5, _, rest = line.partition(" ")
+        digits, _, name = rest.partition(" ")
+        if line.endswith("/"):
+            if line not in ("./", "../"):
+                folders.append(line[:-1])
+        elif name and len(md5) == _DIGEST_DIGITS and len(digits) == _SIZE_DIGITS and _is_hex(md5 + digits):
+            files.append(File(name, int(digits, 16), md5.lower()))
+    return Listing(tuple(folders), tuple(files))
+
+
+def _read(
+    begin: SystemCommand,
+    go_on: Callable[[int], SystemCommand],
+    size_field: str,
+    data_field: str,
+    path: str,
+    progress: Progress,
+) -> Task[bytes]:
+    reply = yield begin
+    handle = _begun(reply, path)
+    size = reply.fields.get(size_field, 0)
+    assert isinstance(size, int)
+    data = bytearray(_bytes(reply.fields.get(data_field, b"")))
+    if size > MOST_FILE:
+        yield close_filehandle(handle)
+        raise TransferError(f"{path}: the brick says that it has {size} bytes, which is more than fits in a brick")
+    progress(min(len(data), size), size)
+    while len(data) < size:
+        if reply.status is SystemStatus.END_OF_FILE:
+            raise TransferError(f"{path}: the brick said {size} bytes and sent {len(data)}: read it again")
+        reply = yield go_on(handle)
+        _check(reply, path)
+        piece = _bytes(reply.fields.get(data_field, b""))
+        if not piece and reply.status is not SystemStatus.END_OF_FILE:
+            yield close_filehandle(handle)
+            raise TransferError(f"{path}: the brick sends nothing more after {len(data)} of {size} bytes")
+        data += piece
+        progress(min(len(data), size), size)
+    if reply.status is not SystemStatus.END_OF_FILE:
+        # A file of exactly so many pieces may still be open; a brick that has closed it refuses this.
+        yield close_filehandle(handle)
+    return bytes(data[:size])
+
+
+def _compared(data: bytes, path: str) -> Task[File]:
+    """The file as the brick lists it. Raises TransferError where that is another one."""
+    folder, name = posixpath.split(path)
+    listing = yield from list_dir(folder or ("/" if path.startswith("/") else "."))
+    found = next((file for file in listing.files if file.name == name), None)
+    if found is None:
+        raise TransferError(f"{path}: the brick does not list it, although it was moved without an error")
+    digest = hashlib.md5(data, usedforsecurity=False).hexdigest()
+    if (found.size, found.md5) != (len(data), digest):
+        raise TransferError(
+            f"{path}: the brick has {found.size} bytes with the MD5 {found.md5}, and {len(data)} bytes with {digest}"
+            " were moved: move it again"
+        )
+    return found
+
+
+def _begun(reply: SystemReply, path: str) -> int:
+    """The handle that the brick gave. Raises SystemCommandError where it gave none."""
+    _check(reply, path)
+    handle = reply.fields.get("handle")
+    if not isinstance(handle, int):
+        raise SystemCommandError(reply, path)
+    return handle
+
+
+def _check(reply: SystemReply, path: str) -> None:
+    if reply.is_error and reply.status is not SystemStatus.END_OF_FILE:
+        raise SystemCommandError(reply, path)
+
+
+def _bytes(value: object) -> bytes:
+    if not isinstance(value, bytes):
+        raise BuildError(f"data takes bytes, not {value!r:.60}")
+    return value
+
+
+def _is_hex(text: str) -> bool:
+    return all(letter in "0123456789abcdefABCDEF" for letter in text)

@@ -1,0 +1,149 @@
+"""What a brick is asked for as a property: the operations, and what their answers make."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Generic, NamedTuple, TypeVar
+
+from ev3proto.compose import Draft
+from ev3proto.ops import com_get, com_set, info, input_device, memory_usage, ui_read
+from ev3proto.semantics.replies import Value
+from ev3proto.tables.enumerations import HWTYPE, TYPE
+from ev3proto.tables.input import MOTOR_PORTS
+from ev3proto.tables.input import PORTS as SENSOR_PORTS
+
+T = TypeVar("T")
+
+_NAME_LENGTH = 120
+_TEXT_LENGTH = 64
+_ADDRESS_LENGTH = 48
+
+
+class Battery(NamedTuple):
+    """How the battery is: voltage in V, current in A, charge in percent."""
+
+    voltage: float
+    current: float
+    percentage: int
+
+
+class Memory(NamedTuple):
+    """The memory for users' files in KiB: all of it, and what is free."""
+
+    total: int
+    free: int
+
+
+class System(NamedTuple):
+    """The versions of operating system, firmware and hardware, and when the first two were built."""
+
+    os_version: str
+    os_build: str
+    fw_version: str
+    fw_build: str
+    hw_version: str
+
+
+class Network(NamedTuple):
+    """The WiFi network that the brick is in: its name, the brick's address in it, and that of the brick's adapter."""
+
+    name: str
+    ip_adr: str
+    mac_adr: str
+
+
+class Sensors(NamedTuple):
+    """The types of the devices at all ports; None where there is none."""
+
+    Port_1: int | None
+    Port_2: int | None
+    Port_3: int | None
+    Port_4: int | None
+    Port_A: int | None
+    Port_B: int | None
+    Port_C: int | None
+    Port_D: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Question(Generic[T]):
+    """Operations, and what becomes of the values in the reply to them."""
+
+    operations: tuple[Draft, ...]
+    answer: Callable[[list[Any]], T]
+
+    def read(self, values: list[Value]) -> T:
+        """The answer in the values of the reply."""
+        return self.answer([value.value for value in values])
+
+
+def name() -> Question[str]:
+    """The brick's name."""
+    return Question((com_get.get_brickname(_NAME_LENGTH),), lambda values: str(values[0]))
+
+
+def battery() -> Question[Battery]:
+    """The battery."""
+    operations = (ui_read.get_vbatt(), ui_read.get_ibatt(), ui_read.get_lbatt())
+    return Question(operations, lambda values: Battery(*values))
+
+
+def volume() -> Question[int]:
+    """The volume in percent."""
+    return Question((info.get_volume(),), lambda values: int(values[0]))
+
+
+def sleep() -> Question[int]:
+    """Minutes without use after which the brick powers off; 0 for never."""
+    return Question((info.get_minutes(),), lambda values: int(values[0]))
+
+
+def memory() -> Question[Memory]:
+    """The memory for users' files."""
+    return Question((memory_usage(),), lambda values: Memory(*values))
+
+
+def system() -> Question[System]:
+    """The versions."""
+    operations = tuple(
+        ask(_TEXT_LENGTH)
+        for ask in (
+            ui_read.get_os_vers,
+            ui_read.get_os_build,
+            ui_read.get_fw_vers,
+            ui_read.get_fw_build,
+            ui_read.get_hw_vers,
+        )
+    )
+    return Question(operations, lambda values: System(*values))
+
+
+def sensors() -> Question[Sensors]:
+    """The types of devices."""
+    operations = tuple(input_device.get_typemode(0, port) for port in (*SENSOR_PORTS, *MOTOR_PORTS))
+    nothing = TYPE.members["TYPE_NONE"]
+    return Question(
+        operations, lambda values: Sensors(*(None if each == nothing else int(each) for each in values[::2]))
+    )
+
+
+def network() -> Question[Network]:
+    """The WiFi network."""
+    wifi = HWTYPE.members["HW_WIFI"]
+    return Question((com_get.get_network(wifi, _ADDRESS_LENGTH),), lambda values: Network(values[0], *values[:0:-1]))
+
+
+def set_name(name: str) -> tuple[Draft, ...]:
+    """Gives the brick another name. Raises BuildError for one that it does not take."""
+    return (com_set.set_brickname(name),)
+
+
+def set_volume(percent: int) -> tuple[Draft, ...]:
+    """Changes the volume. Raises BuildError for more than 100 percent."""
+    return (info.set_volume(percent),)
+
+
+def set_sleep(minutes: int) -> tuple[Draft, ...]:
+    """Changes after how many minutes the brick powers off. Raises BuildError for more than 120."""
+    return (info.set_minutes(minutes),)

@@ -1,0 +1,91 @@
+"""What a brick sends, cut into frames. It goes on after bytes that are no frame, as only who knows the questions can.
+
+A stream has no marks where frames start. Some firmware answers some commands with zeros, a USB report may be broken, a
+bad radio loses bytes. A reader of captures looks for the next faultless frame; a client has a better sign: the counter
+of a frame that answers something which it has asked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ev3proto.schema.header import HEADER_SIZE, Header, frame_size
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MIN_LENGTH, MessageType
+
+LARGEST_REPLY = HEADER_SIZE + GRANTED_GLOBALS
+"""Bytes of the largest reply. The firmware grants more global memory than a frame of the usual size carries."""
+
+_TYPES = frozenset(map(int, MessageType))
+_REPLIES = frozenset(int(member) for member in MessageType if not member.is_command)
+
+
+@dataclass(frozen=True, slots=True)
+class Garbage:
+    """Bytes from the brick that belong to no frame."""
+
+    data: bytes
+
+
+class ReplyStream:
+    """Cuts what a brick sends into frames. It keeps at most one unfinished frame."""
+
+    def __init__(self, is_expected: Callable[[int], bool]) -> None:
+        """Starts at the beginning of a stream.
+
+        Args:
+            is_expected: Says whether a command with that counter waits for its reply.
+        """
+        self._is_expected = is_expected
+        self._buffer = bytearray()
+        self._in_step = True
+
+    @property
+    def pending(self) -> bytes:
+        """The bytes of the frame that is not complete yet."""
+        return bytes(self._buffer)
+
+    @property
+    def missing(self) -> int:
+        """Bytes that the frame which is not complete yet still lacks, as far as is known."""
+        buffer = self._buffer
+        if not buffer:
+            return 0
+        return (frame_size(buffer) if len(buffer) >= LENGTH_FIELD else HEADER_SIZE) - len(buffer)
+
+    def feed(self, data: bytes) -> list[bytes | Garbage]:
+        """Takes the next bytes.
+
+        Args:
+            data: Any number of bytes.
+
+        Returns:
+            The frames that are complete with them, and what stands between frames.
+        """
+        buffer = self._buffer
+        buffer += data
+        found: list[bytes | Garbage] = []
+        skipped = at = 0
+        while len(buffer) - at >= HEADER_SIZE:
+            if not self._can_start(at):
+                self._in_step = False
+                at += 1
+                continue
+            size = frame_size(buffer, at)
+            if len(buffer) - at < size:
+                break
+            if at > skipped:
+                found.append(Garbage(bytes(buffer[skipped:at])))
+            found.append(bytes(buffer[at : at + size]))
+            self._in_step = True
+            at = skipped = at + size
+        if at > skipped:
+            found.append(Garbage(bytes(buffer[skipped:at])))
+        del buffer[:at]
+        return found
+
+    def _can_start(self, at: int) -> bool:
+        length, counter, code = Header.read(self._buffer, at)
+        if not MIN_LENGTH <= length <= LARGEST_REPLY - LENGTH_FIELD or code not in _TYPES:
+            return False
+        return self._in_step or (code in _REPLIES and self._is_expected(counter))

@@ -1,0 +1,176 @@
+"""A session with a brick, without I/O: which counters are taken, which reply answers which command, what is in vain.
+
+Whoever has a carrier sends the frames that `command` gives and feeds what arrives. Time is none of the session's
+concern: who waits for a reply decides when to give up, and says so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from ev3proto.bounded import Bounded
+from ev3proto.link.errors import LinkError
+from ev3proto.link.reply_stream import Garbage, ReplyStream
+from ev3proto.schema.header import HEADER_SIZE, Header, build_frame
+from ev3proto.semantics.pairing import Pairing
+from ev3proto.tables.frame import COUNTERS, MessageType
+
+FIRST_COUNTER = 42
+"""The counter of the first command, as in the lessons."""
+
+MOST_ABANDONED = 1024
+"""Commands that were given up on whose counters are kept from use, in case their replies come after all."""
+
+MOST_REMEMBERED = 1024
+"""Answered commands that are remembered, so that a second answer is known for what it is."""
+
+
+@dataclass(eq=False, slots=True)
+class Request:
+    """A command that was sent.
+
+    counter      its message counter
+    frame        its bytes
+    wants_reply  whether the brick is to answer it
+    """
+
+    counter: int
+    frame: bytes
+    wants_reply: bool
+
+
+class Oddity(Enum):
+    """What a frame is that answers nothing which is waited for. The value completes "a frame that ..."."""
+
+    LATE = "answers a command that was given up on"
+    DOUBLE = "answers a command that was answered already"
+    FOREIGN = "answers a command that nobody sent"
+    UNASKED = "is no answer: the brick speaks by itself"
+
+
+@dataclass(frozen=True, slots=True)
+class Answered:
+    """A reply to a command that waited for it."""
+
+    request: Request
+    frame: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Stray:
+    """A frame that answers nothing that is waited for."""
+
+    oddity: Oddity
+    frame: bytes
+
+
+Event = Answered | Stray | Garbage
+"""What comes of what the brick sent."""
+
+
+class Session:
+    """Commands to one brick and the replies to them."""
+
+    def __init__(self, first_counter: int = FIRST_COUNTER) -> None:
+        """Starts without any command.
+
+        Args:
+            first_counter: The counter of the first command, 0 to 65535.
+        """
+        self._next = first_counter % COUNTERS
+        self._pairing: Pairing[Request] = Pairing(COUNTERS + MOST_ABANDONED)
+        self._waiting: dict[int, Request] = {}
+        self._abandoned: Bounded[int, Request] = Bounded(MOST_ABANDONED)
+        self._answered: Bounded[int, None] = Bounded(MOST_REMEMBERED)
+        self._stream = ReplyStream(self._waiting.__contains__)
+
+    @property
+    def outstanding(self) -> list[Request]:
+        """The commands that wait for their reply, oldest first."""
+        return list(self._waiting.values())
+
+    @property
+    def pending(self) -> bytes:
+        """What came of a frame that is not complete yet."""
+        return self._stream.pending
+
+    @property
+    def missing(self) -> int:
+        """Bytes that this frame still lacks."""
+        return self._stream.missing
+
+    def command(self, kind: MessageType, body: bytes) -> Request:
+        """Makes the frame of a command, with a counter that no command has which waits for its reply.
+
+        Args:
+            kind: The message type.
+            body: What follows the header.
+
+        Returns:
+            The command. It waits for its reply from now on, if it wants one.
+
+        Raises:
+            BuildError: The frame would be too long.
+            LinkError: As many commands wait for a reply as there are counters.
+        """
+        counter = self._free_counter()
+        frame = build_frame(kind, counter, body)
+        request = Request(counter, frame, kind.wants_reply)
+        self._next = (counter + 1) % COUNTERS
+        if request.wants_reply:
+            self._answered.pop(counter, None)
+            self._waiting[counter] = request
+            self._pairing.remember(_key(frame), 0, request)
+        return request
+
+    def abandon(self, request: Request) -> None:
+        """Waits no more for the reply to a command. Its counter is not used again for as long as that is possible."""
+        if self._waiting.get(request.counter) is request:
+            del self._waiting[request.counter]
+            self._abandoned.add(request.counter, request)
+
+    def feed(self, data: bytes) -> list[Event]:
+        """Takes bytes from the brick, in any chunks.
+
+        Args:
+            data: The bytes.
+
+        Returns:
+            What they are, in their order.
+        """
+        return [part if isinstance(part, Garbage) else self._taken(part) for part in self._stream.feed(data)]
+
+    def _taken(self, frame: bytes) -> Answered | Stray:
+        _, counter, code = Header.read(frame)
+        if MessageType(code).is_command:
+            return Stray(Oddity.UNASKED, frame)
+        request = self._pairing.answered(_key(frame), None)
+        if request is not None and self._waiting.get(counter) is request:
+            del self._waiting[counter]
+            self._answered.add(counter, None)
+            return Answered(request, frame)
+        if request is not None:
+            if self._abandoned.get(counter) is request:
+                del self._abandoned[counter]
+            return Stray(Oddity.LATE, frame)
+        return Stray(Oddity.DOUBLE if counter in self._answered else Oddity.FOREIGN, frame)
+
+    def _free_counter(self) -> int:
+        for step in range(COUNTERS):
+            counter = (self._next + step) % COUNTERS
+            if counter not in self._waiting and counter not in self._abandoned:
+                return counter
+        if self._abandoned:
+            counter = next(iter(self._abandoned))
+            del self._abandoned[counter]
+            return counter
+        raise LinkError(f"{COUNTERS} commands wait for their reply: no counter is left for another one")
+
+
+def _key(frame: bytes) -> tuple[str, int, int]:
+    """What a command and its reply have in common: whose message it is, the counter, and the system command."""
+    _, counter, code = Header.read(frame)
+    carries = MessageType(code).carries
+    number = frame[HEADER_SIZE] if carries == "system" and len(frame) > HEADER_SIZE else 0
+    return carries, counter, number

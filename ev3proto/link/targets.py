@@ -1,0 +1,119 @@
+"""Which brick is meant: `wifi:192.0.2.10`, `usb`, `bluetooth:00:16:53:42:2B:99`, `serial:/dev/rfcomm0`, `virtual`."""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ev3proto.errors import near_misses
+from ev3proto.tables.discovery import TCP_PORT
+
+TARGET_VARIABLE = "EV3PROTO_TARGET"
+"""Environment variable that names the brick for every program, whatever the program itself says."""
+
+_PORT_NAME = re.compile(r"/|COM\d+$|cu\.|tty", re.IGNORECASE)
+_SERIAL_NUMBER = re.compile(r"(?:[0-9a-f]{2}[:-]?){5}[0-9a-f]{2}", re.IGNORECASE)
+_MOST_PORT = 65535
+
+
+class Way(StrEnum):
+    """How a brick is reached."""
+
+    WIFI = "wifi"
+    USB = "usb"
+    BLUETOOTH = "bluetooth"
+    SERIAL = "serial"
+    VIRTUAL = "virtual"
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A brick and the way to it.
+
+    way   how it is reached
+    host  WiFi: address or serial number, None for the brick whose beacon comes first. USB: serial number, None for the
+          only brick. Bluetooth: MAC address. Serial: the port. Virtual: the folder of its files, None for no files.
+    port  WiFi: the TCP port, None for the usual one
+    """
+
+    way: Way
+    host: str | None = None
+    port: int | None = None
+
+    def __str__(self) -> str:
+        host = f"[{self.host}]" if self.port is not None and ":" in (self.host or "") else self.host
+        return ":".join(str(part) for part in (self.way, host, self.port) if part is not None)
+
+    @property
+    def serial_number(self) -> str | None:
+        """The host as the brick itself writes its serial number, 12 lower-case hex digits; None where it is none."""
+        if self.host is None or not _SERIAL_NUMBER.fullmatch(self.host):
+            return None
+        return re.sub("[:-]", "", self.host).lower()
+
+    @classmethod
+    def parse(cls, text: str) -> Target:
+        """Reads a target as it is written on the command line.
+
+        Args:
+            text: `wifi`, `wifi:HOST`, `wifi:HOST:PORT`, `usb`, `usb:SERIAL`, `bluetooth:MAC`, `serial:PORT`, `virtual`,
+                `virtual:FOLDER`.
+
+        Raises:
+            ValueError: It is none of these.
+        """
+        name, _, rest = text.partition(":")
+        try:
+            way = Way(name.lower())
+        except ValueError:
+            hint = near_misses(name, [each.upper() for each in Way]).lower()
+            raise ValueError(
+                f"{text!r} is no target{hint}; it must be wifi, wifi:ADDRESS, wifi:ADDRESS:PORT, usb, usb:SERIALNUMBER,"
+                " bluetooth:MAC, serial:PORT or virtual"
+            ) from None
+        if way is Way.WIFI:
+            return cls(way, *_address(rest, text))
+        if way in (Way.BLUETOOTH, Way.SERIAL) and not rest:
+            example = "bluetooth:00:16:53:42:2B:99" if way is Way.BLUETOOTH else "serial:/dev/rfcomm0"
+            raise ValueError(f"{text!r} does not say which brick: it must be such as {example}")
+        target = cls(way, rest or None)
+        return cls(Way.SERIAL, rest) if way is Way.BLUETOOTH and is_port_name(rest) else target
+
+
+def is_port_name(host: str) -> bool:
+    """Whether a host names a serial port such as `/dev/rfcomm0` or `COM5`, not a MAC address."""
+    return _SERIAL_NUMBER.fullmatch(host) is None and _PORT_NAME.match(host) is not None
+
+
+def target_from_environment() -> Target | None:
+    """The brick that EV3PROTO_TARGET names; None where it is not set.
+
+    Raises:
+        ValueError: It is set to what is no target.
+    """
+    text = os.environ.get(TARGET_VARIABLE)
+    if not text:
+        return None
+    try:
+        return Target.parse(text)
+    except ValueError as error:
+        raise ValueError(f"{TARGET_VARIABLE}: {error}") from None
+
+
+def _address(rest: str, text: str) -> tuple[str | None, int | None]:
+    """Host and port of `192.0.2.10:5555`, `[::1]:5555`, `00:16:53:42:2B:99`. Raises ValueError."""
+    if not rest:
+        return None, None
+    if _SERIAL_NUMBER.fullmatch(rest):
+        return rest, None
+    found = re.fullmatch(r"(?:\[([^\]]+)\]|([^:]+))(?::(\d+))?", rest)
+    if found is None:
+        if rest.count(":") > 1:
+            return rest, None  # an IPv6 address without brackets
+        raise ValueError(f"{text!r}: after the address comes a port such as {TCP_PORT}")
+    port = None if found[3] is None else int(found[3])
+    if port is not None and not 1 <= port <= _MOST_PORT:
+        raise ValueError(f"{text!r}: the port must be 1 to {_MOST_PORT}")
+    return found[1] or found[2], port

@@ -10,11 +10,11 @@ from concurrent.futures import TimeoutError as FutureTimeoutError
 from ev3proto.bounded import Bounded
 from ev3proto.errors import counted
 from ev3proto.link.carriers.wire import Wire
+from ev3proto.link.commands import Prepared
 from ev3proto.link.errors import ConnectionLostError, LinkError, NoAnswerError
 from ev3proto.link.reply_stream import Garbage
 from ev3proto.link.session import Answered, Event, Request, Session
 from ev3proto.tables.carriers import Carrier
-from ev3proto.tables.frame import MessageType
 
 TURN = 0.1
 """Seconds after which the reading thread looks whether the connection was closed, where nothing can wake it."""
@@ -29,13 +29,15 @@ _JOIN = 5.0
 class Ticket:
     """A command on its way, and the place where its reply will be.
 
-    request  the command
-    reply    becomes the frame of its reply; done at once where it wants none
+    prepared  what was asked for
+    request   the command that it became
+    reply     becomes the frame of its reply; done at once where it wants none
     """
 
-    __slots__ = ("reply", "request")
+    __slots__ = ("prepared", "reply", "request")
 
-    def __init__(self, request: Request) -> None:
+    def __init__(self, prepared: Prepared, request: Request) -> None:
+        self.prepared = prepared
         self.request = request
         self.reply: Future[bytes] = Future()
 
@@ -63,12 +65,11 @@ class Channel:
         self._reader = threading.Thread(target=self._read, name=f"reads from {self.label}", daemon=True)
         self._reader.start()
 
-    def send(self, kind: MessageType, body: bytes, *, before: Callable[[bytes], None] | None = None) -> Ticket:
+    def send(self, prepared: Prepared, before: Callable[[bytes], None] | None = None) -> Ticket:
         """Sends a command, whose counter is chosen here.
 
         Args:
-            kind: The message type.
-            body: What follows the header.
+            prepared: The command.
             before: Called with the frame just before it is sent, in the order of sending; None for nothing.
 
         Returns:
@@ -82,8 +83,8 @@ class Channel:
             with self._state:
                 if self._lost is not None:
                     raise self._again()
-                request = self._session.command(kind, body)
-                ticket = Ticket(request)
+                request = self._session.command(prepared.kind, prepared.body)
+                ticket = Ticket(prepared, request)
                 if request.wants_reply:
                     self._by_request[id(request)] = ticket
                     self._tickets.add(request.counter, ticket)

@@ -63,6 +63,10 @@ class TransferError(LinkError):
     """A file did not arrive as it was sent."""
 
 
+NoEV3, PortInUse = NoBrickError, PortInUseError
+DirCmdError, SysCmdError = DirectCommandError, SystemCommandError
+"""The same by the names under which programs for ev3_dc catch them."""
+
 _MOST_FINDINGS = 3
 
 _ADVICE_OF_COMMANDS = {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tempfile
 import weakref
 from collections.abc import Callable
 from pathlib import Path
@@ -15,7 +16,7 @@ from ev3proto.link.channel import Channel, Ticket
 from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
 from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
 from ev3proto.link.modes import SyncMode
-from ev3proto.link.printing import RECEIVED, SENT, frame_line
+from ev3proto.link.printing import RECEIVED, SENT, frame_line, meaning_line
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.sharing import Shared
 from ev3proto.link.targets import Target, chosen_target
@@ -94,7 +95,7 @@ class EV3:
     @property
     def protocol(self) -> str:
         """How the brick is reached: the value of BLUETOOTH, USB or WIFI."""
-        return self._shared.channel.carrier.facts.label
+        return self.channel.carrier.facts.label
 
     @property
     def host(self) -> str | None:
@@ -102,9 +103,14 @@ class EV3:
         return self._target.host
 
     @property
+    def channel(self) -> Channel:
+        """What carries the commands, and pairs the replies with them."""
+        return self._shared.channel
+
+    @property
     def is_open(self) -> bool:
         """Whether the connection is there, as far as is known."""
-        return self._release.alive and self._shared.channel.is_open
+        return self._release.alive and self.channel.is_open
 
     def close(self) -> None:
         """Ends the connection, unless another object shares it. A second call does nothing."""
@@ -224,27 +230,32 @@ class EV3:
         Raises:
             LinkError: As for `send_direct_cmd`; also where no such command waits for its reply.
         """
-        ticket = self._shared.channel.ticket(counter_of(msg_cnt))
-        return self._wait(ticket, self._shared.prepared(ticket), verbosity, timeout, keep=True)
+        ticket = self.channel.ticket(counter_of(msg_cnt))
+        return self._wait(ticket, verbosity, timeout, keep=True)
 
     def _send(self, prepared: Prepared, verbosity: int | None, timeout: float | None) -> Result:
-        ticket = self._shared.send(prepared, self._printer(SENT, verbosity))
+        ticket = self.channel.send(prepared, self.printer(SENT, verbosity))
         if prepared.waits:
-            return self._wait(ticket, prepared, verbosity, timeout, keep=False)
+            return self._wait(ticket, verbosity, timeout, keep=False)
         return counter_bytes(ticket.request.frame)
 
-    def _wait(
-        self, ticket: Ticket, prepared: Prepared, verbosity: int | None, timeout: float | None, *, keep: bool
-    ) -> Result:
-        frame = self._shared.channel.wait(ticket, self.timeout if timeout is None else timeout, keep=keep)
-        printer = self._printer(RECEIVED, verbosity, ticket.request.frame)
+    def _wait(self, ticket: Ticket, verbosity: int | None, timeout: float | None, *, keep: bool) -> Result:
+        frame = self.channel.wait(ticket, self.timeout if timeout is None else timeout, keep=keep)
+        printer = self.printer(RECEIVED, verbosity, ticket.request.frame)
         if printer is not None:
             printer(frame)
-        return prepared.result(ticket.request.frame, frame)
+        return ticket.prepared.result(ticket.request.frame, frame)
 
-    def _printer(
+    def printer(
         self, direction: str, verbosity: int | None, request: bytes | None = None
     ) -> Callable[[bytes], None] | None:
+        """What prints a frame as `verbosity` asks for; None where nothing is printed.
+
+        Args:
+            direction: SENT or RECEIVED.
+            verbosity: 0, 1 or 2; that of this object where None.
+            request: For a reply: the frame of its command.
+        """
         level = self._verbosity if verbosity is None else _known_verbosity(verbosity)
         if not level:
             return None
@@ -333,9 +344,7 @@ class EV3:
         data = source if isinstance(source, bytes) else Path(source).read_bytes()
         return self._run(file_moves.download(data, path, progress))
 
-    def upload(
-        self, path: str, destination: str | Path | None = None, progress: Progress = nothing_moved
-    ) -> bytes:
+    def upload(self, path: str, destination: str | Path | None = None, progress: Progress = nothing_moved) -> bytes:
         """Reads a file from the brick (the protocol's word for it), and compares its MD5 there.
 
         Args:
@@ -388,10 +397,9 @@ class EV3:
                 reply = self._exchange(command)
 
     def _exchange(self, command: SystemCommand) -> SystemReply:
-        prepared = system(command, True)
-        ticket = self._shared.send(prepared, self._printer(SENT, None))
-        frame = self._shared.channel.wait(ticket, self.timeout)
-        printer = self._printer(RECEIVED, None, ticket.request.frame)
+        ticket = self.channel.send(system(command, True), self.printer(SENT, None))
+        frame = self.channel.wait(ticket, self.timeout)
+        printer = self.printer(RECEIVED, None, ticket.request.frame)
         if printer is not None:
             printer(frame)
         return system_reply(frame)
@@ -416,8 +424,6 @@ def print_frame(direction: str, frame: bytes, level: int, request: bytes | None,
     """
     print(frame_line(direction, frame))
     if level > 1:
-        from ev3proto.link.printing import meaning_line
-
         print(meaning_line(frame, request, dialect))
 
 
@@ -431,17 +437,14 @@ def write_whole(path: Path, data: bytes) -> None:
     Raises:
         OSError: It cannot be written; nothing has changed then.
     """
-    import os
-    import tempfile
-
     with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
         try:
             file.write(data)
             file.flush()
         except BaseException:
-            os.unlink(file.name)
+            Path(file.name).unlink()
             raise
-    os.replace(file.name, path)
+    Path(file.name).replace(path)
 
 
 def _known_verbosity(value: int) -> int:

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from datetime import datetime
 
+from ev3proto.dialogue import Exchange
 from ev3proto.messages import SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.semantics.replies import values_of
+from ev3proto.text.dialogues import command_spans, reply_spans
 from ev3proto.text.forms import as_hex
+from ev3proto.text.spans import plain_text
 
 SENT, RECEIVED = "Sent", "Recv"
 
@@ -30,6 +34,21 @@ def frame_line(direction: str, frame: bytes, now: datetime | None = None) -> str
         command, status, rest = (part.hex(":").upper() for part in _parts(frame))
         text = "|".join([*text.split("|")[:_HEADER_GROUPS], command, status, *filter(None, (rest,)), ""])
     return f"{now or datetime.now():%H:%M:%S.%f} {direction} {text}"
+
+
+def meaning_line(frame: bytes, request: bytes | None, dialect: str) -> str:
+    """What a frame says, on one line.
+
+    Args:
+        frame: The frame.
+        request: For a reply: the frame of its command.
+        dialect: The firmware whose instruction set to read by.
+    """
+    message = parse(frame, strict=False, dialect=dialect)
+    if request is None:
+        return f"    {plain_text(command_spans(message))}"
+    command = parse(request, strict=False, dialect=dialect)
+    return f"    {plain_text(reply_spans(Exchange(message, command, values_of(message, command))))}"
 
 
 def _parts(frame: bytes) -> tuple[bytes, bytes, bytes]:

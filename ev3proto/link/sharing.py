@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
-from weakref import WeakKeyDictionary
 
-from ev3proto.link.channel import Channel, Ticket
-from ev3proto.link.commands import Prepared
-from ev3proto.link.errors import LinkError
+from ev3proto.link.channel import Channel
 
 
 class Shared:
-    """A channel, who uses it, and what was asked for with each command.
+    """A channel, and who uses it.
 
     channel  the connection
     moving   held while a file is moved
@@ -24,7 +20,6 @@ class Shared:
         self.moving = threading.Lock()
         self._users = 0
         self._lock = threading.Lock()
-        self._prepared: WeakKeyDictionary[Ticket, Prepared] = WeakKeyDictionary()
 
     def take(self) -> None:
         """One more uses it."""
@@ -38,23 +33,3 @@ class Shared:
             if self._users:
                 return
         self.channel.close()
-
-    def send(self, prepared: Prepared, before: Callable[[bytes], None] | None) -> Ticket:
-        """Sends a command. What was asked for is known as long as its ticket is.
-
-        Args:
-            prepared: The command.
-            before: Called with the frame just before it is sent.
-        """
-        ticket = self.channel.send(prepared.kind, prepared.body, before=before)
-        with self._lock:
-            self._prepared[ticket] = prepared
-        return ticket
-
-    def prepared(self, ticket: Ticket) -> Prepared:
-        """The command of a ticket. Raises LinkError where it was not sent here."""
-        with self._lock:
-            found = self._prepared.get(ticket)
-        if found is None:
-            raise LinkError(f"the command with the counter {ticket.request.counter} is not known here")
-        return found

@@ -117,3 +117,46 @@ def _address(rest: str, text: str) -> tuple[str | None, int | None]:
     if port is not None and not 1 <= port <= _MOST_PORT:
         raise ValueError(f"{text!r}: the port must be 1 to {_MOST_PORT}")
     return found[1] or found[2], port
+
+
+_WAYS = {"wifi": Way.WIFI, "usb": Way.USB, "bluetooth": Way.BLUETOOTH}
+
+
+def chosen_target(
+    protocol: str | None, host: str | None, address: tuple[str, int] | None, target: str | Target | None
+) -> Target:
+    """The brick that a program means; EV3PROTO_TARGET overrides all that it says.
+
+    Args:
+        protocol: WIFI, BLUETOOTH or USB, in any case of letters.
+        host: Address, serial number or port.
+        address: Address and TCP port.
+        target: The brick in one piece, in place of the others.
+
+    Raises:
+        ValueError: Nothing says which brick, or two things do.
+    """
+    overriding = target_from_environment()
+    if overriding is not None:
+        return overriding
+    if target is not None:
+        if protocol is not None or host is not None or address is not None:
+            raise ValueError("target says which brick: protocol, host and address must be omitted with it")
+        return target if isinstance(target, Target) else Target.parse(target)
+    if protocol is None:
+        raise ValueError(
+            "it is not said which brick: give protocol (WIFI, BLUETOOTH or USB), ev3_obj, or target, or set"
+            f" {TARGET_VARIABLE}"
+        )
+    way = _WAYS.get(protocol.lower()) if isinstance(protocol, str) else None
+    if way is None:
+        raise ValueError(f"protocol must be WIFI, BLUETOOTH or USB, not {protocol!r:.60}")
+    if address is not None:
+        if way is not Way.WIFI:
+            raise ValueError("address is for WIFI: USB and BLUETOOTH take host")
+        return Target(way, address[0], address[1])
+    if way is Way.BLUETOOTH and host is None:
+        raise ValueError("with BLUETOOTH, host must be the brick's MAC address or the serial port of the connection")
+    if way is Way.BLUETOOTH and host is not None and is_port_name(host):
+        return Target(Way.SERIAL, host)
+    return Target(way, host)

@@ -1,0 +1,240 @@
+"""`AsyncEV3`: the same brick for programs of asyncio, on the same sessions and carriers.
+
+Carriers block while they send, so one thread of its own sends, in the order of the calls. Replies arrive in the thread
+that reads and are handed to the event loop: any number of them can be waited for without a thread for each.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Coroutine
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from types import TracebackType
+from typing import Any, TypeVar
+
+from ev3proto.link import file_moves, questions
+from ev3proto.link.channel import Ticket
+from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
+from ev3proto.link.ev3 import EV3, system_reply, write_whole
+from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
+from ev3proto.link.modes import SyncMode
+from ev3proto.link.printing import RECEIVED, SENT
+from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
+from ev3proto.messages import SystemCommand, SystemReply
+
+T = TypeVar("T")
+
+
+class AsyncEV3:
+    """A connection to a brick, for one event loop.
+
+    `async with AsyncEV3(protocol=...) as my_ev3` connects and closes. Methods are those of `EV3`, to be awaited; so are
+    its properties (`await my_ev3.battery`), of which those that can be set have a method: `set_name`, `set_volume`,
+    `set_sleep`.
+    """
+
+    def __init__(self, **arguments: Any) -> None:
+        """Says which brick; `connect`, or `async with`, connects.
+
+        Args:
+            arguments: Those of `EV3`.
+        """
+        self._arguments = arguments
+        self._ev3: EV3 | None = None
+        self._sender = ThreadPoolExecutor(1, thread_name_prefix="sends to a brick")
+        self._moving = asyncio.Lock()
+
+    async def connect(self) -> AsyncEV3:
+        """Connects to the brick. Raises what `EV3` raises."""
+        if self._ev3 is None:
+            self._ev3 = await self._in_thread(lambda: EV3(**self._arguments))
+        return self
+
+    async def close(self) -> None:
+        """Ends the connection. A second call does nothing."""
+        if self._ev3 is not None:
+            await self._in_thread(self._ev3.close)
+        self._sender.shutdown(wait=False)
+
+    async def __aenter__(self) -> AsyncEV3:
+        return await self.connect()
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    @property
+    def connected(self) -> EV3:
+        """The connection itself, with `sync_mode`, `verbosity`, `timeout`, `target` and the like.
+
+        Raises:
+            RuntimeError: There is none yet.
+        """
+        if self._ev3 is None:
+            raise RuntimeError("there is no connection yet: `await connect()`, or `async with AsyncEV3(...)`")
+        return self._ev3
+
+    async def send_direct_cmd(
+        self,
+        ops: Operations,
+        *,
+        local_mem: int = 0,
+        global_mem: int = 0,
+        sync_mode: str | None = None,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Result:
+        """Sends a direct command; arguments, result and errors are those of `EV3.send_direct_cmd`."""
+        ev3 = self.connected
+        mode = SyncMode.of(ev3.sync_mode if sync_mode is None else sync_mode)
+        return await self._send(direct(ops, local_mem, global_mem, mode, ev3.dialect), verbosity, timeout)
+
+    async def send_system_cmd(
+        self,
+        cmd: bytes | SystemCommand,
+        *,
+        reply: bool = True,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Result:
+        """Sends a system command; arguments, result and errors are those of `EV3.send_system_cmd`."""
+        return await self._send(system(cmd, reply), verbosity, timeout)
+
+    async def wait_for_reply(
+        self, msg_cnt: bytes | int, *, verbosity: int | None = None, timeout: float | None = None
+    ) -> Result:
+        """Waits for the reply to a command sent with ASYNC; see `EV3.wait_for_reply`."""
+        ticket = self.connected.channel.ticket(counter_of(msg_cnt))
+        frame = await self._reply(ticket, verbosity, timeout, keep=True)
+        return ticket.prepared.result(ticket.request.frame, frame)
+
+    async def _send(self, prepared: Prepared, verbosity: int | None, timeout: float | None) -> Result:
+        ticket = await self._sent(prepared, verbosity)
+        if not prepared.waits:
+            return counter_bytes(ticket.request.frame)
+        frame = await self._reply(ticket, verbosity, timeout, keep=False)
+        return prepared.result(ticket.request.frame, frame)
+
+    async def _sent(self, prepared: Prepared, verbosity: int | None) -> Ticket:
+        ev3 = self.connected
+        printer = ev3.printer(SENT, verbosity)
+        return await self._in_thread(lambda: ev3.channel.send(prepared, printer))
+
+    async def _reply(self, ticket: Ticket, verbosity: int | None, timeout: float | None, *, keep: bool) -> bytes:
+        ev3 = self.connected
+        patience = ev3.timeout if timeout is None else timeout
+        # Shielded: whoever gives up waiting must not cancel what the reading thread will fill in.
+        waiting = asyncio.shield(asyncio.wrap_future(ticket.reply))
+        try:
+            frame = await asyncio.wait_for(waiting, patience)
+        except TimeoutError:
+            raise ev3.channel.give_up(ticket, patience or 0.0, keep=keep) from None
+        ev3.channel.fetched(ticket)
+        printer = ev3.printer(RECEIVED, verbosity, ticket.request.frame)
+        if printer is not None:
+            printer(frame)
+        return frame
+
+    async def _in_thread(self, call: Callable[[], T]) -> T:
+        return await asyncio.get_running_loop().run_in_executor(self._sender, call)
+
+    # What the brick is and has
+
+    @property
+    def name(self) -> Coroutine[Any, Any, str]:
+        """The brick's name."""
+        return self._ask(questions.name())
+
+    async def set_name(self, name: str) -> None:
+        """Gives the brick another name."""
+        await self.send_direct_cmd(questions.set_name(name), sync_mode=SyncMode.SYNC)
+
+    @property
+    def volume(self) -> Coroutine[Any, Any, int]:
+        """The volume of sounds in percent."""
+        return self._ask(questions.volume())
+
+    async def set_volume(self, percent: int) -> None:
+        """Changes the volume of sounds."""
+        await self.send_direct_cmd(questions.set_volume(percent), sync_mode=SyncMode.SYNC)
+
+    @property
+    def sleep(self) -> Coroutine[Any, Any, int]:
+        """Minutes without use after which the brick powers off, 0 for never."""
+        return self._ask(questions.sleep())
+
+    async def set_sleep(self, minutes: int) -> None:
+        """Changes after how many minutes without use the brick powers off."""
+        await self.send_direct_cmd(questions.set_sleep(minutes), sync_mode=SyncMode.SYNC)
+
+    @property
+    def battery(self) -> Coroutine[Any, Any, Battery]:
+        """Voltage in V, current in A, charge in percent."""
+        return self._ask(questions.battery())
+
+    @property
+    def sensors(self) -> Coroutine[Any, Any, Sensors]:
+        """The types of the devices at all ports, None where there is none."""
+        return self._ask(questions.sensors())
+
+    @property
+    def system(self) -> Coroutine[Any, Any, System]:
+        """The versions of operating system, firmware and hardware."""
+        return self._ask(questions.system())
+
+    @property
+    def memory(self) -> Coroutine[Any, Any, Memory]:
+        """The memory for users' files in KiB: all of it, and what is free."""
+        return self._ask(questions.memory())
+
+    @property
+    def network(self) -> Coroutine[Any, Any, Network]:
+        """The WiFi network that the brick is in, and its addresses there."""
+        return self._ask(questions.network())
+
+    async def _ask(self, question: Question[T]) -> T:
+        values = await self.send_direct_cmd(question.operations, sync_mode=SyncMode.SYNC)
+        assert not isinstance(values, bytes)
+        return question.read(values)
+
+    # Files
+
+    async def download(self, source: bytes | str | Path, path: str, progress: Progress = nothing_moved) -> File:
+        """Writes a file to the brick; see `EV3.download`."""
+        data = source if isinstance(source, bytes) else await asyncio.to_thread(Path(source).read_bytes)
+        return await self._run(file_moves.download(data, path, progress))
+
+    async def upload(
+        self, path: str, destination: str | Path | None = None, progress: Progress = nothing_moved
+    ) -> bytes:
+        """Reads a file from the brick; see `EV3.upload`."""
+        data = await self._run(file_moves.upload(path, progress))
+        if destination is not None:
+            await asyncio.to_thread(write_whole, Path(destination), data)
+        return data
+
+    async def list_dir(self, path: str) -> Listing:
+        """Lists a folder of the brick; see `EV3.list_dir`."""
+        return await self._run(file_moves.list_dir(path))
+
+    async def delete(self, path: str) -> None:
+        """Deletes a file or an empty folder of the brick. Raises SystemCommandError."""
+        await self._run(file_moves.delete(path))
+
+    async def mkdir(self, path: str) -> None:
+        """Makes a folder on the brick. Raises SystemCommandError."""
+        await self._run(file_moves.mkdir(path))
+
+    async def _run(self, task: Task[T]) -> T:
+        async with self._moving:
+            reply: SystemReply | None = None
+            while True:
+                try:
+                    command = next(task) if reply is None else task.send(reply)
+                except StopIteration as end:
+                    result: T = end.value
+                    return result
+                ticket = await self._sent(system(command, True), None)
+                reply = system_reply(await self._reply(ticket, None, None, keep=False))

@@ -101,12 +101,12 @@ def _refusal(report: Report) -> str:
     errors = report.errors
     if report.accepted and not errors:
         return f"{sentence}. Check finds nothing wrong with the command: an operation failed while it was executed"
-    found = [f"at offset {finding.offset}: {finding.message} ({finding.code}); {finding.help}" for finding in errors]
+    found = [f"at offset {finding.offset}: {finding.message} ({finding.code})" for finding in errors]
     if len(found) > _MOST_FINDINGS:
         found[_MOST_FINDINGS:] = [f"and {counted(len(found) - _MOST_FINDINGS, 'error')} more"]
     if not found:
         found = [f"the brick's own check gives up at offset {report.rejected_at}"]
-    return f"{sentence}. Check says: {'; '.join(found)}"
+    return f"{sentence}. Check says: {'; '.join(found)}. `ev3proto check {report.frame.hex()}` says more"
 
 
 def _failure(reply: SystemReply, about: str) -> str:

@@ -10,9 +10,8 @@ import posixpath
 from collections.abc import Callable, Generator
 from typing import NamedTuple, TypeVar
 
-from ev3proto.errors import BuildError
 from ev3proto.link.errors import SystemCommandError, TransferError
-from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.messages import FieldValue, SystemCommand, SystemReply
 from ev3proto.system import (
     begin_download,
     begin_upload,
@@ -211,9 +210,11 @@ def _check(reply: SystemReply, path: str) -> None:
         raise SystemCommandError(reply, path)
 
 
-def _bytes(value: object) -> bytes:
-    if not isinstance(value, bytes):
-        raise BuildError(f"data takes bytes, not {value!r:.60}")
+def _bytes(value: FieldValue) -> bytes:
+    """The contents of a field: a listing is text, a file's piece bytes."""
+    if isinstance(value, str):
+        return value.encode(STRING_CODING)
+    assert isinstance(value, bytes), "contents are no number"
     return value
 
 

@@ -16,6 +16,7 @@ from ev3proto.cli.files import files
 from ev3proto.cli.live import live
 from ev3proto.cli.ops import ops
 from ev3proto.cli.output import complain
+from ev3proto.cli.run import run
 from ev3proto.cli.sample import sample
 from ev3proto.cli.stats import stats
 from ev3proto.cli.timeline import timeline
@@ -40,6 +41,7 @@ cli.add_command(export)
 cli.add_command(files)
 cli.add_command(live)
 cli.add_command(ops)
+cli.add_command(run)
 cli.add_command(sample)
 cli.add_command(stats)
 cli.add_command(timeline)

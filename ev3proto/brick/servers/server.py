@@ -74,6 +74,7 @@ class Running:
     address   where WiFi listens
     port      of WiFi; 0 without WiFi
     link      where the page is, with its token; empty without a page
+    looked    set when somebody has opened the page
     reporter  what has checked the frames so far; None where that was not asked for
     """
 
@@ -82,6 +83,7 @@ class Running:
     address: str = ""
     port: int = 0
     link: str = ""
+    looked: asyncio.Event = field(default_factory=asyncio.Event)
     reporter: Reporter | None = None
 
 
@@ -114,9 +116,9 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         reporter = Reporter(options.dialect) if options.report else None
         if reporter is not None:
             host.observers.append(reporter)
-        link = ""
+        link, looked = "", asyncio.Event()
         if options.page is not None:
-            link = await stack.enter_async_context(_page(host, options.address, options.page))
+            link, looked = await stack.enter_async_context(_page(host, options.address, options.page))
         if options.serial is not None:
             stack.callback(_serial(host, options.serial).close)
         address, port = "", 0
@@ -135,7 +137,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
             say(f"everybody who reaches {options.address} can use this brick and its files; WiFi has no password")
         steps = asyncio.create_task(_follow(options.script, host))
         stack.callback(steps.cancel)
-        yield Running(brick, host, address, port, link, reporter)
+        yield Running(brick, host, address, port, link, looked, reporter)
 
 
 def is_loopback(address: str) -> bool:
@@ -173,15 +175,15 @@ def _serial(host: Host, path: Path) -> SerialPort:
 
 
 @asynccontextmanager
-async def _page(host: Host, address: str, port: int) -> AsyncIterator[str]:
-    """The page, for as long as the brick is on; the link to it."""
+async def _page(host: Host, address: str, port: int) -> AsyncIterator[tuple[str, asyncio.Event]]:
+    """The page, for as long as the brick is on: the link to it, and what is set when somebody has opened it."""
     try:
         from ev3proto.brick.servers.page.server import PageError, serving
     except ImportError:
         raise ServerError("the page needs aiohttp: pip install 'ev3proto[page]' (or bin/setup page)") from None
     try:
-        async with serving(host, address, port) as link:
-            yield link
+        async with serving(host, address, port) as found:
+            yield found
     except PageError as error:
         raise ServerError(str(error)) from None
 

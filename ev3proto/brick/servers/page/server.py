@@ -58,7 +58,7 @@ class PageError(Exception):
 
 
 @asynccontextmanager
-async def serving(host: Host, address: str, port: int) -> AsyncIterator[str]:
+async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[str, asyncio.Event]]:
     """Serves the page for as long as the context lasts.
 
     Args:
@@ -67,7 +67,7 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[str]:
         port: 0 for any that is free.
 
     Yields:
-        The link that opens it.
+        The link that opens it, and an event that is set when somebody has.
 
     Raises:
         PageError: The port cannot be opened.
@@ -83,7 +83,7 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[str]:
     application.router.add_get("/live", page.live)
     application.router.add_get("/file", page.file)
     application.router.add_get("/display.png", page.display)
-    runner = web.AppRunner(application, access_log=None, handle_signals=False, shutdown_timeout=1.0)
+    runner = web.AppRunner(application, access_log=None, handle_signals=False, shutdown_timeout=0.2)
     await runner.setup()
     try:
         try:
@@ -96,7 +96,7 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[str]:
         page.port = runner.addresses[0][1]
         host.observers.append(page.watcher)
         shown = f"[{address}]" if ":" in address else address
-        yield f"http://{shown}:{page.port}/?token={page.token}"
+        yield f"http://{shown}:{page.port}/?token={page.token}", page.was_opened
     finally:
         await page.close()
         await runner.cleanup()
@@ -110,6 +110,7 @@ class _Page:
         self.token = secrets.token_urlsafe(24)
         begin = time.perf_counter()
         self.watcher = Watcher(lambda: time.perf_counter() - begin)
+        self.was_opened = asyncio.Event()
         self._host = host
         self._sockets: set[web.WebSocketResponse] = set()
 
@@ -205,6 +206,7 @@ class _Page:
         socket = web.WebSocketResponse(max_msg_size=_MOST_MESSAGE, heartbeat=20)
         await socket.prepare(request)
         self._sockets.add(socket)
+        self.was_opened.set()
         sender = asyncio.create_task(self._send(socket))
         try:
             async for message in socket:

@@ -1,0 +1,264 @@
+"""`ev3proto run`: a program on a virtual brick, with its display in the terminal or on the page."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import re
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from ev3proto.cli.brick import ended_by_signals, folder, read_script_file
+from ev3proto.cli.output import complain
+from ev3proto.cli.programs import complain_of, is_image
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ev3proto.brick import Brick
+    from ev3proto.brick.programs import Program
+    from ev3proto.brick.servers.server import Options, Running
+
+_PERIOD = 0.05
+_PRESS = 0.1
+"""Seconds between two looks at the program, and for which a key holds a button down."""
+
+_KEYS = {
+    b"\x1b[A": "up",
+    b"\x1b[B": "down",
+    b"\x1b[C": "right",
+    b"\x1b[D": "left",
+    b"\r": "enter",
+    b"\n": "enter",
+    b" ": "enter",
+    b"\x7f": "back",
+    b"\x08": "back",
+    b"\x1b": "back",
+}
+_MOST_NAME = 20
+
+
+@click.command()
+@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option(
+    "--http",
+    "page",
+    type=click.IntRange(0, 65535),
+    is_flag=False,
+    flag_value=0,
+    metavar="[PORT]",
+    help="Show it on a page, and start when that is opened; Ctrl-C ends it.",
+)
+@click.option("--root", type=click.Path(file_okay=False, path_type=Path), metavar="DIR", help="As for `brick`.")
+@click.option(
+    "--script",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="TOML",
+    help="What is plugged in and what happens, as for `brick`.",
+)
+@click.option(
+    "--screenshot",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="PNG",
+    help="Picture of the display at the end.",
+)
+@click.option("--limit", type=click.FloatRange(0), metavar="SECONDS", help="End the program after so long.")
+def run(
+    file: Path,
+    page: int | None,
+    root: Path | None,
+    script: Path | None,
+    screenshot: Path | None,
+    limit: float | None,
+) -> None:
+    """Runs a program, an image (.rbf) or a source (.lms), on a virtual brick until it ends.
+
+    On a terminal the display is shown while it runs, and arrow keys, Enter and Backspace are the brick's buttons;
+    otherwise it is printed at the end. Exit status 1: the program failed.
+
+    \b
+      ev3proto run hello.lms
+      ev3proto run robot.rbf --script robot.toml --http
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    from ev3proto.brick.servers.server import Options
+
+    image = _image(file)
+    options = Options(port=None, page=page, screenshot=screenshot, script=read_script_file(script))
+    with folder(root) as place:
+        sys.exit(asyncio.run(_run(image, file.stem, options, place, limit)))
+
+
+def _image(file: Path) -> bytes:
+    """The image in a file, or what its source becomes. Ends the program where it is neither."""
+    from ev3proto.program import assemble
+    from ev3proto.program.image import MAX_IMAGE
+    from ev3proto.text.assembly.errors import AssemblyError
+
+    try:
+        with file.open("rb") as stream:
+            found = stream.read(MAX_IMAGE + 1)
+    except OSError as error:
+        complain(f"{file}: cannot be read: {error.strerror or error}")
+        sys.exit(1)
+    if is_image(found):
+        return found
+    try:
+        return assemble(found).image
+    except AssemblyError as error:
+        complain_of(str(file), error)
+        sys.exit(1)
+
+
+async def _run(image: bytes, name: str, options: Options, root: Path, limit: float | None) -> int:
+    """Runs the program until it ends; the exit status."""
+    from ev3proto.brick.servers.server import ServerError, running
+
+    try:
+        async with running(options, root, complain) as now:
+            with ended_by_signals() as ended:
+                if now.link:
+                    click.echo(f"page at {now.link}")
+                    sys.stdout.flush()
+                    await _first(now.looked, ended)
+                program = _start(now.brick, image, name)
+                if program is None:
+                    return 1
+                if now.link:
+                    await ended.wait()
+                else:
+                    await _show(now, program, ended, limit)
+            return _ending(now.brick, program)
+    except ServerError as error:
+        complain(str(error))
+        return 1
+
+
+async def _first(*events: asyncio.Event) -> None:
+    """Waits until one of several things has happened."""
+    waiting = [asyncio.create_task(event.wait()) for event in events]
+    await asyncio.wait(waiting, return_when=asyncio.FIRST_COMPLETED)
+    for task in waiting:
+        task.cancel()
+
+
+def _start(brick: Brick, image: bytes, name: str) -> Program | None:
+    """Starts the program as PROGRAM_START would; None, and a sentence, for an image that the brick refuses."""
+    from ev3proto.brick.images import Image
+    from ev3proto.brick.programs import USER_SLOT
+    from ev3proto.errors import DecodeError
+    from ev3proto.program import parse
+
+    project = f"../prjs/{re.sub(r'[^A-Za-z0-9_-]', '_', name)[:_MOST_NAME] or 'program'}/"
+    brick.files.make_folder(project.rstrip("/").encode())
+    if brick.machine.start_program(USER_SLOT, Image(image, project)):
+        return brick.machine.program_in(USER_SLOT)
+    try:
+        parse(image, dialect=brick.dialect)
+        complain("the brick refuses the program: it needs more memory than there is, or has no object")
+    except DecodeError as error:
+        complain(f"the brick refuses the program: {error}")
+    return None
+
+
+def _ending(brick: Brick, program: Program) -> int:
+    """Says how the program ended; the exit status."""
+    from ev3proto.brick.programs import FAIL, RUNNING
+    from ev3proto.tables.errors import ERRORS
+
+    if program.status == RUNNING:
+        complain("the program was ended before its own end")
+        return 0
+    if program.result == FAIL:
+        named = [ERRORS[number] for number in brick.settings.errors if number < len(ERRORS)]
+        complain(f"the program failed: {', '.join(named) or 'an operation failed'}")
+        return 1
+    return 0
+
+
+async def _show(now: Running, program: Program, ended: asyncio.Event, limit: float | None) -> None:
+    """Shows the display until the program ends: all the time on a terminal, else at the end."""
+    from ev3proto.brick.programs import RUNNING
+
+    loop = asyncio.get_running_loop()
+    until = None if limit is None else loop.time() + limit
+    with _screen(now.brick) as draw, _keyboard(now):
+        # The clock runs in the tasks of the brick.
+        while program.status == RUNNING and not ended.is_set() and (until is None or loop.time() < until):
+            draw()
+            await asyncio.sleep(_PERIOD)
+        draw()
+    if not sys.stdout.isatty():
+        click.echo("\n".join(_lines(now.brick)))
+
+
+def _lines(brick: Brick) -> list[str]:
+    from ev3proto.brick.display.braille import braille
+    from ev3proto.brick.display.canvas import WIDTH
+
+    return braille(brick.display.rows, WIDTH)
+
+
+@contextmanager
+def _screen(brick: Brick) -> Iterator[Callable[[], None]]:
+    """Something that draws the display and the light on the terminal; nothing where there is none."""
+    if not sys.stdout.isatty():
+        yield lambda: None
+        return
+    from rich.console import Group
+    from rich.live import Live
+    from rich.text import Text
+
+    from ev3proto.tables.enumerations import LEDPATTERN
+
+    leds = {number: name for name, number in LEDPATTERN.members.items()}
+
+    def picture() -> Group:
+        lines = [Text(line, no_wrap=True, overflow="crop") for line in _lines(brick)]
+        playing = brick.sound.playing
+        tone = f", {playing.frequency} Hz" if playing is not None and playing.frequency else ""
+        return Group(Text(f"{leds[brick.leds]}{tone}", no_wrap=True), *lines)
+
+    with Live(picture(), auto_refresh=False, vertical_overflow="crop") as live:
+        yield lambda: live.update(picture(), refresh=True)
+
+
+@contextmanager
+def _keyboard(now: Running) -> Iterator[None]:
+    """While it lasts, keys of the terminal press the brick's buttons."""
+    try:
+        import termios
+        import tty
+    except ImportError:
+        yield
+        return
+    if not sys.stdin.isatty():
+        yield
+        return
+    loop = asyncio.get_running_loop()
+    keys = sys.stdin.fileno()
+    before = termios.tcgetattr(keys)
+
+    def release(button: str) -> None:
+        now.brick.release(button)
+        now.host.wake()
+
+    def pressed() -> None:
+
+        button = _KEYS.get(os.read(keys, 16))
+        if button is not None:
+            now.brick.press(button)
+            now.host.wake()
+            loop.call_later(_PRESS, release, button)
+
+    tty.setcbreak(keys)
+    loop.add_reader(keys, pressed)
+    try:
+        yield
+    finally:
+        loop.remove_reader(keys)
+        termios.tcsetattr(keys, termios.TCSADRAIN, before)

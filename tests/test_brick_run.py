@@ -1,0 +1,122 @@
+"""`ev3proto run`: programs on a virtual brick, with the display in the terminal, in a picture or on the page."""
+
+from __future__ import annotations
+
+import os
+import pty
+import select
+import signal
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+import pytest
+from support.cli import run_ev3proto_text
+
+from ev3proto.brick.display.braille import braille
+from ev3proto.program import assemble
+
+SQUARE = """vmthread MAIN
+{
+  UI_DRAW(FILLRECT, 1, 0, 0, 4, 4)
+  UI_DRAW(UPDATE)
+}
+"""
+FOREVER = """vmthread MAIN
+{
+again:
+  SLEEP()
+  JR(again)
+}
+"""
+FAILS = """vmthread MAIN
+{
+  HANDLE none
+  ARRAY(RESIZE, none, 5)
+}
+"""
+UNTIL_ENTER = """vmthread MAIN
+{
+  DATA8 pressed
+again:
+  UI_BUTTON(SHORTPRESS, ENTER_BUTTON, pressed)
+  JR_FALSE(pressed, again)
+}
+"""
+
+
+def test_braille() -> None:
+    assert braille([b"\xc0\x00", b"\x80\x00", b"\x00\x00", b"\x00\x40"], 10) == ["⠋⠀⠀⠀⢀"]
+
+
+def test_source_and_image(tmp_path: Path) -> None:
+    source, image, picture = tmp_path / "square.lms", tmp_path / "square.rbf", tmp_path / "x.png"
+    source.write_text(SQUARE)
+    image.write_bytes(assemble(SQUARE).image)
+    for file in (source, image):
+        done = run_ev3proto_text("run", file, "--screenshot", picture)
+        assert done.returncode == 0, done.stderr
+        lines = done.stdout.splitlines()
+        assert len(lines) == 32
+        assert lines[0] == "⣿⣿" + "⠀" * 87
+        assert done.stderr == ""
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize(
+    ("source", "status", "expected"),
+    [
+        (FAILS, 1, "the program failed: VM_PROGRAM_FAIL_BREAK"),
+        (FOREVER, 0, "the program was ended before its own end"),
+        ("vmthread MAIN\n{\n  NOPE()\n}\n", 1, "NOPE"),
+        ("LEGO", 1, "the brick refuses the program"),
+    ],
+)
+def test_programs_that_do_not_end_well(tmp_path: Path, source: str, status: int, expected: str) -> None:
+    file = tmp_path / "x.lms"
+    file.write_text(source)
+    done = run_ev3proto_text("run", file, "--limit", "0.1")
+    assert done.returncode == status
+    assert expected in done.stderr
+
+
+def test_keys_of_a_terminal_are_buttons(tmp_path: Path) -> None:
+    file = tmp_path / "wait.lms"
+    file.write_text(UNTIL_ENTER)
+    master, slave = pty.openpty()
+    process = subprocess.Popen(
+        [sys.executable, "-m", "ev3proto", "run", file], stdin=slave, stdout=slave, stderr=slave, close_fds=True
+    )
+    os.close(slave)
+    shown, until = b"", time.monotonic() + 10
+    while b"LED_GREEN" not in shown and time.monotonic() < until:
+        if select.select([master], [], [], 0.1)[0]:
+            shown += os.read(master, 65536)
+    os.write(master, b"\n")
+    while process.poll() is None and time.monotonic() < until:
+        if select.select([master], [], [], 0.05)[0]:
+            with_rest = os.read(master, 65536)
+            assert b"Traceback" not in with_rest
+    assert process.wait(5) == 0
+    os.close(master)
+
+
+def test_page_starts_the_program(tmp_path: Path) -> None:
+    file = tmp_path / "square.lms"
+    file.write_text(SQUARE)
+    process = subprocess.Popen(
+        [sys.executable, "-m", "ev3proto", "run", file, "--http"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    link = process.stdout.readline().removeprefix("page at ").strip()
+    with urllib.request.urlopen(link, timeout=5) as response:
+        assert response.status == 200
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=10)
+    assert process.returncode == 0
+    assert "Traceback" not in err

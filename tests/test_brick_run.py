@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import pty
 import select
 import signal
 import subprocess
 import sys
-import time
 import urllib.request
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 from support.cli import run_ev3proto_text
 
 from ev3proto.brick.display.braille import braille
 from ev3proto.program import assemble
+
+PATIENCE = 30
+"""Seconds: the computer may have a lot else to do."""
 
 SQUARE = """vmthread MAIN
 {
@@ -82,41 +88,46 @@ def test_programs_that_do_not_end_well(tmp_path: Path, source: str, status: int,
     assert expected in done.stderr
 
 
+@contextmanager
+def started(*words: str | Path, **pipes: Any) -> Iterator[subprocess.Popen[str]]:
+    """`ev3proto run` in a process of its own, which is gone afterwards."""
+    process = subprocess.Popen([sys.executable, "-m", "ev3proto", "run", *words], text=True, **pipes)
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.communicate()
+
+
 def test_keys_of_a_terminal_are_buttons(tmp_path: Path) -> None:
     file = tmp_path / "wait.lms"
     file.write_text(UNTIL_ENTER)
     master, slave = pty.openpty()
-    process = subprocess.Popen(
-        [sys.executable, "-m", "ev3proto", "run", file], stdin=slave, stdout=slave, stderr=slave, close_fds=True
-    )
-    os.close(slave)
-    shown, until = b"", time.monotonic() + 10
-    while b"LED_GREEN" not in shown and time.monotonic() < until:
-        if select.select([master], [], [], 0.1)[0]:
+    with started(file, stdin=slave, stdout=slave, stderr=slave) as process:
+        os.close(slave)
+        shown = b""
+        while b"LED_GREEN" not in shown:
+            assert select.select([master], [], [], PATIENCE)[0], shown
             shown += os.read(master, 65536)
-    os.write(master, b"\n")
-    while process.poll() is None and time.monotonic() < until:
-        if select.select([master], [], [], 0.05)[0]:
-            with_rest = os.read(master, 65536)
-            assert b"Traceback" not in with_rest
-    assert process.wait(5) == 0
+        os.write(master, b"\n")
+        with contextlib.suppress(OSError):
+            # Reading fails when nobody has the terminal any more.
+            while select.select([master], [], [], PATIENCE)[0]:
+                shown += os.read(master, 65536)
+        assert process.wait(PATIENCE) == 0
+        assert b"Traceback" not in shown
     os.close(master)
 
 
 def test_page_starts_the_program(tmp_path: Path) -> None:
     file = tmp_path / "square.lms"
     file.write_text(SQUARE)
-    process = subprocess.Popen(
-        [sys.executable, "-m", "ev3proto", "run", file, "--http"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    assert process.stdout is not None
-    link = process.stdout.readline().removeprefix("page at ").strip()
-    with urllib.request.urlopen(link, timeout=5) as response:
-        assert response.status == 200
-    process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=10)
-    assert process.returncode == 0
-    assert "Traceback" not in err
+    with started(file, "--http", stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        link = process.stdout.readline().removeprefix("page at ").strip()
+        with urllib.request.urlopen(link, timeout=PATIENCE) as response:
+            assert response.status == 200
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=PATIENCE)
+        assert process.returncode == 0
+        assert "Traceback" not in err

@@ -62,7 +62,7 @@ def test_first_line_says_where_it_listens(tmp_path: Path) -> None:
         client.send(bytes.fromhex("0e002a0080000094010182c80082e803"))
         assert client.ask(VOLUME) == HUNDRED
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=10)
+    out, err = process.communicate(timeout=30)
     assert process.returncode == 0
     assert "3 frames from clients" in out
     assert "W303" in out

@@ -217,14 +217,25 @@ def _screen(brick: Brick) -> Iterator[Callable[[], None]]:
 
     leds = {number: name for name, number in LEDPATTERN.members.items()}
 
+    def state() -> tuple[object, ...]:
+        playing = brick.sound.playing
+        return brick.display.rows, leds[brick.leds], playing.frequency if playing is not None else 0
+
+    shown = state()
+
     def picture() -> Group:
         lines = [Text(line, no_wrap=True, overflow="crop") for line in _lines(brick)]
-        playing = brick.sound.playing
-        tone = f", {playing.frequency} Hz" if playing is not None and playing.frequency else ""
-        return Group(Text(f"{leds[brick.leds]}{tone}", no_wrap=True), *lines)
+        _, light, frequency = shown
+        return Group(Text(f"{light}, {frequency} Hz" if frequency else f"{light}", no_wrap=True), *lines)
+
+    def draw() -> None:
+        nonlocal shown
+        if shown != state():
+            shown = state()
+            live.update(picture(), refresh=True)
 
     with Live(picture(), auto_refresh=False, vertical_overflow="crop") as live:
-        yield lambda: live.update(picture(), refresh=True)
+        yield draw
 
 
 @contextmanager

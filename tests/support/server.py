@@ -54,14 +54,14 @@ def served(root: Path, options: Options | None = None) -> Iterator[Served]:
     thread = threading.Thread(target=lambda: loop.run_until_complete(serve()))
     thread.start()
     try:
-        assert there.wait(10)
+        assert there.wait(30)
         first = found[0]
         if isinstance(first, BaseException):
             raise first
         yield Served(first, said)
     finally:
         loop.call_soon_threadsafe(over.set)
-        thread.join(10)
+        thread.join(30)
         assert not thread.is_alive()
         loop.close()
     for late in found[1:]:
@@ -72,7 +72,7 @@ def served(root: Path, options: Options | None = None) -> Iterator[Served]:
 class Client:
     """A connection to a brick: TCP that has been unlocked, unless that is not wanted."""
 
-    def __init__(self, port: int, *, unlocks: bool = True, timeout: float = 10.0) -> None:
+    def __init__(self, port: int, *, unlocks: bool = True, timeout: float = 30.0) -> None:
         self.socket = socket.create_connection(("127.0.0.1", port), timeout)
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         if unlocks:
@@ -113,7 +113,7 @@ class Client:
         except TimeoutError:
             return True
         finally:
-            self.socket.settimeout(10)
+            self.socket.settimeout(30)
 
 
 def command(text: str, counter: int = 1) -> bytes:

@@ -27,9 +27,14 @@ _MOST_SERVING = 0.01
 _LONG = 0.1
 """Seconds from which on a command is one that keeps others waiting."""
 
-_LEAST_STEP = 500
-_MOST_STEP = 250_000
-"""Microseconds that the brick's clock advances at once. When this computer cannot keep up, that clock is slow."""
+_LEAST_STEP, _MOST_STEP = 500, 10_000
+"""Microseconds that the brick's clock advances at once."""
+
+_MOST_ADVANCING = 0.01
+"""Seconds after which the event loop gets its turn, though the brick's clock is still behind."""
+
+_MOST_BEHIND = 250_000
+"""Microseconds that the brick's clock may be behind. When this computer cannot keep up, that clock is slow."""
 
 _MICROSECONDS = 1_000_000
 _MOST_SHOWN = 48
@@ -263,10 +268,14 @@ class Host:
         """Lets the brick's clock follow the real one."""
         brick = self.brick
         now = int((self._loop.time() - self._begin) * _MICROSECONDS)
-        step = now - self._now
-        if step >= _LEAST_STEP or brick.is_computing:
-            self._now = now
-            self._deliver(brick.advance_all(min(step, _MOST_STEP) / _MICROSECONDS))
+        self._now = max(self._now, now - _MOST_BEHIND)
+        until = self._loop.time() + _MOST_ADVANCING
+        while now - self._now >= _LEAST_STEP or brick.is_computing:
+            step = min(now - self._now, _MOST_STEP)
+            self._now += step
+            self._deliver(brick.advance_all(step / _MICROSECONDS))
+            if brick.is_computing or self._loop.time() > until:
+                break
         if self._current is not None and brick.is_busy:
             connection, begin = self._current
             if self._loop.time() - begin > PATIENCE and self._is_awaited(connection):
@@ -280,6 +289,10 @@ class Host:
                 "PROGRAM_STOP 0 ended everything: a real brick is dead until it is restarted, this one goes on"
             )
 
+    def _is_behind(self) -> bool:
+        """Whether the brick's clock has more to catch up with than can be done at once."""
+        return (self._loop.time() - self._begin) * _MICROSECONDS - self._now > _MOST_STEP
+
     def _deliver(self, replies: list[Outgoing]) -> None:
         for channel, reply in replies:
             sent = self.faults.befall(reply)
@@ -292,10 +305,12 @@ class Host:
         """Looks at the clock again, soon enough for what is going on."""
         if self._timer is not None:
             self._timer.cancel()
-        if self.brick.is_computing:
+        if self.brick.is_computing or self._is_behind():
             period = _COMPUTING_PERIOD
         elif self.brick.is_busy:
             period = _BUSY_PERIOD
+        elif self._next() is not None:
+            period = _COMPUTING_PERIOD
         else:
-            period = _COMPUTING_PERIOD if self._next() is not None else _IDLE_PERIOD
+            period = _IDLE_PERIOD
         self._timer = self._loop.call_later(period, self.wake)

@@ -20,6 +20,9 @@ FLOORS = (
     {"cli"},
 )
 
+DESCRIBES = {"generate/pages/command_line.py": "cli", "generate/pages/python_api.py": "brick"}
+"""Pages of the documentation look at the floor that they describe."""
+
 
 def _modules() -> Iterator[tuple[str, Path]]:
     """Every file of the package, and the part of the house that it is in."""
@@ -54,7 +57,9 @@ def test_nothing_leans_upwards() -> None:
         f"{path.relative_to(PACKAGE)} imports {other}"
         for part, path in _modules()
         for other in _imports(path)
-        if other in height and height[other] > height[part]
+        if other in height
+        and height[other] > height[part]
+        and DESCRIBES.get(path.relative_to(PACKAGE).as_posix()) != other
     ]
     assert leaning == []
 

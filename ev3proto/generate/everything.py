@@ -10,6 +10,8 @@ from ev3proto.generate.cheader import build as cheader
 from ev3proto.generate.dissector import build as dissector
 from ev3proto.generate.kaitai import build as kaitai
 from ev3proto.generate.modules.source import MARK
+from ev3proto.generate.pages import build as pages
+from ev3proto.generate.pages.markdown import MARK as PAGE_MARK
 from ev3proto.generate.tables_json import build as tables_json
 
 COMMAND = "python -m ev3proto.generate"
@@ -25,6 +27,7 @@ def build() -> dict[str, str]:
         f"exports/{kaitai.FILE_NAME}": kaitai.build(),
         f"exports/{tables_json.TABLES_NAME}": tables_json.build_tables(),
         f"exports/{tables_json.SCHEMA_NAME}": tables_json.build_schema(),
+        **pages.build(),
     }
 
 
@@ -63,9 +66,10 @@ def write(root: Path) -> Iterator[str]:
 
 
 def _left_over(root: Path, files: dict[str, str]) -> Iterator[str]:
-    """Generated modules that belong to no table any more."""
-    for folder in modules.FOLDERS:
-        for file in sorted((root / folder).rglob("*.py")):
+    """Generated modules and pages that belong to no table any more."""
+    kinds = [*((folder, "*.py", MARK) for folder in modules.FOLDERS), (pages.FOLDER, "*.md", PAGE_MARK)]
+    for folder, pattern, mark in kinds:
+        for file in sorted((root / folder).rglob(pattern)):
             path = file.relative_to(root).as_posix()
-            if path not in files and MARK in file.read_text(encoding="utf-8"):
+            if path not in files and mark in file.read_text(encoding="utf-8"):
                 yield path

@@ -1,0 +1,17 @@
+"""How Sphinx builds the documentation: `sphinx-build -W docs build/docs`, with what the extra `docs` installs."""
+
+from ev3proto.version import VERSION
+
+project = "ev3proto"
+release = version = VERSION
+html_title = f"ev3proto {VERSION}"
+extensions = ["myst_parser"]
+myst_heading_anchors = 3
+exclude_patterns: list[str] = []
+html_theme = "furo"
+html_show_copyright = False
+html_show_sphinx = False
+html_copy_source = False
+# The pages show bytes and texts of the firmware: quotes and dashes stay as they are written.
+smartquotes = False
+highlight_language = "none"

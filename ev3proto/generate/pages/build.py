@@ -1,0 +1,33 @@
+"""All generated pages, as text."""
+
+from __future__ import annotations
+
+from ev3proto.generate.pages import (
+    checker_codes,
+    command_line,
+    contents,
+    enumerations,
+    numbers,
+    operations,
+    python_api,
+    system_commands,
+)
+from ev3proto.tables import AREAS
+
+FOLDER = "docs/reference"
+"""Where they are. A page there that has the generated mark and is not among them belongs to nothing any more."""
+
+
+def build() -> dict[str, str]:
+    """Each file by its path in the project's folder; the same text every time."""
+    pages = {
+        "index.md": contents.text(),
+        **{f"{area}.md": operations.text(area) for area in AREAS},
+        "enumerations.md": enumerations.text(),
+        "system-commands.md": system_commands.text(),
+        "checker-codes.md": checker_codes.text(),
+        "numbers.md": numbers.text(),
+        "command-line.md": command_line.text(),
+        "python.md": python_api.text(),
+    }
+    return {f"{FOLDER}/{name}": text for name, text in pages.items()}

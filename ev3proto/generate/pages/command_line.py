@@ -1,0 +1,52 @@
+"""The page of the command line: what `--help` prints of every subcommand.
+
+This is the one place below the command line that looks at it: the page describes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import click
+
+from ev3proto.generate.pages.markdown import block, page, table
+
+_WIDTH = 100
+_NAME = "ev3proto"
+
+
+def text() -> str:
+    """The page."""
+    from ev3proto.cli.main import cli
+
+    return page("The command line", _lines(cli))
+
+
+def _lines(cli: click.Group) -> Iterator[str]:
+    found = list(_commands(cli, click.Context(cli, info_name=_NAME, max_content_width=_WIDTH, terminal_width=_WIDTH)))
+    yield "Exit status: 0 fine, 1 the input is at fault, 2 the call is."
+    yield ""
+    yield from table(
+        ("command", "what it does"),
+        (
+            (f"[{context.command_path}](#{context.command_path.replace(' ', '-')})", command.get_short_help_str(200))
+            for command, context in found
+        ),
+    )
+    for command, context in found:
+        yield f"## {context.command_path}"
+        yield ""
+        yield from block("text", (line.rstrip() for line in command.get_help(context).splitlines()))
+
+
+def _commands(command: click.Command, context: click.Context) -> Iterator[tuple[click.Command, click.Context]]:
+    """A command and all below it, each with the context in which it describes itself."""
+    yield command, context
+    if isinstance(command, click.Group):
+        for name in command.list_commands(context):
+            below = command.get_command(context, name)
+            if below is not None and not below.hidden:
+                inner = click.Context(
+                    below, parent=context, info_name=name, max_content_width=_WIDTH, terminal_width=_WIDTH
+                )
+                yield from _commands(below, inner)

@@ -1,0 +1,132 @@
+"""One page for each of the firmware's areas: all of its operations, each with all that the tables know of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.generate.modules.source import FIRMWARES
+from ev3proto.generate.pages.areas import AREA_TITLES
+from ev3proto.generate.pages.examples import example_of, explained, is_accepted
+from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table
+from ev3proto.schema.instructions import instruction_set
+from ev3proto.semantics.descriptions import element, facts
+from ev3proto.tables import AREAS
+from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Type, declarations
+
+ENUMERATIONS_PAGE = "enumerations.md"
+
+_MOST_NAMES = 8
+"""So many names of an enumeration are listed beside a parameter."""
+
+
+def text(area: str) -> str:
+    """The page of an area."""
+    return page(f"{AREA_TITLES[area]} ({area})", _lines(area))
+
+
+def _lines(area: str) -> Iterator[str]:
+    yield f"The operations of the firmware's area `{area}`. [How to read this](index.md#how-to-read-an-entry)."
+    yield ""
+    opcodes = AREAS[area]
+    yield from table(("opcode", "operation", "what it does"), (_summary(entry) for entry in declarations(opcodes)))
+    for opcode in opcodes:
+        if opcode.is_family:
+            yield f"## {opcode.name}"
+            yield ""
+            yield f"Opcode `0x{opcode.number:02X}`, a family: CMD selects the operation. {sentence(opcode.text)}"
+            yield ""
+            if opcode.note:
+                yield f"Note: {sentence(opcode.note)}"
+                yield ""
+        for declaration in declarations((opcode,)):
+            yield from _entry(declaration, "###" if opcode.is_family else "##")
+
+
+def _summary(declaration: Declaration) -> tuple[str, str, str]:
+    return (_number(declaration), link(declaration.name, declaration.name), plain(declaration.text))
+
+
+def _number(declaration: Declaration) -> str:
+    cmd = "" if declaration.command is None else f" {declaration.command.number}"
+    return f"0x{declaration.opcode.number:02X}{cmd}"
+
+
+def dialect_of(declaration: Declaration) -> str | None:
+    """The first firmware that has it, None where none has."""
+    return next(iter(declaration.dialects), None)
+
+
+def _entry(declaration: Declaration, level: str) -> Iterator[str]:
+    yield f"{level} {declaration.name}"
+    yield ""
+    yield sentence(declaration.text)
+    yield ""
+    yield from _facts(declaration)
+    if declaration.parameters:
+        yield from table(("parameter", "", "type", "what it is"), map(_parameter, declaration.parameters))
+    else:
+        yield "It has no parameters."
+        yield ""
+    dialect = dialect_of(declaration)
+    if dialect is not None:
+        yield from _example(declaration, dialect)
+
+
+def _facts(declaration: Declaration) -> Iterator[str]:
+    dialect = dialect_of(declaration)
+    number = f"Opcode `0x{declaration.opcode.number:02X}`"
+    if declaration.command is not None:
+        number += f", CMD {declaration.command.number}"
+    if dialect is not None:
+        head = instruction_set(dialect)[declaration.name].head
+        number += f": it starts with `{head.hex(' ').upper()}`"
+    items = [f"{number}."]
+    if not declaration.dialects:
+        items.append("No firmware that was released has it.")
+    elif declaration.dialects != DIALECTS:
+        items.append(f"Only in {' and '.join(FIRMWARES[each] for each in declaration.dialects)}.")
+    if declaration.is_newer:
+        items.append("The validator of the release of 2013 does not know it.")
+    items += [f"It {plain(effect.value)}." for effect in declaration.effects]
+    if declaration.note:
+        items.append(f"Note: {sentence(declaration.note)}")
+    fields = [filter_name(declaration, each) for each in declaration.parameters]
+    if not fields:
+        fields = [f'ev3.cmd == "{declaration.name}"']
+    items.append(f"In Wireshark: {', '.join(map(code, fields))}.")
+    yield from (f"- {item}" for item in items)
+    yield ""
+
+
+def filter_name(declaration: Declaration, parameter: Parameter) -> str:
+    """What Wireshark calls a parameter: `ev3.sound.tone.frequency`."""
+    return f"ev3.{declaration.name}.{parameter.name}".lower()
+
+
+def _parameter(parameter: Parameter) -> tuple[str, str, str, str]:
+    said = list(facts(parameter))
+    if parameter.enum is not None:
+        said.remove(f"a member of {parameter.enum.name}")
+    meaning = [sentence(f"{parameter.text} ({'; '.join(said)})" if said else parameter.text)]
+    if parameter.enum is not None:
+        members = parameter.enum.members
+        listed = [f"{number} {code(name)}" for name, number in members.items()]
+        more = "" if len(listed) <= _MOST_NAMES else ", ..."
+        place = link(parameter.enum.name, parameter.enum.name, ENUMERATIONS_PAGE)
+        meaning.append(f"A member of {place}: {', '.join(listed[:_MOST_NAMES])}{more}.")
+    each = element(parameter)
+    if each is not None:
+        meaning.append(f"Each is {plain(each)}, {parameter.elements}.")
+    if parameter.note:
+        meaning.append(f"Note: {sentence(parameter.note)}")
+    kind = "list" if parameter.type in (Type.COUNT, Type.VALUES) else parameter.type.label
+    return code(parameter.name), str(parameter.direction), kind, " ".join(meaning)
+
+
+def _example(declaration: Declaration, dialect: str) -> Iterator[str]:
+    example = example_of(declaration, dialect)
+    yield from block("python", [example.call])
+    yield from block("text", explained(example.frame, dialect))
+    if not is_accepted(example, dialect):
+        yield "The validator of the release of 2013 refuses this frame."
+        yield ""

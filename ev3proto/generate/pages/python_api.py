@@ -1,0 +1,152 @@
+"""The page of the Python API: what the package offers by name, with signatures and docstrings."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+import inspect
+import re
+from collections.abc import Iterator
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+from ev3proto.generate.pages.markdown import block, link, page, plain, table
+
+MODULES = ("ev3proto", "ev3proto.capture", "ev3proto.program", "ev3proto.system", "ev3proto.brick", "ev3proto.testing")
+"""The modules that people import; each names what it offers in `__all__`."""
+
+_WIDTH = 100
+_SECTIONS = ("Args", "Returns", "Raises", "Yields", "Attributes")
+
+
+def text() -> str:
+    """The page."""
+    return page("The Python API", _lines())
+
+
+def _lines() -> Iterator[str]:
+    yield (
+        "What the package offers by name. The functions of `ev3proto.ops` stand with their operations in the"
+        " reference of the instruction set, those of `ev3proto.enums` with the [enumerations](enumerations.md)."
+    )
+    yield ""
+    modules = [import_module(name) for name in MODULES]
+    for module in modules:
+        yield f"- {link(module.__name__, module.__name__)}: {plain(_first_line(module))}"
+    yield ""
+    for module in modules:
+        yield from _module(module)
+
+
+def _first_line(value: object) -> str:
+    return (inspect.getdoc(value) or "").partition("\n")[0]
+
+
+def _module(module: ModuleType) -> Iterator[str]:
+    yield f"## {module.__name__}"
+    yield ""
+    offered = [(name, getattr(module, name)) for name in module.__all__]
+    shown = [(name, value) for name, value in offered if inspect.isclass(value) or inspect.isroutine(value)]
+    rows = ((link(name, f"{module.__name__}.{name}"), plain(_first_line(value))) for name, value in shown)
+    yield from table(("name", "what it is"), rows)
+    for name, value in shown:
+        yield f"### {module.__name__}.{name}"
+        yield ""
+        if inspect.isclass(value):
+            yield from _class(name, value)
+        else:
+            yield from block("python", _signature(f"def {name}", value))
+            yield from _docstring(value)
+
+
+def _class(name: str, value: type) -> Iterator[str]:
+    if issubclass(value, enum.Enum):
+        yield from _docstring(value)
+        yield ", ".join(f"`{member}`" for member in value.__members__)
+        yield ""
+        return
+    bases = [base.__name__ for base in value.__bases__ if base.__module__.startswith("ev3proto")]
+    if dataclasses.is_dataclass(value) or "__init__" not in vars(value):
+        yield from block("python", [f"class {name}" + (f"({', '.join(bases)})" if bases else "")])
+    else:
+        yield from block("python", _signature(f"class {name}", value.__init__))
+    yield from _docstring(value)
+    if "__init__" in vars(value) and not dataclasses.is_dataclass(value):
+        yield from _docstring(value.__init__)
+    for member, found in vars(value).items():
+        if member.startswith("_"):
+            continue
+        if isinstance(found, property):
+            yield f"`.{member}`: {plain(_first_line(found))}"
+            yield ""
+        elif inspect.isfunction(found) or isinstance(found, classmethod | staticmethod):
+            function = getattr(found, "__func__", found)
+            yield from block("python", _signature(f".{member}", function))
+            yield from _docstring(function)
+
+
+def _signature(head: str, function: Any) -> Iterator[str]:
+    """`def name(first: type = default) -> type`, in one line or with a parameter a line."""
+    signature = inspect.signature(function)
+    parameters = [str(each) for each in signature.parameters.values() if each.name not in ("self", "cls")]
+    kinds = [each.kind for each in signature.parameters.values() if each.name not in ("self", "cls")]
+    if inspect.Parameter.KEYWORD_ONLY in kinds and inspect.Parameter.VAR_POSITIONAL not in kinds:
+        parameters.insert(kinds.index(inspect.Parameter.KEYWORD_ONLY), "*")
+    end = "" if signature.return_annotation is inspect.Signature.empty else f" -> {_type(signature.return_annotation)}"
+    parameters = [re.sub(r"'([^']*)'", r"\1", each) if ": '" in each else each for each in parameters]
+    line = f"{head}({', '.join(parameters)}){end}"
+    if len(line) <= _WIDTH:
+        yield line
+    else:
+        yield f"{head}("
+        yield from (f"    {each}," for each in parameters)
+        yield f"){end}"
+
+
+def _type(annotation: Any) -> str:
+    return annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
+
+
+def _docstring(value: object) -> Iterator[str]:
+    """A docstring as Markdown: its sections become lists, its tables and examples stay as they are."""
+    for paragraph in re.split(r"\n\n+", inspect.getdoc(value) or ""):
+        lines = paragraph.splitlines()
+        title = lines[0].removesuffix(":") if lines else ""
+        if title in _SECTIONS:
+            yield f"**{title}**"
+            yield ""
+            yield from _items(lines[1:])
+            yield ""
+        elif any(line.startswith("    ") or re.match(r"\w+ {2,}\S", line) for line in lines):
+            yield from block("text", lines)
+        elif lines:
+            yield _prose(" ".join(lines))
+            yield ""
+
+
+def _items(lines: list[str]) -> Iterator[str]:
+    """The entries of a section, each of which may go on in lines that stand further in."""
+    entry = ""
+    for line in lines:
+        if line.startswith("        "):
+            entry += f" {line.strip()}"
+        else:
+            if entry:
+                yield _item(entry)
+            entry = line.strip()
+    if entry:
+        yield _item(entry)
+
+
+def _item(entry: str) -> str:
+    name, colon, meaning = entry.partition(": ")
+    if colon and re.fullmatch(r"[\w.*, ]+", name) and len(name.split()) <= 2:
+        return f"- `{name}`: {_prose(meaning)}"
+    return f"- {_prose(entry)}"
+
+
+def _prose(text: str) -> str:
+    """A text of a docstring, in which only what stands between backquotes is markup."""
+    pieces = re.split(r"(`[^`]*`)", text)
+    return "".join(piece if piece.startswith("`") else plain(piece) for piece in pieces)

@@ -1,0 +1,82 @@
+"""The page of system commands, those of the bootloader, and the statuses of their replies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.generate.dissector.names import filter_name
+from ev3proto.generate.pages.examples import explained, system_example
+from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table
+from ev3proto.tables.system import SYSTEM, Field, SystemCommand, SystemStatus
+
+
+def text() -> str:
+    """The page."""
+    return page("System commands", _lines())
+
+
+def _lines() -> Iterator[str]:
+    yield (
+        "What a brick is told beside byte code: a number, then fields. A reply repeats the number, then has a"
+        " [status](#statuses) and fields of its own. Numbers stand in little-endian order, texts end at a zero."
+    )
+    yield ""
+    rows = (
+        (f"0x{entry.number:02X}", link(entry.name, _heading(entry)), plain(entry.text), "bootloader" * entry.bootloader)
+        for entry in SYSTEM
+    )
+    yield from table(("number", "command", "what it does", ""), rows)
+    for entry in SYSTEM:
+        yield from _entry(entry)
+    yield "## Statuses"
+    yield ""
+    meaning = {True: "the command failed", False: "it did not fail"}
+    yield from table(
+        ("number", "name", ""),
+        ((f"0x{status.value:02X}", code(status.name), meaning[status.is_failure]) for status in SystemStatus),
+    )
+
+
+def _heading(entry: SystemCommand) -> str:
+    return f"{entry.name} (bootloader)" if entry.bootloader else entry.name
+
+
+def _entry(entry: SystemCommand) -> Iterator[str]:
+    yield f"## {_heading(entry)}"
+    yield ""
+    yield sentence(entry.text)
+    yield ""
+    yield f"- Number `0x{entry.number:02X}`."
+    if entry.bootloader:
+        yield "- Only the brick's firmware updater knows it, which is reached by USB."
+    elif entry.usb_only:
+        yield "- The firmware takes it by USB only."
+    yield from (f"- It {plain(effect.value)}." for effect in entry.effects)
+    if not entry.answered:
+        yield "- It is never replied to."
+    yield ""
+    yield from _fields("request", entry, entry.request)
+    if entry.answered:
+        yield from _fields("reply", entry, entry.reply)
+    example = system_example(entry)
+    yield from block("python", [example.call])
+    yield from block("text", explained(example.frame))
+
+
+def _fields(title: str, entry: SystemCommand, fields: tuple[Field, ...]) -> Iterator[str]:
+    if not fields:
+        yield f"Its {title} has no fields."
+        yield ""
+        return
+    yield from table((title, "type", "what it is", "in Wireshark"), (_field(entry, field) for field in fields))
+
+
+def _field(entry: SystemCommand, field: Field) -> tuple[str, str, str, str]:
+    meaning = sentence(field.text)
+    if field.most is not None:
+        meaning += f" At most {field.most} bytes."
+    if field.counts is not None:
+        meaning += " Worked out when omitted."
+    if field.optional:
+        meaning += " It may be absent."
+    return code(field.name), field.kind.value, meaning, code(f"ev3.{filter_name(entry, field)}")

@@ -1,0 +1,133 @@
+"""The documentation: it builds without a warning, its links lead somewhere, its search finds what people look for."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from support.wireshark import Tshark
+
+import ev3proto
+from ev3proto.checking.checking import check
+from ev3proto.generate.pages.examples import example_of, explained, system_example
+from ev3proto.generate.pages.markdown import anchor
+from ev3proto.generate.pages.operations import dialect_of, filter_name
+from ev3proto.tables import OPCODES
+from ev3proto.tables.declaration import Effect, declarations
+from ev3proto.tables.system import SYSTEM
+from ev3proto.version import VERSION
+
+ROOT = Path(__file__).parent.parent
+DOCS = ROOT / "docs"
+PAGES = sorted([*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *ROOT.glob("*/README.md")])
+LINK = re.compile(r"!?\[(?:[^\]\\]|\\.)*\]\(([^)\s]+)\)")
+
+
+def without_code(text: str) -> str:
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE))
+
+
+def headings(path: Path) -> list[str]:
+    text = re.sub(r"^```.*?^```$", "", path.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    return [re.sub(r"`", "", found) for found in re.findall(r"^#+ (.*)$", text, re.MULTILINE)]
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The documentation, built by the command that CONTRIBUTING.md names."""
+    folder = tmp_path_factory.mktemp("docs")
+    command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", str(DOCS), str(folder)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    return folder
+
+
+def test_the_search_finds_numbers_names_and_words(built: Path) -> None:
+    text = (built / "searchindex.js").read_text(encoding="utf-8")
+    index = json.loads(text.removeprefix("Search.setIndex(").removesuffix(")"))
+    pages = index["docnames"]
+
+    def found(word: str) -> set[str]:
+        numbers = [index[part].get(word, []) for part in ("terms", "titleterms")]
+        return {pages[number] for each in numbers for number in (each if isinstance(each, list) else [each])}
+
+    assert {"reference/sound", "reference/numbers"} <= found("0x94")
+    assert "reference/sound" in found("sound")
+    assert "reference/sound" in found("tone")
+    assert {"reference/enumerations", "reference/numbers"} <= found("led_red_flash")
+
+
+def test_every_page_of_the_html_says_its_version(built: Path) -> None:
+    pages = sorted(built.rglob("*.html"))
+    assert len(pages) > 20
+    for page in pages:
+        assert f"ev3proto {VERSION}" in page.read_text(encoding="utf-8"), page
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_links_anchors_and_images_lead_somewhere(page: Path) -> None:
+    for target in LINK.findall(without_code(page.read_text(encoding="utf-8"))):
+        if re.match(r"https?:", target):
+            continue
+        name, _, place = target.partition("#")
+        file = (page.parent / name).resolve() if name else page
+        assert file.exists(), target
+        if place:
+            assert place in map(anchor, headings(file)), target
+
+
+EXAMPLES = [(each, dialect) for each in declarations(OPCODES) if (dialect := dialect_of(each)) is not None]
+
+
+def test_every_example_builds_and_the_brick_takes_it() -> None:
+    assert len(EXAMPLES) > 450
+    refused = set()
+    for declaration, dialect in EXAMPLES:
+        example = example_of(declaration, dialect)
+        lines = [line.split("  ")[0] for line in explained(example.frame, dialect)]
+        assert bytes.fromhex(" ".join(lines)) == example.frame, declaration.name
+        if not check(example.frame, dialect=dialect).accepted:
+            refused.add(declaration)
+    assert all(each.is_newer or Effect.NEVER_RUNS in each.effects for each in refused)
+    assert len(refused) < 10
+
+
+def test_the_calls_of_the_examples_give_their_frames() -> None:
+    from ev3proto import LV, Global, ops, system
+    from ev3proto.ops import compat, xtended
+
+    names: dict[str, Any] = {"ev3proto": ev3proto, "ops": ops, "system": system, "compat": compat, "xtended": xtended}
+    names |= {"LV": LV, "Global": Global}
+    for declaration, dialect in EXAMPLES:
+        example = example_of(declaration, dialect)
+        assert eval(example.call, dict(names)).build() == example.frame
+    for entry in SYSTEM:
+        example = system_example(entry)
+        assert eval(example.call, dict(names)).build() == example.frame
+        lines = [line.split("  ")[0] for line in explained(example.frame)]
+        assert bytes.fromhex(" ".join(lines)) == example.frame
+
+
+def test_an_entry_in_full() -> None:
+    text = (DOCS / "reference" / "sound.md").read_text(encoding="utf-8")
+    entry = text.partition("### SOUND.TONE\n")[2].partition("\n### ")[0]
+    assert "- Opcode `0x94`, CMD 1: it starts with `94 01`." in entry
+    assert "| `FREQUENCY` | in | DATA16 | Pitch; the driver moves others into the range (250 to 10000 Hz). |" in entry
+    assert "ev3proto.command(ops.sound.tone(volume=50, frequency=440, duration=1000), counter=1)" in entry
+    assert "82 B8 01  FREQUENCY = 440 Hz  LC2" in entry
+    assert "`ev3.sound.tone.frequency`" in entry
+
+
+def test_the_fields_are_those_of_the_dissector(tshark: Tshark) -> None:
+    command = [str(tshark.path), "-G", "fields", *tshark.words]
+    listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    known = {line.split("\t")[2] for line in listed.splitlines() if line.startswith("F\t") and "\tev3." in line}
+    named = {filter_name(each, it) for each in declarations(OPCODES) if each.dialects for it in each.parameters}
+    assert named - known == set()
+    text = (DOCS / "reference" / "system-commands.md").read_text(encoding="utf-8")
+    assert set(re.findall(r"`(ev3\.\w+)`", text)) - known == set()

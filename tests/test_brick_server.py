@@ -16,7 +16,8 @@ from random import Random
 import pytest
 import serial
 from support.cli import run_ev3proto_text
-from support.server import ACCEPT, UNLOCK, Client, beacon_port, command, served
+from support.effort import effort
+from support.server import ACCEPT, UNLOCK, Client, beacon_port, command, download, frame, served, system, upload
 
 import ev3proto
 from ev3proto.brick.servers import limits
@@ -33,17 +34,6 @@ VOLUME = command("DATA8 volume\nINFO(GET_VOLUME, volume)")
 HUNDRED = bytes.fromhex("0400 0100 02 64".replace(" ", ""))
 # JR to itself.
 ENDLESS = bytes.fromhex("0700 0300 00 0000 40 3e".replace(" ", ""))
-
-
-def frame(counter: int, kind: int, body: bytes) -> bytes:
-    """A frame by hand."""
-    rest = counter.to_bytes(2, "little") + bytes((kind,)) + body
-    return len(rest).to_bytes(2, "little") + rest
-
-
-def system(number: int, body: bytes) -> bytes:
-    """A system command that wants a reply, by hand."""
-    return frame(9, 0x01, bytes((number,)) + body)
 
 
 def test_first_line_says_where_it_listens(tmp_path: Path) -> None:
@@ -261,28 +251,6 @@ def test_nothing_outside_the_folder(tmp_path: Path) -> None:
     assert secret.read_text() == "do not tell"
 
 
-def upload(client: Client, path: bytes, data: bytes) -> int:
-    """Sends a file to the brick in pieces; the last status."""
-    reply = client.ask(system(0x92, len(data).to_bytes(4, "little") + path + b"\0"))
-    status, handle = reply[6], reply[7]
-    for at in range(0, len(data), 1017):
-        if status not in (0,):
-            break
-        status = client.ask(system(0x93, bytes((handle,)) + data[at : at + 1017]))[6]
-    return status
-
-
-def download(client: Client, path: bytes) -> bytes:
-    """Fetches a file from the brick in pieces."""
-    reply = client.ask(system(0x94, (1000).to_bytes(2, "little") + path + b"\0"))
-    handle, data = reply[11], reply[12:]
-    while reply[6] == 0:
-        reply = client.ask(system(0x95, bytes((handle,)) + (1000).to_bytes(2, "little")))
-        data += reply[8:]
-    assert reply[6] == 8
-    return data
-
-
 # Several clients
 
 
@@ -476,3 +444,32 @@ def test_another_address_is_warned_of(tmp_path: Path) -> None:
     with served(tmp_path, replace(PLAIN, address="0.0.0.0")) as brick:
         assert "everybody who reaches 0.0.0.0" in brick.said[0]
     assert ev3proto.parse(VOLUME).build() == VOLUME
+
+
+def test_memory_does_not_grow(tmp_path: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-m", "ev3proto", "brick", "--quiet", "--port", "0", "--no-beacon", "--root", tmp_path],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    resident: list[int] = []
+    try:
+        with Client(int(process.stdout.readline().rpartition(":")[2])) as client:
+            frames = [command("DATA8 volume\nINFO(GET_VOLUME, volume)", counter) for counter in range(50)]
+            for _ in range(2):
+                for _ in range(effort(2_500, 500_000) // len(frames)):
+                    client.send(b"".join(frames))
+                    for frame in frames:
+                        assert client.reply()[2:4] == frame[2:4]
+                resident.append(_resident(process.pid))
+    finally:
+        process.terminate()
+        process.communicate()
+    assert resident[1] < resident[0] + 1024
+
+
+def _resident(number: int) -> int:
+    """KB of memory that a process has."""
+    status = Path(f"/proc/{number}/status").read_text()
+    return int(next(line.split()[1] for line in status.splitlines() if line.startswith("VmRSS")))

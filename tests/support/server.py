@@ -138,3 +138,36 @@ def free_port(lowest: int = 6000, highest: int = 9999) -> int:
             probe.bind(("127.0.0.1", port))
             return port
     raise OSError("no port is free")
+
+
+def frame(counter: int, kind: int, body: bytes) -> bytes:
+    """A frame by hand."""
+    rest = counter.to_bytes(2, "little") + bytes((kind,)) + body
+    return len(rest).to_bytes(2, "little") + rest
+
+
+def system(number: int, body: bytes) -> bytes:
+    """A system command that wants a reply, by hand."""
+    return frame(9, 0x01, bytes((number,)) + body)
+
+
+def upload(client: Client, path: bytes, data: bytes) -> int:
+    """Sends a file to the brick in pieces; the last status."""
+    reply = client.ask(system(0x92, len(data).to_bytes(4, "little") + path + b"\0"))
+    status, handle = reply[6], reply[7]
+    for at in range(0, len(data), 1017):
+        if status not in (0,):
+            break
+        status = client.ask(system(0x93, bytes((handle,)) + data[at : at + 1017]))[6]
+    return status
+
+
+def download(client: Client, path: bytes) -> bytes:
+    """Fetches a file from the brick in pieces."""
+    reply = client.ask(system(0x94, (1000).to_bytes(2, "little") + path + b"\0"))
+    handle, data = reply[11], reply[12:]
+    while reply[6] == 0:
+        reply = client.ask(system(0x95, bytes((handle,)) + (1000).to_bytes(2, "little")))
+        data += reply[8:]
+    assert reply[6] == 8
+    return data

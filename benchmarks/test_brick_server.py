@@ -1,0 +1,114 @@
+"""How fast the virtual brick answers over loopback, server and client on one core: `pytest benchmarks -k server`.
+
+The lines above the table that pytest-benchmark prints have the numbers: commands a second of one client, that each read
+one value; of fifty clients at once, every reply compared; a file of 1 MB there and back.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+from pytest_benchmark.fixture import BenchmarkFixture
+from support.server import Client, command, download, upload
+
+COMMANDS = 3000
+CLIENTS = 50
+
+
+@pytest.fixture
+def port(tmp_path: Path) -> Iterator[int]:
+    """The port of a brick in a process of its own, which has to share one core with this one."""
+    cores = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {min(cores)})
+    words = ["brick", "--port", "0", "--no-beacon", "--quiet", "--clients", str(CLIENTS), "--root", str(tmp_path)]
+    process = subprocess.Popen([sys.executable, "-m", "ev3proto", *words], stdout=subprocess.PIPE, text=True)
+    try:
+        assert process.stdout is not None
+        yield int(process.stdout.readline().rpartition(":")[2])
+    finally:
+        process.terminate()
+        process.communicate()
+        os.sched_setaffinity(0, cores)
+
+
+def _best(benchmark: BenchmarkFixture, work: Callable[[], None]) -> float:
+    """Has some work measured; the seconds of the quickest round."""
+    times = []
+
+    def timed() -> None:
+        begin = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - begin)
+
+    measured: Any = benchmark
+    measured.pedantic(timed, rounds=3, warmup_rounds=1)
+    return min(times)
+
+
+def test_one_client(port: int, benchmark: BenchmarkFixture, capsys: pytest.CaptureFixture[str]) -> None:
+    """One after the other: each command reads a value, its reply is read before the next is sent."""
+    benchmark.group = "virtual brick over loopback"
+    frame = command("DATA8 value\nINPUT_READ(0, 0, TYPE_KEEP, MODE_KEEP, value)")
+    with Client(port) as client:
+        expected = client.ask(frame)
+
+        def ask() -> None:
+            for _ in range(COMMANDS):
+                assert client.ask(frame) == expected
+
+        best = _best(benchmark, ask)
+    with capsys.disabled():
+        print(f"\none client: {COMMANDS / best:,.0f} commands a second")
+
+
+def test_fifty_clients(port: int, benchmark: BenchmarkFixture, capsys: pytest.CaptureFixture[str]) -> None:
+    """All have a command under way at any time; each gets its own replies."""
+    benchmark.group = "virtual brick over loopback"
+    clients = [Client(port) for _ in range(CLIENTS)]
+    rounds = COMMANDS // CLIENTS
+    frames = [
+        [command(f"DATA8 value\nMOVE8_8({number}, value)", turn * CLIENTS + number) for number in range(CLIENTS)]
+        for turn in range(rounds)
+    ]
+
+    def ask() -> None:
+        for turn, sent in enumerate(frames):
+            for client, frame in zip(clients, sent, strict=True):
+                client.send(frame)
+            for number, client in enumerate(clients):
+                counter = (turn * CLIENTS + number).to_bytes(2, "little")
+                assert client.reply() == b"\4\0" + counter + b"\2" + bytes((number,))
+
+    best = _best(benchmark, ask)
+    for client in clients:
+        client.socket.close()
+    with capsys.disabled():
+        print(f"\n{CLIENTS} clients: {COMMANDS / best:,.0f} commands a second")
+
+
+def test_file(port: int, benchmark: BenchmarkFixture, capsys: pytest.CaptureFixture[str]) -> None:
+    """1 MB, intact both ways."""
+    benchmark.group = "virtual brick over loopback"
+    data = Random(1).randbytes(1_000_000)
+    times = []
+    with Client(port) as client:
+
+        def move() -> None:
+            begin = time.perf_counter()
+            assert upload(client, b"../prjs/big.bin", data) == 8
+            middle = time.perf_counter()
+            assert download(client, b"../prjs/big.bin") == data
+            times.append((middle - begin, time.perf_counter() - middle))
+
+        _best(benchmark, move)
+    there, back = (min(column) for column in zip(*times, strict=True))
+    with capsys.disabled():
+        print(f"\n1 MB: to the brick {there:.2f} s, from it {back:.2f} s")

@@ -133,6 +133,23 @@ def test_garbage_and_frames_without_meaning(tmp_path: Path) -> None:
             assert client.ask(VOLUME) == HUNDRED
 
 
+def test_garbage_is_recorded_checked_and_watched(tmp_path: Path) -> None:
+    chance = Random(3)
+    kinds = [*range(6), 0x80, 0x81]
+    options = replace(PLAIN, record=tmp_path / "x.pcapng", report=True, page=0)
+    with served(tmp_path / "root", options) as brick, Client(brick.port) as client:
+        for _ in range(300):
+            client.send(frame(chance.randrange(65536), chance.choice(kinds), chance.randbytes(chance.randrange(60))))
+        client.send(frame(1, 0x00, b"\x01\0" + bytes(3000)) + VOLUME)
+        while client.reply()[2:] != HUNDRED[2:]:
+            pass
+        assert brick.now.reporter is not None
+        assert brick.now.reporter.frames == 302
+        assert len(list(brick.now.reporter.lines())) > 10
+        # Nothing was said about a defect.
+        assert [said for said in brick.said if "please report" in said] == []
+
+
 def test_a_frame_that_never_ends(tmp_path: Path) -> None:
     with (
         served(tmp_path, replace(PLAIN, clients=2)) as brick,

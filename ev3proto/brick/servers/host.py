@@ -173,8 +173,7 @@ class Host:
         self._count += 1
         connection.number = self._count
         self.connections.append(connection)
-        for observer in self.observers:
-            observer.opened(connection)
+        self._tell(lambda observer: observer.opened(connection))
         return connection
 
     def close(self, connection: Connection) -> None:
@@ -184,8 +183,7 @@ class Host:
         self._deliver(self.brick.disconnect(connection))
         if self._current is not None and self._current[0] is connection:
             self._current = None
-        for observer in self.observers:
-            observer.closed(connection)
+        self._tell(lambda observer: observer.closed(connection))
         self.wake()
 
     def stop(self) -> None:
@@ -226,6 +224,18 @@ class Host:
             self._is_serving = False
         self._schedule()
 
+    def _show(self, connection: Connection, reply: bytes) -> None:
+        self._tell(lambda observer: observer.frame(connection, reply, False))
+
+    def _tell(self, news: Callable[[Observer], None]) -> None:
+        """Tells all observers something. One that has a defect is told nothing more."""
+        for observer in list(self.observers):
+            try:
+                news(observer)
+            except Exception as error:
+                self.observers.remove(observer)
+                self.say(f"a defect of {type(observer).__name__}, which sees nothing more, please report it: {error!r}")
+
     def _next(self) -> Connection | None:
         """Of the connections with a frame the one that has had least of the brick's time."""
         best: Connection | None = None
@@ -240,8 +250,8 @@ class Host:
         connection.used = self._virtual = max(connection.used, self._virtual)
         self._current = (connection, self._loop.time())
         frame = connection.take()
-        for observer in self.observers:
-            observer.frame(connection, frame, True)
+        if self.observers:
+            self._tell(lambda observer: observer.frame(connection, frame, True))
         try:
             self._deliver(self.brick.receive_from(connection, frame))
         except Exception as error:
@@ -297,8 +307,8 @@ class Host:
         for channel, reply in replies:
             sent = self.faults.befall(reply)
             if isinstance(channel, Connection) and sent is not None:
-                for observer in self.observers:
-                    observer.frame(channel, sent, False)
+                if self.observers:
+                    self._show(channel, sent)
                 channel.send(sent, self.faults.delay)
 
     def _schedule(self) -> None:

@@ -8,6 +8,7 @@ from collections.abc import AsyncIterator
 from contextlib import AsyncExitStack, asynccontextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from ev3proto.brick.brick import Brick
 from ev3proto.brick.display.canvas import WIDTH
@@ -102,6 +103,8 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
     Raises:
         ServerError: a port, a file or a library is not to be had.
     """
+    loop = asyncio.get_running_loop()
+    loop.set_exception_handler(lambda _, context: say(f"a defect, please report it: {_told(context)}"))
     async with AsyncExitStack() as stack:
         brick = Brick(root, dialect=options.dialect, stretch=STRETCH)
         options.script.set_up(brick)
@@ -138,6 +141,12 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         steps = asyncio.create_task(_follow(options.script, host))
         stack.callback(steps.cancel)
         yield Running(brick, host, address, port, link, looked, reporter)
+
+
+def _told(context: dict[str, Any]) -> str:
+    """What asyncio says of an exception that nobody took."""
+    error = context.get("exception")
+    return f"{context['message']}" if error is None else f"{context['message']}: {error!r}"
 
 
 def is_loopback(address: str) -> bool:

@@ -18,11 +18,13 @@ from typing import NamedTuple
 
 from ev3proto.brick.buttons import Buttons
 from ev3proto.brick.clock import (
+    FIRST_STRETCH,
+    LONG_STRETCH,
+    LONGEST_STRETCH,
     MOST_OPERATIONS,
     MOST_PROCESSOR_SECONDS,
     MOST_SECONDS,
     MOST_WAITING,
-    OPERATIONS_AT_A_STRETCH,
     OPERATIONS_OF_A_TURN,
     OPERATIONS_PER_TICK,
     OPERATIONS_PER_TURN,
@@ -314,7 +316,7 @@ class Brick:
         command = self._command
         assert command is not None
         program = command.program
-        begun = thread_time()
+        begun = now = thread_time()
         spent = command.spent
         has_waited = False
         while program.status == RUNNING:
@@ -322,13 +324,14 @@ class Brick:
             if is_endless or self.microseconds - program.started >= MOST_SECONDS * 1_000_000:
                 self.machine.end_program(program, FAIL)
                 break
-            executed, is_waiting = self.machine.turn(program, OPERATIONS_AT_A_STRETCH)
+            executed, is_waiting = self.machine.turn(program, command.stretch)
             if not is_waiting:
-                command.executed += max(OPERATIONS_OF_A_TURN, executed)
+                command.executed += max(min(OPERATIONS_OF_A_TURN, command.stretch), executed)
             if program.status != RUNNING:
                 break
-            now = thread_time()
+            before, now = now, thread_time()
             command.spent = spent + now - begun
+            command.stretch = 1 if now - before > LONG_STRETCH else min(command.stretch * 2, LONGEST_STRETCH)
             if now > self._deadline or (is_waiting and has_waited):
                 self.is_computing = not is_waiting
                 return False
@@ -405,6 +408,7 @@ class _Command:
 
     executed  operations so far, without those that waited
     spent     seconds of this computer's processor that it has taken
+    stretch   operations until the next look at the limits
     """
 
     channel: Hashable
@@ -414,3 +418,4 @@ class _Command:
     program: Program
     executed: int = 0
     spent: float = 0.0
+    stretch: int = FIRST_STRETCH

@@ -9,8 +9,12 @@ OPERATIONS_PER_TURN = 200
 OPERATIONS_PER_TICK = 300
 """Operations of all turns of a program in a tick: a real brick executes some hundred thousand a second."""
 
-OPERATIONS_AT_A_STRETCH = 50
-"""Operations of a direct command between two looks at the limits below: some take very much longer than others."""
+FIRST_STRETCH, LONGEST_STRETCH = 8, 128
+"""Operations of a direct command between two looks at the limits below: few at first, because some take very much
+longer than others, and twice as many each time while they are quick."""
+
+LONG_STRETCH = 0.002
+"""Seconds of this computer's processor from which on a stretch is too long."""
 
 MOST_OPERATIONS = 3_000_000
 """Operations after which a direct command is ended: the firmware would go on for ever."""

@@ -186,7 +186,7 @@ async def _show(now: Running, program: Program, ended: asyncio.Event, limit: flo
 
     loop = asyncio.get_running_loop()
     until = None if limit is None else loop.time() + limit
-    with _screen(now.brick) as draw, _keyboard(now):
+    with _keyboard(now), _screen(now.brick) as draw:
         # The clock runs in the tasks of the brick.
         while program.status == RUNNING and not ended.is_set() and (until is None or loop.time() < until):
             draw()
@@ -266,7 +266,8 @@ def _keyboard(now: Running) -> Iterator[None]:
             now.host.wake()
             loop.call_later(_PRESS, release, button)
 
-    tty.setcbreak(keys)
+    # What was typed before counts.
+    tty.setcbreak(keys, termios.TCSADRAIN)
     loop.add_reader(keys, pressed)
     try:
         yield

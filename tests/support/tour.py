@@ -10,6 +10,7 @@ import gc
 import tempfile
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,7 @@ from thread_task import concat
 
 from ev3proto.brick.servers.script import Plug, Script
 from ev3proto.brick.servers.server import Options
-from ev3proto.tables.discovery import TCP_PORT
+from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
 from support.server import Served, beacon_port, free_port, served
 
 ROBOT = Script(
@@ -41,15 +42,26 @@ PROJECTS = "/home/root/lms2012/prjs"
 @contextmanager
 def connected(root: Path, port: int | None = None) -> Iterator[tuple[Served, Any]]:
     """A virtual robot and the client that has found it by its beacon."""
-    with beacon_port(), served(root, Options(port=port or free_port(), script=ROBOT)) as brick:
-        client = ev3_dc.EV3(protocol=ev3_dc.WIFI)
-        try:
-            yield brick, client
-        finally:
-            # Its objects talk to the brick when they are deleted, so they go before it does.
-            gc.collect()
-            client._physical_ev3._socket.close()
-            type(client._physical_ev3)._devices.clear()
+    options = Options(port=port or free_port(), script=ROBOT)
+    with beacon_port(), ThreadPoolExecutor() as pool:
+        # It listens before the brick is switched on: the next beacon would come five seconds later.
+        listening = pool.submit(ev3_dc.EV3, protocol=ev3_dc.WIFI)
+        while not listening.done() and f":{BEACON_PORT:04X} " not in Path("/proc/net/udp").read_text():
+            time.sleep(0.01)
+        with served(root, options) as brick:
+            client = listening.result()
+            yield from _used(brick, client)
+
+
+def _used(brick: Served, client: Any) -> Iterator[tuple[Served, Any]]:
+    """Lends both, and lets go of the client."""
+    try:
+        yield brick, client
+    finally:
+        # Its objects talk to the brick when they are deleted, so they go before it does.
+        gc.collect()
+        client._physical_ev3._socket.close()
+        type(client._physical_ev3)._devices.clear()
 
 
 def about(client: Any) -> Iterator[Any]:

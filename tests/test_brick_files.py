@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import struct
 from pathlib import Path
 
 import pytest
@@ -97,7 +98,7 @@ def test_only_the_stated_size_is_written(brick: Brick, projects: Path) -> None:
         (system.list_files("../none", 100), (10, 0, 0, 0, 0, 0xFF)),
         (system.list_files("/etc", 100), (10, 0, 0, 0, 0, 0xFF)),
         (system.continue_list_files(7, 100), (10, 0xFF)),
-        (system.close_filehandle(7), (1, 0xFF)),
+        (system.close_filehandle(7), (1, 7)),
         (system.create_dir("../none/below"), (5,)),
         (system.create_dir("../prjs"), (5,)),
         (system.delete_file("../none"), (5,)),
@@ -213,7 +214,7 @@ def test_texts_values_and_bytes_are_written_and_read(brick: Brick, projects: Pat
     )
     brick.receive(command(op("INIT_BYTES", GV(0), 32, [-1] * 32), reply=False))
     kind, memory = run(brick, *read, globals=28, locals=2)
-    assert (kind, memory[:4], memory[4:11]) == (OK, (17).to_bytes(4, "little"), b"first\0\xff")
+    assert (kind, memory[:4], memory[4:12]) == (OK, (17).to_bytes(4, "little"), b"first\r\0\xff")
     assert (memory[16:20], memory[20:25]) == (bytes.fromhex("0000c03f"), b"hi!\0\xff")
 
 
@@ -288,10 +289,10 @@ def test_folders(brick: Brick, projects: Path) -> None:
         (projects / "New" / name).mkdir() if name == "Sub" else (projects / "New" / name).write_bytes(b"x")
     assert run(brick, op("FILE.GET_FOLDERS", "../prjs/New/", GV(0)), globals=1) == (OK, b"\x04")
     names = [text(brick, op("FILE.GET_SUBFOLDER_NAME", "../prjs/New/", item, 10, GV(0))) for item in range(1, 6)]
-    assert names == [b"Sub", b"z", b"a", b"b", b""]
-    assert run(brick, op("FILE.GET_ITEM", "../prjs/New/", "b", GV(0)), globals=1) == (OK, b"\x04")
-    assert run(brick, op("FILE.DEL_SUBFOLDER", "../prjs/New/", 2))[0] == OK
-    assert not (projects / "New" / "z.rbf").exists()
+    assert names == [b"z", b"a", b"b", b"Sub", b""]
+    assert run(brick, op("FILE.GET_ITEM", "../prjs/New/", "b", GV(0)), globals=1) == (OK, b"\x03")
+    assert run(brick, op("FILE.DEL_SUBFOLDER", "../prjs/New/", 4))[0] == OK
+    assert not (projects / "New" / "Sub").exists()
 
 
 def test_removing_takes_a_folder_with_its_direct_files(brick: Brick, projects: Path) -> None:
@@ -330,18 +331,109 @@ def test_the_handle_of_an_open_file(brick: Brick, projects: Path) -> None:
     assert run(brick, *code, globals=6, locals=2) == (OK, bytes((1, 0, 1, 0, 0xFF, 0xFF)))
 
 
-def test_a_data_log(brick: Brick, projects: Path) -> None:
+@pytest.mark.parametrize(
+    ("code", "memory"),
+    [
+        (op("FILE.OPEN_WRITE", "../none/a.rtf", GV(0)), bytes((0, 0, 9, 9))),
+        (op("FILE.READ_VALUE", 7, "DEL_NONE", GV(0)), bytes(4)),
+        (op("FILE.GET_POOL", 0, GV(0), GV(4)), bytes((0xFF, 0xFF, 9, 9))),
+        (op("FILE.GET_CACHE_FILE", 0, 4, GV(0)), bytes((9, 9, 9, 9))),
+        (op("FILE.GET_CACHE_FILE", 11, 4, GV(0)), bytes((9, 9, 9, 9))),
+        (op("ARRAY.CREATE8", 7_000_000, GV(0)), bytes((0xFF, 0xFF, 9, 9))),
+        (op("ARRAY.READ_CONTENT", -1, 7, 0, 4, GV(0)), bytes((9, 9, 9, 9))),
+    ],
+)
+def test_what_a_failure_leaves_in_memory(brick: Brick, code: bytes, memory: bytes) -> None:
+    brick.receive(command(op("INIT_BYTES", GV(0), 4, [9] * 4), reply=False))
+    assert run(brick, code, globals=4) == (FAIL, memory)
+
+
+def test_a_delimiter_that_there_is_none_of_fails_after_the_text(brick: Brick, projects: Path) -> None:
+    code = op("FILE.OPEN_WRITE", "../prjs/a.rtf", LV(0)), op("FILE.WRITE_TEXT", LV(0), 8, "text")
+    assert run(brick, *code, locals=2)[0] == FAIL
+    assert (projects / "a.rtf").read_bytes() == b"text"
+
+
+def test_a_subfolder_is_deleted_by_what_its_name_shows(brick: Brick, projects: Path) -> None:
+    (projects / "Old").mkdir()
+    (projects / "Old" / "a.rtf").write_bytes(b"x")
+    run(brick, op("FILE.DEL_SUBFOLDER", "../prjs/Old/", 1))
+    assert (projects / "Old" / "a.rtf").exists()
+    run(brick, op("FILE.DEL_SUBFOLDER", "../prjs/", 1))
+    assert not (projects / "Old").exists()
+
+
+def test_removed_files_leave_the_list_of_recent_ones(brick: Brick, projects: Path) -> None:
+    (projects / "a.rtf").write_bytes(b"x")
     code = (
-        op("FILE.OPEN_LOG", "../prjs/log", 1, 2, 3, 10, 1000, "x", LV(0)),
-        op("MOVE32_32", 7, LV(4)),
+        op("FILE.PUT_CACHE_FILE", "../prjs/a.rtf"),
+        op("FILE.REMOVE", "../prjs/a.rtf"),
+        op("FILE.GET_CACHE_FILES", GV(0)),
+    )
+    assert run(brick, *code, globals=1) == (OK, b"\0")
+
+
+def test_making_a_folder_where_a_file_is_counts_as_done(brick: Brick, projects: Path) -> None:
+    (projects / "a").write_bytes(b"x")
+    assert run(brick, op("FILE.MAKE_FOLDER", "../prjs/a", GV(0)), globals=1) == (OK, b"\1")
+
+
+def test_a_name_that_is_not_allowed_leaves_size_and_address(brick: Brick) -> None:
+    brick.receive(command(op("INIT_BYTES", GV(0), 8, [9] * 8), reply=False))
+    assert run(brick, op("FILE.LOAD_IMAGE", 1, "../prjs/a:b", GV(0), GV(4)), globals=8) == (OK, bytes([9] * 8))
+
+
+def test_a_file_is_found_by_the_name_that_opened_it(brick: Brick) -> None:
+    code = (
+        op("FILE.OPEN_WRITE", "a.rtf", LV(0)),
+        op("FILE.GET_HANDLE", "../sys/a.rtf", GV(0), GV(2)),
+        op("FILE.GET_HANDLE", "a.rtf", GV(4), GV(3)),
+    )
+    assert run(brick, *code, globals=6, locals=2) == (OK, bytes((0xFF, 0xFF, 0, 1, 1, 0)))
+
+
+def test_arrays_take_all_of_a_path(brick: Brick) -> None:
+    code = (
+        op("ARRAY.CREATE8", 1, LV(0)),
+        op("FILENAME.MERGE", "../prjs", "name", ".rtf", 3, LV(0, handle=True)),
+        op("ARRAY.SIZE", LV(0), GV(0)),
+        op("STRINGS.DUPLICATE", LV(0, handle=True), GV(4)),
+    )
+    assert run(brick, *code, globals=21, locals=2) == (OK, (17).to_bytes(4, "little") + b"../prjs/name.rtf\0")
+
+
+def test_a_download_leaves_room(brick: Brick) -> None:
+    most = 5700 * 1024
+    assert answer(brick, system.begin_download("../prjs/big.rtf", most))[1] == bytes((0, 0))
+    assert answer(brick, system.begin_download("../prjs/big.rtf", most + 1)) == (ERROR, bytes((9, 0xFF)))
+
+
+@pytest.mark.parametrize(("interval", "handle"), [(10, 1), (9, 2)], ids=["written as it comes", "gathered in memory"])
+def test_a_data_log(brick: Brick, projects: Path, interval: int, handle: int) -> None:
+    code = (
+        op("FILE.OPEN_LOG", "../prjs/log", 1, 2, 3, interval, 1000, "x", LV(0)),
+        op("MOVEF_F", 0.5, LV(4)),
         op("FILE.WRITE_LOG", LV(0), 5, 1, LV(4)),
+        op("MOVE16_16", LV(0), GV(20)),
         op("FILE.GET_LOG_NAME", 20, GV(0)),
         op("FILE.CLOSE_LOG", LV(0), "../prjs/log"),
     )
-    kind, memory = run(brick, *code, globals=20, locals=8)
-    assert (kind, memory.partition(b"\0")[0]) == (OK, b"../prjs/log.rdf")
-    data = (projects / "log.rdf").read_bytes()
-    assert data.endswith(b"x" + bytes((5, 0, 0, 0, 7, 0, 0, 0)) + b"\xff" * 8)
+    kind, memory = run(brick, *code, globals=22, locals=8)
+    assert (kind, memory.partition(b"\0")[0], memory[20]) == (OK, b"../prjs/log.rdf", handle)
+    head = b"Sync data\t1\t2\t3\t%d\t1000\r\nx" % interval
+    row = struct.pack("<ff", 5.0, 0.5)
+    assert (projects / "log.rdf").read_bytes() == head + row + b"\xff" * 8
+
+
+def test_logging_never_fails(brick: Brick) -> None:
+    code = (
+        op("FILE.WRITE_LOG", 7, 0, 1, GV(0)),
+        op("FILE.CLOSE_LOG", 7, "../prjs/log"),
+        op("INFO.GET_ERROR", GV(0)),
+        op("INFO.GET_ERROR", GV(1)),
+        op("INFO.GET_ERROR", GV(2)),
+    )
+    assert run(brick, *code, globals=4) == (OK, bytes((28, 28, 29, 0)))
 
 
 def test_synchronised_time(brick: Brick) -> None:

@@ -332,3 +332,60 @@ def test_renaming_the_brick(brick: Brick, name: str, kind: int, then: str) -> No
 def test_forbidden_characters_are_replaced_in_the_callers_own_text(brick: Brick) -> None:
     code = op("STRINGS.DUPLICATE", "a b", GV(0)), op("COM_SET.SET_BRICKNAME", GV(0))
     assert run(brick, *code, globals=4) == (FAIL, b"a_b\0")
+
+
+@pytest.mark.parametrize(
+    ("code", "memory"),
+    [
+        (op("COM_GET.GET_RESULT", 1, 0, GV(0)), b"\0"),
+        (op("COM_GET.SEARCH_ITEMS", 1, GV(0)), b"\0"),
+        (op("COM_GET.FAVOUR_ITEMS", 3, GV(0)), b"\0"),
+        (op("COM_GET.CONNEC_ITEMS", 0, GV(0)), b"\0"),
+        (op("COM_GET.GET_MODE2", 3, GV(0)), b"\0"),
+        (op("COM_GET.GET_ENCRYPT", 2, 0, GV(0)), b"\0"),
+        (op("COM_GET.GET_INCOMING", 3, 4, GV(0), GV(1)), b"\x09"),
+        (op("COM_SET.SET_MOVEUP", 2, 0), b"\x09"),
+        (op("COM_SET.SET_PASSKEY", 3, 0), b"\x09"),
+    ],
+)
+def test_hardware_without_a_property_answers_0_and_fails(brick: Brick, code: bytes, memory: bytes) -> None:
+    brick.receive(command(op("MOVE8_8", 9, GV(0)), reply=False))
+    assert run(brick, code, globals=1) == (FAIL, memory)
+
+
+def test_visibility_of_other_hardware_is_no_failure(brick: Brick) -> None:
+    assert run(brick, op("COM_SET.SET_VISIBLE", 1, 1))[0] == OK
+
+
+def test_addresses_are_not_cut(brick: Brick) -> None:
+    code = op("COM_GET.GET_NETWORK", 3, 2, GV(0), GV(4), GV(8))
+    assert run(brick, code, globals=12) == (OK, b"N\0\0\0??\0\0??\0\0")
+
+
+def test_an_array_gets_the_length_that_was_asked_for(brick: Brick) -> None:
+    code = (
+        op("ARRAY.CREATE8", 1, LV(0)),
+        op("COM_GET.GET_BRICKNAME", 50, LV(0, handle=True)),
+        op("ARRAY.SIZE", LV(0), GV(0)),
+        op("COM_GET.GET_BRICKNAME", -1, LV(0, handle=True)),
+        op("ARRAY.SIZE", LV(0), GV(4)),
+    )
+    assert run(brick, *code, globals=8, locals=2) == (OK, bytes((50, 0, 0, 0, 120, 0, 0, 0)))
+
+
+def test_every_text_of_a_mailbox_is_the_first(brick: Brick) -> None:
+    run(brick, op("MAILBOX_OPEN", 0, "abc", "DATA_S", 0, 0))
+    brick.receive(system.writemailbox("abc", b"one\0two\0", reply=False).build())
+    assert run(brick, op("MAILBOX_READ", 0, 20, [GV(0), GV(4)]), globals=8) == (OK, b"one\0one\0")
+
+
+def test_a_mailbox_of_an_array_fills_the_array_that_a_value_names(brick: Brick) -> None:
+    run(brick, op("MAILBOX_OPEN", 0, "abc", "DATA_A", 0, 0))
+    brick.receive(system.writemailbox("abc", bytes((5, 6, 7)), reply=False).build())
+    code = (
+        op("ARRAY.CREATE8", 1, LV(0)),
+        op("MAILBOX_READ", 0, 20, [LV(0)]),
+        op("ARRAY.SIZE", LV(0), GV(0)),
+        op("ARRAY.READ_CONTENT", -1, LV(0), 0, 3, GV(4)),
+    )
+    assert run(brick, *code, globals=7, locals=2) == (OK, bytes((3, 0, 0, 0, 5, 6, 7)))

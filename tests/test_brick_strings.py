@@ -341,3 +341,36 @@ def test_memory_of_a_stopped_slot_stays_as_it_is(brick: Brick) -> None:
 
 def test_an_unused_brick_has_all_its_memory(brick: Brick) -> None:
     assert run(brick, op("MEMORY_USAGE", GV(0), GV(4)), globals=8) == (OK, (6000).to_bytes(4, "little") * 2)
+
+
+def test_zeros_that_are_removed_leave_zero_bytes(brick: Brick) -> None:
+    brick.receive(command(op("INIT_BYTES", GV(0), 8, [9] * 8), reply=False))
+    code = op("STRINGS.VALUE_TO_STRING", 2.5, 5, 3, GV(0))
+    assert run(brick, code, globals=8) == (OK, b"2.5\0\0\0\x09\x09")
+
+
+@pytest.mark.parametrize(
+    ("number", "pattern", "expected"),
+    [
+        (70000, "%hd", b"4464"),
+        (-1, "%hu", b"65535"),
+        (200, "%hhd", b"-56"),
+        (1.0, "%a", b"0x1p+0"),
+        (-0.15625, "%.1A", b"-0X1.4P-3"),
+        (1.96875, "%.0a", b"0x2p+0"),
+    ],
+)
+def test_sizes_and_hexadecimal_floats_of_printf(brick: Brick, number: float, pattern: str, expected: bytes) -> None:
+    name = "VALUE_FORMATTED" if isinstance(number, float) else "NUMBER_FORMATTED"
+    assert text(brick, op(f"STRINGS.{name}", number, pattern, 40, GV(0))) == expected
+
+
+def test_a_negative_text_that_is_no_number_keeps_its_sign(brick: Brick) -> None:
+    assert run(brick, op("STRINGS.STRING_TO_VALUE", "-nan", GV(0)), globals=4) == (OK, bytes((0, 0, 0xC0, 0xFF)))
+
+
+def test_memory_is_copied_byte_by_byte(brick: Brick) -> None:
+    code = op("INIT_BYTES", GV(0), 4, [1, 2, 3, 4]), op("MEMORY_READ", 2, 0, 0, 3, GV(1))
+    assert run(brick, *code, globals=4) == (OK, bytes((1, 1, 1, 1)))
+    code = op("INIT_BYTES", GV(0), 4, [1, 2, 3, 4]), op("MEMORY_WRITE", 2, 0, 1, 3, GV(0))
+    assert run(brick, *code, globals=4) == (OK, bytes((1, 1, 1, 1)))

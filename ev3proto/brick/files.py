@@ -17,11 +17,23 @@ class OpenFile(Closable):
 
     place        of the file, for comparing
     for_writing  whether it was opened to write or to append
+    name         by which it was opened
+    is_log       whether it is a data log
     """
 
-    def __init__(self, storage: Storage, place: Path, file: io.FileIO, for_writing: bool) -> None:
+    def __init__(
+        self,
+        storage: Storage,
+        place: Path,
+        file: io.FileIO,
+        for_writing: bool,
+        name: bytes = b"",
+        is_log: bool = False,
+    ) -> None:
         self.place = place
         self.for_writing = for_writing
+        self.name = name
+        self.is_log = is_log
         self._storage = storage
         self._file = file
 
@@ -30,13 +42,17 @@ class OpenFile(Closable):
         return self._file.read(max(0, most)) or b""
 
     def read_until(self, delimiter: bytes, most: int) -> bytes:
-        """What stands up to a delimiter, which is taken out too, or so many bytes; an empty delimiter never comes."""
+        """What stands up to a delimiter, which is taken out too, or so many bytes; an empty delimiter never comes.
+
+        Only the last byte of a delimiter is left out: the firmware keeps the CR of a CR LF. A delimiter that ends
+        beyond so many bytes is not seen.
+        """
         begin = self._file.tell()
-        data = self.read(most + len(delimiter))
+        data = self.read(most + 1)
         at = data.find(delimiter) if delimiter else -1
-        text = data[: min(most, at) if at >= 0 else most]
-        is_delimited = 0 <= at < most
-        self._file.seek(begin + len(text) + (len(delimiter) if is_delimited else 0))
+        last = at + len(delimiter) - 1
+        text = data[:last] if at >= 0 and last < most else data[:most]
+        self._file.seek(begin + len(text) + (at >= 0 and last < most))
         return text
 
     def write(self, data: bytes) -> bool:

@@ -10,7 +10,7 @@ MOST_CHARACTERS = 4096
 """Width and precision beyond which a format is cut: no text of the brick has that much room."""
 
 _CONVERSION = re.compile(
-    rb"%(?P<flags>[-+ 0#']*)(?P<width>\d*)(?:\.(?P<precision>-?\d*))?(?:hh|h|ll|l|L|q|j|z|t)?(?P<kind>[a-zA-Z%])?"
+    rb"%(?P<flags>[-+ 0#']*)(?P<width>\d*)(?:\.(?P<precision>-?\d*))?(?P<size>hh|h|ll|l|L|q|j|z|t)?(?P<kind>[a-zA-Z%])?"
 )
 
 _NUMBER = re.compile(
@@ -48,9 +48,11 @@ def _converted(found: re.Match[bytes], value: int | float) -> bytes:
     width = min(int(found["width"] or 0), MOST_CHARACTERS)
     precision = None if found["precision"] is None else _precision(found["precision"])
     if kind in ("d", "i", "u", "x", "X", "o", "c"):
-        return _integer(flags, width, precision, kind, value)
+        return _integer(flags, width, precision, kind, _narrowed(value, found["size"], kind))
     if kind in ("f", "F", "e", "E", "g", "G"):
         return _float(flags, width, precision, kind, float(value))
+    if kind in ("a", "A"):
+        return _hexadecimal(flags, width, precision, kind, float(value))
     # Other conversions read memory that is not there (%s, %n) or are none: they are shown as they stand.
     return found[0]
 
@@ -58,6 +60,15 @@ def _converted(found: re.Match[bytes], value: int | float) -> bytes:
 def _precision(text: bytes) -> int | None:
     """The precision; one that is negative counts as left out."""
     return None if text.startswith(b"-") else min(int(text or 0), MOST_CHARACTERS)
+
+
+def _narrowed(value: Any, size: bytes | None, kind: str) -> Any:
+    """The value as `hh` or `h` take it, as 8 or 16 bits; other sizes take all of it."""
+    bits = {b"hh": 8, b"h": 16}.get(size or b"")
+    if bits is None or value != value or abs(value) == float("inf"):
+        return value
+    number = int(value) & (1 << bits) - 1
+    return number - (1 << bits) if kind in ("d", "i") and number >> bits - 1 else number
 
 
 def _integer(flags: str, width: int, precision: int | None, kind: str, value: Any) -> bytes:
@@ -88,6 +99,32 @@ def _float(flags: str, width: int, precision: int | None, kind: str, value: floa
     alternate = "#" if "#" in flags else ""
     digits = format(abs(value), f"{alternate}.{6 if precision is None else precision}{kind}")
     return _padded(flags, width, sign, digits.encode())
+
+
+def _hexadecimal(flags: str, width: int, precision: int | None, kind: str, value: float) -> bytes:
+    """`%a`: as many digits as the number needs, or as many as the precision says."""
+    if value != value or abs(value) == float("inf"):
+        return _float(flags, width, None, "F" if kind == "A" else "f", value)
+    mantissa, _, exponent = abs(value).hex().removeprefix("0x").partition("p")
+    whole, _, digits = mantissa.partition(".")
+    if precision is None:
+        digits = digits.rstrip("0")
+    elif precision < len(digits):
+        # The last digit is rounded, halves to even.
+        kept, rest = int(whole + digits[:precision], 16), int(digits[precision:], 16)
+        half = 8 << 4 * (len(digits) - precision - 1)
+        kept += rest > half or (rest == half and kept & 1)
+        text = f"{kept:0{precision + 1}x}"
+        whole, digits = text[: len(text) - precision], text[len(text) - precision :]
+    else:
+        digits = digits.ljust(precision, "0")
+    point = "." if digits or "#" in flags else ""
+    text = f"{whole}{point}{digits}p{int(exponent):+d}"
+    sign = "-" if _is_negative(value) else "+" if "+" in flags else " " if " " in flags else ""
+    prefix = sign + "0x"
+    if kind == "A":
+        prefix, text = prefix.upper(), text.upper()
+    return _padded(flags, width, prefix.encode(), text.encode())
 
 
 def _padded(flags: str, width: int, sign: bytes, digits: bytes) -> bytes:

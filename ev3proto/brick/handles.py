@@ -14,6 +14,9 @@ from ev3proto.tables.declaration import Type
 HANDLES = 250
 """Handles of one slot, the program's own memory included."""
 
+NO_HANDLE = -1
+"""What programs get where there is none."""
+
 ROOM = 6_000_000
 """Bytes that the arrays of all slots together may take. The firmware fits 5,000,000 and not 7,000,000."""
 

@@ -122,6 +122,11 @@ class Place:
         """Writes a text and its zero."""
         self.write_bytes(text + b"\0")
 
+    def write_cut(self, text: bytes, room: int) -> None:
+        """Writes a text and its zero into so many bytes: 0 writes nothing, a negative number does not cut."""
+        if room:
+            self.write_text(text[: room - 1] if room > 0 else text)
+
     # By type
 
     def read(self, type: Type) -> Any:

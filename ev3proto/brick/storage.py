@@ -151,13 +151,15 @@ class Storage:
         return digest.hexdigest().upper().encode("ascii")
 
     def shown(self, path: bytes) -> list[bytes]:
-        """The entries of a folder that the firmware shows, sorted by extension, then by name; none for no folder."""
+        """The entries of a folder that the firmware shows, as it sorts them; none for no folder."""
+        return sorted((name for name in self.entries(path) if not name.startswith(_HIDDEN)), key=_sort_key)
+
+    def entries(self, path: bytes) -> list[bytes]:
+        """The names in a folder, without . and ..; none for no folder."""
         place = self.locate(path)
         if place is None or not _is_folder(place):
             return []
-        names = [os.fsencode(name) for name, _ in _entries(place)]
-        names = [name for name in names if not name.startswith(_HIDDEN)]
-        return sorted(names, key=lambda name: (name.partition(b".")[2], name.partition(b".")[0]))
+        return [os.fsencode(name) for name, _ in _entries(place)]
 
     def totals(self, path: bytes) -> Totals:
         """What a folder or file holds; nothing where there is none."""
@@ -312,6 +314,12 @@ class Storage:
             os.close(descriptor)
             return None
         return io.FileIO(descriptor, mode)
+
+
+def _sort_key(name: bytes) -> tuple[bool, bytes, bytes]:
+    """By extension, which begins at the last point, then by name; names without one come last."""
+    point = name.rfind(b".")
+    return point < 0, name[point:] if point >= 0 else b"", name
 
 
 def _walk(place: Path, depth: int) -> Iterator[os.stat_result]:

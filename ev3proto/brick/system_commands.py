@@ -33,6 +33,9 @@ NO_HANDLE = 0xFF
 CUT_PATH = 59
 """Bytes to which CREATE_DIR and DELETE_FILE cut a path."""
 
+RESERVE = 300 * 1024
+"""Bytes that a download must leave free."""
+
 _REPLY_HEAD = HEADER_SIZE + 2
 _ROOM_FIRST = MAX_FRAME - _REPLY_HEAD - 5
 """Bytes of contents that fit a reply with a size and a handle."""
@@ -177,9 +180,9 @@ class SystemCommands:
         """Makes the file and the folders that it needs."""
         path, size = request.text("path"), request.number("size")
         files = self._brick.files
-        if not is_allowed(path) or not path or len(self._transfers) >= HANDLES:
+        if not is_allowed(path) or len(self._transfers) >= HANDLES:
             return _refused(SystemStatus.NO_HANDLES_AVAILABLE)
-        if size > files.free:
+        if size > files.free - RESERVE:
             return _refused(SystemStatus.SIZE_ERROR)
         files.make_folders(path)
         file = files.open_to_write(path)
@@ -321,7 +324,8 @@ class SystemCommands:
         """Whatever it names."""
         handle = request.number("handle")
         if handle not in self._transfers:
-            return _refused(SystemStatus.UNKNOWN_HANDLE)
+            # The one error that echoes the handle.
+            return Answer(SystemStatus.UNKNOWN_HANDLE, {"handle": handle})
         self._release(handle)
         return Answer(SystemStatus.SUCCESS, {"handle": handle})
 
@@ -347,10 +351,11 @@ class SystemCommands:
             self._brick.mailboxes.deliver(request.text("name"), bytes(request.fields["payload"]))
 
     @_answers("BLUETOOTHPIN")
-    def bluetooth_pin(self, _: Request) -> Answer:
-        """Only by USB, which this brick has not."""
+    def bluetooth_pin(self, request: Request) -> Answer:
+        """Only by USB, which this brick has not. The PIN comes back."""
         address = self._brick.settings.bluetooth_address
-        fields = {"mac_length": _ADDRESS_ROOM, "mac": address, "pin_length": 1, "pin": ""}
+        pin = request.text("pin").decode(STRING_CODING)
+        fields = {"mac_length": _ADDRESS_ROOM, "mac": address, "pin_length": len(pin) + 1, "pin": pin}
         return Answer(SystemStatus.ILLEGAL_CONNECTION, fields)
 
     @_answers("SETBUNDLEID")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ev3proto.brick.handlers import handles, handles_unknown
-from ev3proto.brick.handles import Array
+from ev3proto.brick.handles import NO_HANDLE, Array
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.memory import Place
 from ev3proto.brick.outcomes import Busy, Failure
@@ -52,9 +52,9 @@ def _create(kind: Type) -> Callable[[Machine, int, Place], None]:
         if elements < 0 and kind is Type.DATA8:
             elements = 0
         number = vm.create_array(kind, elements) if elements >= 0 else None
+        handle.write16(NO_HANDLE if number is None else number)
         if number is None:
             raise Failure
-        handle.write16(number)
 
     return create
 
@@ -134,9 +134,9 @@ def read_size(vm: Machine, slot: int, handle: int, size: Place) -> None:
 def read_content(vm: Machine, slot: int, handle: int, index: int, count: int, destination: Place) -> None:
     """Bytes from a byte on, zeros behind the end."""
     array = _program(vm, slot).handles.get(handle, Array)
-    if array is None or index < 0:
+    if array is None or index < 0 or (count >= 0 and not vm.resize(destination, count)):
         raise Failure
-    if count > 0 and vm.resize(destination, count):
+    if count > 0:
         destination.check(count)
         destination.write_bytes(bytes(array.data[index : index + count]).ljust(count, b"\0"))
 

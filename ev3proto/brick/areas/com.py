@@ -25,6 +25,12 @@ MOST_NAME = int(CONSTANTS["BRICKNAMESIZE"]) - 2
 _NAME = frozenset(b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-")
 
 
+def _must_be(hardware: int, *allowed: int) -> None:
+    """Fails for hardware that has not got the property; what has been written stays."""
+    if hardware not in allowed:
+        raise Failure
+
+
 @handles_unknown("COM_GET", "COM_SET")
 def unknown(_: Machine) -> None:
     """Fails."""
@@ -70,9 +76,8 @@ def get_visible(vm: Machine, hardware: int, visible: Place) -> None:
 @handles("COM_GET.GET_RESULT")
 def get_result(_: Machine, hardware: int, item: int, result: Place) -> None:  # noqa: ARG001
     """Nothing is under way."""
-    if hardware not in _RADIOS:
-        raise Failure
     result.write8(OK)
+    _must_be(hardware, *_RADIOS)
 
 
 @handles("COM_GET.GET_PIN")
@@ -87,18 +92,25 @@ def list_state(_: Machine, hardware: int, state: Place) -> None:  # noqa: ARG001
     state.write16(0)
 
 
-@handles("COM_GET.SEARCH_ITEMS", "COM_GET.FAVOUR_ITEMS")
-def count_items(_: Machine, hardware: int, items: Place) -> None:
+@handles("COM_GET.SEARCH_ITEMS")
+def count_found(_: Machine, hardware: int, items: Place) -> None:
     """None."""
-    if hardware not in _RADIOS:
-        raise Failure
     items.write8(0)
+    _must_be(hardware, *_RADIOS)
+
+
+@handles("COM_GET.FAVOUR_ITEMS")
+def count_favourites(_: Machine, hardware: int, items: Place) -> None:
+    """None; only Bluetooth has some."""
+    items.write8(0)
+    _must_be(hardware, BLUETOOTH)
 
 
 @handles("COM_GET.CONNEC_ITEMS")
-def count_connections(_: Machine, hardware: int, items: Place) -> None:  # noqa: ARG001
+def count_connections(_: Machine, hardware: int, items: Place) -> None:
     """None."""
     items.write8(0)
+    _must_be(hardware, USB, *_RADIOS)
 
 
 @handles("COM_GET.SEARCH_ITEM", "COM_GET.FAVOUR_ITEM", "COM_GET.CONNEC_ITEM")
@@ -110,16 +122,18 @@ def describe_item(vm: Machine, hardware: int, item: int, length: int, name: Plac
 
 
 @handles("COM_GET.GET_INCOMING")
-def get_incoming(vm: Machine, hardware: int, length: int, name: Place, kind: Place) -> None:  # noqa: ARG001
+def get_incoming(vm: Machine, hardware: int, length: int, name: Place, kind: Place) -> None:
     """Nobody asks for a connection."""
-    vm.write_limited(name, b"", length)
+    _must_be(hardware, BLUETOOTH)
+    _write(vm, name, b"", length)
     kind.write8(0)
 
 
 @handles("COM_GET.GET_ENCRYPT")
-def get_encryption(_: Machine, hardware: int, item: int, kind: Place) -> None:  # noqa: ARG001
-    """None."""
+def get_encryption(_: Machine, hardware: int, item: int, kind: Place) -> None:  # noqa: ARG001 - there is no item
+    """None; only of WiFi."""
     kind.write8(0)
+    _must_be(hardware, WIFI)
 
 
 @handles("COM_GET.GET_ID")
@@ -137,13 +151,31 @@ def get_id(vm: Machine, hardware: int, length: int, destination: Place) -> None:
 @handles("COM_GET.GET_BRICKNAME")
 def get_brick_name(vm: Machine, length: int, name: Place) -> None:
     """Cut to what there is room for."""
-    vm.write_limited(name, vm.brick.settings.name.encode(STRING_CODING), length)
+    _write(vm, name, vm.brick.settings.name.encode(STRING_CODING), length)
+
+
+def _room(vm: Machine, place: Place, length: int) -> int | None:
+    """Makes an array as long as was asked for, or as the longest name for -1.
+
+    Returns the room that there is; None where there is no such array.
+    """
+    if place.handle >= 0 and length == -1:
+        length = int(CONSTANTS["BRICKNAMESIZE"])
+    return length if vm.resize(place, length) else None
+
+
+def _write(vm: Machine, place: Place, text: bytes, length: int) -> None:
+    room = _room(vm, place, length)
+    if room is not None:
+        place.write_cut(text, room)
 
 
 @handles("COM_GET.GET_NETWORK")
 def get_network(vm: Machine, hardware: int, length: int, name: Place, mac: Place, ip: Place) -> None:
     """Of WiFi; nothing is written for others."""
-    if hardware != WIFI:
+    places = (name, mac, ip)
+    rooms = [_room(vm, place, length) for place in places]
+    if hardware != WIFI or None in rooms:
         return
     settings = vm.brick.settings
     is_connected = settings.wifi and settings.network is not None
@@ -152,8 +184,10 @@ def get_network(vm: Machine, hardware: int, length: int, name: Place, mac: Place
         settings.mac.encode(STRING_CODING) if settings.wifi else UNKNOWN,
         settings.ip.encode(STRING_CODING) if is_connected and settings.ip else UNKNOWN,
     )
-    for place, text in zip((name, mac, ip), texts, strict=True):
-        vm.write_limited(place, text, length)
+    name.write_cut(texts[0], length if rooms[0] is None else rooms[0])
+    # The firmware does not cut addresses.
+    for place, text in zip(places[1:], texts[1:], strict=True):
+        place.write_text(text)
 
 
 @handles("COM_GET.GET_PRESENT")
@@ -164,10 +198,9 @@ def get_present(_: Machine, hardware: int, present: Place) -> None:
 
 @handles("COM_GET.GET_MODE2")
 def get_mode2(vm: Machine, hardware: int, active: Place) -> None:
-    """Of Bluetooth."""
-    if hardware != BLUETOOTH:
-        raise Failure
-    active.write8(vm.brick.settings.mode2)
+    """Of Bluetooth; of others 0, and it fails."""
+    active.write8(hardware == BLUETOOTH and vm.brick.settings.mode2)
+    _must_be(hardware, BLUETOOTH)
 
 
 # COM_SET
@@ -198,10 +231,9 @@ def set_on_off(vm: Machine, hardware: int, active: int) -> None:
 
 @handles("COM_SET.SET_VISIBLE")
 def set_visible(vm: Machine, hardware: int, visible: int) -> None:
-    """Of Bluetooth."""
-    if hardware != BLUETOOTH:
-        raise Failure
-    vm.brick.settings.visible = visible != 0
+    """Of Bluetooth; for others nothing happens."""
+    if hardware == BLUETOOTH:
+        vm.brick.settings.visible = visible != 0
 
 
 @handles("COM_SET.SET_MODE2")
@@ -215,14 +247,25 @@ def set_mode2(vm: Machine, hardware: int, active: int) -> None:
 @handles(
     "COM_SET.SET_SEARCH",
     "COM_SET.SET_PIN",
-    "COM_SET.SET_PASSKEY",
     "COM_SET.SET_CONNECTION",
+)
+def set_radio(_: Machine, hardware: int, *__: object) -> None:
+    """Accepted for the radios, of which there are none."""
+    _must_be(hardware, *_RADIOS)
+
+
+@handles("COM_SET.SET_PASSKEY")
+def set_bluetooth(_: Machine, hardware: int, *__: object) -> None:
+    """Accepted for Bluetooth."""
+    _must_be(hardware, BLUETOOTH)
+
+
+@handles(
     "COM_SET.SET_MOVEUP",
     "COM_SET.SET_MOVEDOWN",
     "COM_SET.SET_ENCRYPT",
     "COM_SET.SET_SSID",
 )
-def set_radio(_: Machine, hardware: int, *__: object) -> None:
-    """Accepted for the radios, of which there are none."""
-    if hardware not in _RADIOS:
-        raise Failure
+def set_wifi(_: Machine, hardware: int, *__: object) -> None:
+    """Accepted for WiFi."""
+    _must_be(hardware, WIFI)

@@ -43,13 +43,21 @@ def split(vm: Machine, path: bytes, length: int, folder: Place, name: Place, ext
     """Each part cut to what there is room for."""
     parts = filenames.split(path)
     for place, text in zip((folder, name, extension), parts, strict=True):
-        vm.write_limited(place, text, length)
+        _write(vm, place, text, length)
+
+
+def _write(vm: Machine, place: Place, text: bytes, length: int) -> None:
+    """Cuts a text to the length; an array gets all of it instead."""
+    if place.handle >= 0:
+        vm.write_text(place, text)
+    else:
+        place.write_cut(text, length)
 
 
 @handles("FILENAME.MERGE")
 def merge(vm: Machine, folder: bytes, name: bytes, extension: bytes, length: int, path: Place) -> None:
     """A slash is always put in."""
-    vm.write_limited(path, folder + b"/" + name + extension, length)
+    _write(vm, path, folder + b"/" + name + extension, length)
 
 
 @handles("FILENAME.CHECK", places=("FILENAME",))
@@ -61,7 +69,7 @@ def check(vm: Machine, place: Place, is_fine: Place) -> None:
 @handles("FILENAME.GET_FOLDERNAME")
 def folder_name(vm: Machine, length: int, destination: Place) -> None:
     """Without the last slash."""
-    vm.write_limited(destination, vm.program.folder.encode(STRING_CODING).removesuffix(b"/"), length)
+    _write(vm, destination, vm.program.folder.encode(STRING_CODING).removesuffix(b"/"), length)
 
 
 def _archive(path: bytes) -> bytes:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ev3proto.brick.handlers import handles
+from ev3proto.brick.handles import Array
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.mailboxes import BOXES, Mailbox
+from ev3proto.brick.mailboxes import BOXES, MOST_CONTENT, Mailbox
 from ev3proto.brick.memory import Place
 from ev3proto.brick.outcomes import Busy, Failure, WildAccess
 from ev3proto.tables.enumerations import DATA_FORMAT, FORMAT_TYPES
@@ -57,28 +58,35 @@ def read_box(vm: Machine, number: int, length: int, values: list[Place]) -> None
     box = _box(vm, number)
     if not box.is_open:
         return
-    at = 0
-    for place in values:
-        at += _read_value(vm, box, at, place)
+    for number, place in enumerate(values):
+        _read_value(vm, box, number, place)
     if box.has_news:
         box.read += 1
 
 
-def _read_value(vm: Machine, box: Mailbox, at: int, place: Place) -> int:
-    """Writes one value of the content to its place; returns how many bytes it took."""
-    rest = bytes(box.content[at:])
+def _read_value(vm: Machine, box: Mailbox, number: int, place: Place) -> None:
+    """Writes one value of the content to its place; every text is the first one."""
     if box.type in _SIZES and box.type not in (_TEXT, _ARRAY):
         size = _SIZES[box.type]
-        place.write_bytes(rest[:size].ljust(size, b"\0"))
-        return size
-    left = max(0, box.size - at)
-    if box.type == _ARRAY:
-        if vm.resize(place, left):
-            place.write_bytes(rest[:left])
-        return left
-    text = rest.partition(b"\0")[0]
-    vm.write_text(place, text, max(left, len(text) + 1))
-    return len(text) + 1
+        place.write_bytes(bytes(box.content[number * size : (number + 1) * size]).ljust(size, b"\0"))
+    elif box.type == _TEXT:
+        text = bytes(box.content[: MOST_CONTENT - 1]).partition(b"\0")[0]
+        if place.handle < 0 or (box.size > 0 and vm.resize(place, box.size)):
+            place.write_text(text)
+    elif box.type == _ARRAY:
+        _read_array(vm, box, number, place.read16())
+
+
+def _read_array(vm: Machine, box: Mailbox, begin: int, handle: int) -> None:
+    """Gives an array, which a value names by its handle, as many elements as the message has bytes.
+
+    The message has none after that.
+    """
+    array = vm.program.handles.get(handle, Array)
+    size, box.size = box.size, 0
+    if size > 0 and array is not None and vm.resize_array(array, size):
+        data = bytes(box.content[begin : begin + size])
+        array.data[: len(data)] = data
 
 
 @handles("MAILBOX_WRITE")

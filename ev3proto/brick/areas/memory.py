@@ -33,6 +33,12 @@ def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, de
         return
     destination.check(count)
     memory, size = found
+    if destination.buffer is memory:
+        # One byte after the other: what was just written may be read.
+        for number in range(count):
+            at = offset + number
+            destination.buffer[destination.at + number] = memory[at] if 0 <= at < size else 0
+        return
     data = bytearray(count)
     begin, end = max(0, offset), min(size, offset + count)
     if begin < end:
@@ -47,6 +53,13 @@ def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, s
     if found is None or count <= 0:
         return
     memory, size = found
+    if source.buffer is memory:
+        # One byte after the other: what was just written may be read.
+        source.check(count)
+        for number in range(count):
+            if 0 <= offset + number < size:
+                memory[offset + number] = source.buffer[source.at + number]
+        return
     data = source.read_bytes(count)
     begin, end = max(0, offset), min(size, offset + count)
     if begin < end:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import math
+
 from ev3proto.brick.formatting import fixed, formatted, read_number
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.memory import Place
+from ev3proto.brick.memory import NOT_A_NUMBER, Place
 
 NO_TEXT = b"(null)"
 """What printf shows for a text that is not there."""
+
+NEGATIVE_NOT_A_NUMBER = NOT_A_NUMBER | 0x80000000
+"""The bits of a float that is no number, read from a text with a minus sign."""
 
 MOST_DASHES = 4
 """Of a number that is none."""
@@ -56,7 +61,8 @@ def sub(vm: Machine, text: bytes, sought: bytes, destination: Place) -> None:
 def number_to_string(vm: Machine, value: int, figures: int, destination: Place) -> None:
     """Filled up with zeros, cut to so many characters."""
     text = formatted(b"%%%s%dd" % (b"0" if figures >= 0 else b"", figures), value)
-    vm.write_text(destination, text[:figures] if figures >= 0 else text, figures + 2)
+    if vm.resize(destination, figures + 2):
+        destination.write_cut(text, figures + 1)
 
 
 @handles("STRINGS.VALUE_TO_STRING")
@@ -67,16 +73,18 @@ def value_to_string(vm: Machine, value: float, figures: int, decimals: int, dest
 
 
 def _number(value: float, figures: int, decimals: int) -> str:
+    """With zero bytes in the place of what is removed at the end, which the firmware overwrites in memory."""
     text = fixed(value, decimals)
     if figures >= 0:
         text = text.rjust(figures)
     text = text[: abs(figures)]
-    if decimals != 0:
-        # The firmware does not look whether there is a point: 100 becomes 1.
-        text = text[:1] + text[1:].rstrip("0")
-        if len(text) > 1 and text.endswith("."):
-            text = text[:-1]
-    return text
+    if decimals == 0:
+        return text
+    # The firmware does not look whether there is a point: 100 becomes 1.
+    kept = text[:1] + text[1:].rstrip("0")
+    if len(kept) > 1:
+        kept = kept.removesuffix(".")
+    return kept.ljust(len(text), "\0")
 
 
 def _no_number(figures: int) -> str:
@@ -90,7 +98,11 @@ def string_to_value(_: Machine, source: Place, destination: Place) -> None:
     text = source.read_text().replace(b",", b".")
     source.write_bytes(text)
     number = read_number(text)
-    destination.write_float(0.0 if number is None else number)
+    if number is not None and number != number:
+        # The sign of such a number is that of the text.
+        destination.write32(NEGATIVE_NOT_A_NUMBER if math.copysign(1, number) < 0 else NOT_A_NUMBER)
+    else:
+        destination.write_float(0.0 if number is None else number)
 
 
 @handles("STRINGS.VALUE_FORMATTED")

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import click
 
@@ -137,12 +137,21 @@ class Wants:
     reply: bool | None = None
 
 
+class Sink(Protocol):
+    """What takes the messages that are found, and counts them."""
+
+    count: int
+
+    def write(self, message: Message) -> None:
+        """Takes a message."""
+
+
 class Encoding(SourceReader):
     """Writes the frames of the sources, one after the other, and remembers whether any source was at fault."""
 
     accepted = "what can be encoded is assembly, JSON, frames in hex, or a capture"
 
-    def __init__(self, output: Output, reading: CaptureOptions, wants: Wants) -> None:
+    def __init__(self, output: Sink, reading: CaptureOptions, wants: Wants) -> None:
         super().__init__(reading)
         self._output = output
         self._counter = wants.counter

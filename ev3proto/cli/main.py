@@ -18,6 +18,7 @@ from ev3proto.cli.ops import ops
 from ev3proto.cli.output import complain
 from ev3proto.cli.run import run
 from ev3proto.cli.sample import sample
+from ev3proto.cli.send import send
 from ev3proto.cli.stats import stats
 from ev3proto.cli.timeline import timeline
 from ev3proto.version import VERSION
@@ -43,6 +44,7 @@ cli.add_command(live)
 cli.add_command(ops)
 cli.add_command(run)
 cli.add_command(sample)
+cli.add_command(send)
 cli.add_command(stats)
 cli.add_command(timeline)
 

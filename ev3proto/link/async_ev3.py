@@ -108,14 +108,14 @@ class AsyncEV3:
         """Waits for the reply to a command sent with ASYNC; see `EV3.wait_for_reply`."""
         ticket = self.connected.channel.ticket(counter_of(msg_cnt))
         frame = await self._reply(ticket, verbosity, timeout, keep=True)
-        return ticket.prepared.result(ticket.request.frame, frame)
+        return ticket.result(frame)
 
     async def _send(self, prepared: Prepared, verbosity: int | None, timeout: float | None) -> Result:
         ticket = await self._sent(prepared, verbosity)
         if not prepared.waits:
             return counter_bytes(ticket.request.frame)
         frame = await self._reply(ticket, verbosity, timeout, keep=False)
-        return prepared.result(ticket.request.frame, frame)
+        return ticket.result(frame)
 
     async def _sent(self, prepared: Prepared, verbosity: int | None) -> Ticket:
         ev3 = self.connected

@@ -10,7 +10,7 @@ from concurrent.futures import TimeoutError as FutureTimeoutError
 from ev3proto.bounded import Bounded
 from ev3proto.errors import counted
 from ev3proto.link.carriers.wire import Wire
-from ev3proto.link.commands import Prepared
+from ev3proto.link.commands import Prepared, Result
 from ev3proto.link.errors import ConnectionLostError, LinkError, NoAnswerError
 from ev3proto.link.reply_stream import Garbage
 from ev3proto.link.session import Answered, Event, Request, Session
@@ -29,17 +29,21 @@ _JOIN = 5.0
 class Ticket:
     """A command on its way, and the place where its reply will be.
 
-    prepared  what was asked for
+    prepared  what was asked for; None where a whole frame was given
     request   the command that it became
     reply     becomes the frame of its reply; done at once where it wants none
     """
 
     __slots__ = ("prepared", "reply", "request")
 
-    def __init__(self, prepared: Prepared, request: Request) -> None:
+    def __init__(self, prepared: Prepared | None, request: Request) -> None:
         self.prepared = prepared
         self.request = request
         self.reply: Future[bytes] = Future()
+
+    def result(self, reply: bytes) -> Result:
+        """What the program gets for a reply; the reply itself where it gave a whole frame. Raises LinkError."""
+        return reply if self.prepared is None else self.prepared.result(self.request.frame, reply)
 
 
 class Channel:
@@ -79,11 +83,29 @@ class Channel:
             BuildError: The frame would be too long.
             ConnectionLostError: The connection is gone.
         """
+        return self._send(prepared, lambda: self._session.command(prepared.kind, prepared.body), before)
+
+    def send_frame(self, frame: bytes, before: Callable[[bytes], None] | None = None) -> Ticket:
+        """Sends a frame as it is, counter included.
+
+        Args:
+            frame: A frame whose header is whole.
+            before: Called with the frame just before it is sent.
+
+        Raises:
+            LinkError: A command with that counter waits for its reply.
+            ConnectionLostError: The connection is gone.
+        """
+        return self._send(None, lambda: self._session.adopt(frame), before)
+
+    def _send(
+        self, prepared: Prepared | None, make: Callable[[], Request], before: Callable[[bytes], None] | None
+    ) -> Ticket:
         with self._sending:
             with self._state:
                 if self._lost is not None:
                     raise self._again()
-                request = self._session.command(prepared.kind, prepared.body)
+                request = make()
                 ticket = Ticket(prepared, request)
                 if request.wants_reply:
                     self._by_request[id(request)] = ticket

@@ -244,7 +244,7 @@ class EV3:
         printer = self.printer(RECEIVED, verbosity, ticket.request.frame)
         if printer is not None:
             printer(frame)
-        return ticket.prepared.result(ticket.request.frame, frame)
+        return ticket.result(frame)
 
     def printer(
         self, direction: str, verbosity: int | None, request: bytes | None = None

@@ -25,6 +25,8 @@ MOST_ABANDONED = 1024
 MOST_REMEMBERED = 1024
 """Answered commands that are remembered, so that a second answer is known for what it is."""
 
+_ASKING = frozenset(int(member) for member in MessageType if member.wants_reply)
+
 
 @dataclass(eq=False, slots=True)
 class Request:
@@ -119,10 +121,34 @@ class Session:
         request = Request(counter, frame, kind.wants_reply)
         self._next = (counter + 1) % COUNTERS
         if request.wants_reply:
-            self._answered.pop(counter, None)
-            self._waiting[counter] = request
-            self._pairing.remember(_key(frame), 0, request)
+            self._wait_for(request)
         return request
+
+    def adopt(self, frame: bytes) -> Request:
+        """Takes a command whose frame is made already, counter included.
+
+        Args:
+            frame: The frame. Its header must be whole.
+
+        Returns:
+            The command. It waits for its reply from now on, if it wants one.
+
+        Raises:
+            LinkError: A command with that counter waits for its reply.
+        """
+        _, counter, code = Header.read(frame)
+        request = Request(counter, frame, code in _ASKING)
+        if request.wants_reply:
+            if counter in self._waiting:
+                raise LinkError(f"a command with the counter {counter} waits for its reply: give this one another")
+            self._wait_for(request)
+        return request
+
+    def _wait_for(self, request: Request) -> None:
+        self._answered.pop(request.counter, None)
+        self._abandoned.pop(request.counter, None)
+        self._waiting[request.counter] = request
+        self._pairing.remember(_key(request.frame), 0, request)
 
     def abandon(self, request: Request) -> None:
         """Waits no more for the reply to a command. Its counter is not used again for as long as that is possible."""

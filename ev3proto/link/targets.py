@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from ev3proto.errors import near_misses
+from ev3proto.tables.carriers import DEFAULT_CARRIER, Carrier
 from ev3proto.tables.discovery import TCP_PORT
 
 TARGET_VARIABLE = "EV3PROTO_TARGET"
@@ -28,6 +29,9 @@ class Way(StrEnum):
     VIRTUAL = "virtual"
 
 
+_CARRIERS = {Way.USB: Carrier.USB, Way.BLUETOOTH: Carrier.BLUETOOTH, Way.SERIAL: Carrier.BLUETOOTH}
+
+
 @dataclass(frozen=True, slots=True)
 class Target:
     """A brick and the way to it.
@@ -45,6 +49,11 @@ class Target:
     def __str__(self) -> str:
         host = f"[{self.host}]" if self.port is not None and ":" in (self.host or "") else self.host
         return ":".join(str(part) for part in (self.way, host, self.port) if part is not None)
+
+    @property
+    def carrier(self) -> Carrier:
+        """What carries the frames, as captures call it."""
+        return _CARRIERS.get(self.way, DEFAULT_CARRIER)
 
     @property
     def serial_number(self) -> str | None:

@@ -1,0 +1,139 @@
+"""`ev3proto send`: frames to a brick, real or virtual, and what it answers."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+import click
+
+from ev3proto.cli.captures import CaptureOptions
+from ev3proto.cli.encode import Encoding, Wants
+from ev3proto.cli.output import complain
+from ev3proto.cli.show import Show
+from ev3proto.cli.sources import sources
+from ev3proto.cli.targets import TargetType, channel_to, is_refused
+from ev3proto.errors import counted
+from ev3proto.messages import Message
+from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.tables.declaration import DIALECTS
+
+if TYPE_CHECKING:
+    from ev3proto.link.channel import Channel
+    from ev3proto.link.targets import Target
+
+REPLY_TIMEOUT = 30.0
+"""Seconds to wait for a reply unless something else is asked for."""
+
+
+class Collected:
+    """The commands of the input, in order, and how many messages of the brick there were among them."""
+
+    def __init__(self) -> None:
+        self.commands: list[Message] = []
+        self.count = 0
+        self.replies = 0
+
+    def write(self, message: Message) -> None:
+        """Takes a message of the input."""
+        self.count += 1
+        if message.type is not None and not message.type.is_command:
+            self.replies += 1
+        else:
+            self.commands.append(message)
+
+
+@click.command()
+@click.argument("target", type=TargetType())
+@click.argument("names", nargs=-1, metavar="[FRAME|TEXT|FILE|-]...")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line: a command with its reply.")
+@click.option("--force", is_flag=True, help="Send also what the brick would refuse.")
+@click.option(
+    "--timeout",
+    type=click.FloatRange(0, min_open=True),
+    default=REPLY_TIMEOUT,
+    show_default=True,
+    metavar="SECONDS",
+    help="How long to wait for each reply.",
+)
+@click.option(
+    "--reply/--no-reply",
+    default=None,
+    help="Whether the brick is to answer assembly without a header; left out: where there is something to answer.",
+)
+@click.option("--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True)
+def send(
+    target: Target,
+    names: tuple[str, ...],
+    as_json: bool,
+    force: bool,
+    timeout: float,
+    reply: bool | None,
+    dialect: str,
+) -> None:
+    """Sends frames to a brick and shows what it answers.
+
+    TARGET is the brick: wifi, wifi:ADDRESS, wifi:ADDRESS:PORT, usb, usb:SERIALNUMBER, bluetooth:MAC, serial:PORT, or
+    virtual for one that is gone at the end. Frames come as `encode` takes them: hex, assembly, files that have them,
+    captures; or - (or nothing) for standard input. Replies of a brick among them are passed over.
+
+    Each frame is checked first. One that the brick would refuse, or that would not do what was meant, is not sent.
+    Each reply is awaited before the next frame is sent.
+
+    \b
+      ev3proto send wifi 'SOUND(TONE, 1, 440, 1000)'
+      ev3proto send usb 'UI_READ(GET_VBATT, GV0(0))'
+      ev3proto send wifi:127.0.0.1 "0x|06:00|2A:00|00|00:00|01|"
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    found = Collected()
+    encoding = Encoding(found, CaptureOptions(dialect=dialect), Wants(0, reply))
+    for source in sources(names):
+        encoding.read(source)
+    if not found.commands:
+        if not encoding.at_fault:
+            complain("there is nothing in the input that can be sent: frames in hex, or assembly")
+        sys.exit(1)
+    if encoding.at_fault and not force:
+        complain("nothing was sent, because not all of the input can be read; --force sends what can be")
+        sys.exit(1)
+    if found.replies:
+        complain(f"{counted(found.replies, 'frame')} of the input from a brick: not sent")
+    allowed = [
+        message
+        for number, message in enumerate(found.commands, 1)
+        if force or not is_refused(message.build(), f"frame {number}", dialect=dialect, carrier=target.carrier)
+    ]
+    if len(allowed) < len(found.commands):
+        complain("nothing was sent; --force sends it all the same")
+        sys.exit(1)
+    with channel_to(target) as channel:
+        is_fine = _talk(channel, allowed, Show("json" if as_json else None), timeout, dialect, str(target))
+    sys.exit(0 if is_fine and not encoding.at_fault else 1)
+
+
+def _talk(channel: Channel, messages: list[Message], show: Show, timeout: float, dialect: str, peer: str) -> bool:
+    """Sends the messages, and shows each with its reply. Returns whether all went well."""
+    from ev3proto.capture.dialogues import RequestReply, is_error
+    from ev3proto.link.errors import LinkError
+    from ev3proto.link.records import Records
+
+    records = Records(channel.carrier, peer, dialect)
+    is_fine = True
+    for message in messages:
+        frame = message.build()
+        if len(frame) < HEADER_SIZE:
+            complain(f"{frame.hex(':').upper()} is too short to be sent: the brick would wait for the rest of it")
+            is_fine = False
+            continue
+        command = records.sent(frame)
+        try:
+            ticket = channel.send_frame(frame)
+            answer = channel.wait(ticket, timeout) if ticket.request.wants_reply else b""
+        except LinkError as error:
+            show.dialogue(RequestReply(command, None), records.start_ns)
+            complain(str(error))
+            return False
+        received = records.received(answer, command) if answer else None
+        show.dialogue(RequestReply(command, received), records.start_ns)
+        is_fine &= received is None or not is_error(received.message)
+    return is_fine

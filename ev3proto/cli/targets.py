@@ -1,0 +1,75 @@
+"""What the subcommands that talk to a brick share: the target, the connection, the checked frame."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ev3proto.cli.output import complain
+
+if TYPE_CHECKING:
+    from ev3proto.link.channel import Channel
+    from ev3proto.link.targets import Target
+
+
+class TargetType(click.ParamType):
+    """A brick as it is written on the command line."""
+
+    name = "target"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Target:
+        """The brick that was written."""
+        from ev3proto.link.targets import Target
+
+        if isinstance(value, Target):
+            return value
+        try:
+            return Target.parse(str(value)[:200])
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+
+@contextmanager
+def channel_to(target: Target) -> Iterator[Channel]:
+    """A connection to a brick for as long as the context lasts. Ends the program where there can be none."""
+    from ev3proto.link.carriers import open_wire
+    from ev3proto.link.channel import Channel
+    from ev3proto.link.errors import LinkError
+
+    try:
+        channel = Channel(open_wire(target))
+    except LinkError as error:
+        complain(str(error))
+        sys.exit(1)
+    try:
+        yield channel
+    finally:
+        channel.close()
+
+
+def is_refused(frame: bytes, place: str, *, dialect: str, carrier: str) -> bool:
+    """Checks a frame before it is sent; what is wrong with it is shown on standard error.
+
+    Args:
+        frame: The frame.
+        place: Where it comes from, for complaints.
+        dialect: The firmware whose instruction set it is in.
+        carrier: What is to carry it.
+
+    Returns:
+        Whether the brick would refuse it, or something in it would not do what was meant.
+    """
+    from ev3proto.checking.checking import check
+    from ev3proto.text.diagnostics import diagnostics
+    from ev3proto.text.spans import plain_text
+
+    report = check(frame, dialect=dialect, carrier=carrier)
+    if report.accepted and not report.errors:
+        return False
+    for line in diagnostics(report, report.errors, place=place, dialect=dialect):
+        complain(plain_text(line))
+    return True

@@ -1,0 +1,44 @@
+"""What goes to a brick and comes back, as records: the same as a capture of it would give."""
+
+from __future__ import annotations
+
+import time
+
+from ev3proto.capture.record import HOST, Direction, Record, Route
+from ev3proto.schema.frame import frame_schema
+from ev3proto.tables.carriers import Carrier
+
+
+class Records:
+    """Makes records of one connection, numbered in their order."""
+
+    def __init__(self, carrier: Carrier, peer: str, dialect: str = "official") -> None:
+        """Starts at number 1.
+
+        Args:
+            carrier: What carries the frames.
+            peer: Which brick.
+            dialect: The firmware whose instruction set to read by.
+        """
+        self.start_ns = time.time_ns()
+        self._sent = Route(carrier, HOST, peer, Direction.SENT, None, peer)
+        self._received = Route(carrier, peer, HOST, Direction.RECEIVED, None, peer)
+        self._schema = frame_schema(dialect)
+        self._count = 0
+
+    def sent(self, frame: bytes) -> Record:
+        """A frame that goes to the brick now."""
+        return self._record(frame, self._sent, None)
+
+    def received(self, frame: bytes, request: Record | None) -> Record:
+        """A frame that comes from the brick now.
+
+        Args:
+            frame: The frame.
+            request: The record of the command that it answers.
+        """
+        return self._record(frame, self._received, request)
+
+    def _record(self, frame: bytes, route: Route, request: Record | None) -> Record:
+        self._count += 1
+        return Record(frame, (self._count,), time.time_ns(), route, self._schema, request)

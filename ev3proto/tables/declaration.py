@@ -104,6 +104,8 @@ class Effect(Enum):
     CHANGES_SETTINGS = "changes a setting of the brick, which stays when the command has ended"
     RENAMES = "gives the brick another name"
     CONTROLS_PROGRAMS = "starts, stops or changes other programs"
+    PRESSES_BUTTONS = "presses a button as if by hand: what that does, up to switching the brick off, is open"
+    WRITES_TO_DEVICES = "sends bytes to a device at a port, or sets lines of the brick's circuits"
     RESTARTS = "restarts the brick, or ends its firmware"
     WRITES_FIRMWARE = "erases or writes the memory that the firmware is in"
     RUNS_SHELL = "runs a command on the brick's operating system"

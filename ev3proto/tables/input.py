@@ -188,6 +188,7 @@ INPUT = (
                     ),
                     Out("READ_DATA", DATA8, "bytes read", length="READ_LEN"),
                 ),
+                effects=(Effect.WRITES_TO_DEVICES,),
             ),
             Command(10, "CLR_ALL", "Clears counters and angles of all devices", (LAYERS,)),
             Command(
@@ -386,6 +387,7 @@ INPUT = (
             In("BYTES", DATA8, "how many bytes to send", unit="bytes", range=(1, 32)),
             In("DATA", DATA8, "bytes to send", length="BYTES"),
         ),
+        effects=(Effect.WRITES_TO_DEVICES,),
     ),
     Opcode(
         0xE0,

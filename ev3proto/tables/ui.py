@@ -374,6 +374,7 @@ UI = (
                 "SET_TESTPIN",
                 "Sets the test pin on the brick's circuit board",
                 (In("STATE", DATA8, "level of the pin", range=(0, 1), special={0: "low", 1: "high"}),),
+                effects=(Effect.WRITES_TO_DEVICES,),
             ),
             Command(25, "INIT_RUN", "Shows the animation of a running program until something draws"),
             Command(26, "UPDATE_RUN", "Does nothing"),
@@ -422,7 +423,13 @@ UI = (
                 effects=(Effect.WAITS,),
             ),
             Command(4, "FLUSH", "Forgets all presses that nobody has asked for"),
-            Command(5, "PRESS", "Presses a button as if by hand and holds it until RELEASE", (BUTTON,)),
+            Command(
+                5,
+                "PRESS",
+                "Presses a button as if by hand and holds it until RELEASE",
+                (BUTTON,),
+                effects=(Effect.PRESSES_BUTTONS,),
+            ),
             Command(6, "RELEASE", "Releases a button that PRESS holds", (BUTTON,)),
             Command(
                 7,

@@ -507,6 +507,7 @@ VM = (
                         "STRING", DATA8, "one character per pin: 0 low, 1 high, X floating, - as it is", length="LENGTH"
                     ),
                 ),
+                effects=(Effect.WRITES_TO_DEVICES,),
             ),
             Command(
                 14,
@@ -537,6 +538,7 @@ VM = (
                     In("LENGTH", DATA8, "how many bytes to send", unit="bytes", range=(0, 63)),
                     In("STRING", DATA8, "the bytes", length="LENGTH"),
                 ),
+                effects=(Effect.WRITES_TO_DEVICES,),
             ),
             Command(
                 16,
@@ -553,8 +555,14 @@ VM = (
                 "TST_ENABLE_UART",
                 "Switches the serial lines of all sensor ports on",
                 (In("BITRATE", DATA32, "speed of the line", range=(2400, 115200), unit="bit/s"),),
+                effects=(Effect.WRITES_TO_DEVICES,),
             ),
-            Command(18, "TST_DISABLE_UART", "Switches the serial lines of all sensor ports off"),
+            Command(
+                18,
+                "TST_DISABLE_UART",
+                "Switches the serial lines of all sensor ports off",
+                effects=(Effect.WRITES_TO_DEVICES,),
+            ),
             Command(
                 19,
                 "TST_ACCU_SWITCH",
@@ -569,14 +577,19 @@ VM = (
                     ),
                 ),
             ),
-            Command(20, "TST_BOOT_MODE2", "Starts mode 2 of Bluetooth, the one for Apple's devices"),
+            Command(
+                20,
+                "TST_BOOT_MODE2",
+                "Starts mode 2 of Bluetooth, the one for Apple's devices",
+                effects=(Effect.WRITES_TO_DEVICES,),
+            ),
             Command(
                 21,
                 "TST_POLL_MODE2",
                 "Asks how far the start of Bluetooth's mode 2 is",
                 (Out("STATUS", DATA8, "OK, BUSY (still starting) or FAIL", range=(0, 2), enum=RESULT),),
             ),
-            Command(22, "TST_CLOSE_MODE2", "Ends mode 2 of Bluetooth"),
+            Command(22, "TST_CLOSE_MODE2", "Ends mode 2 of Bluetooth", effects=(Effect.WRITES_TO_DEVICES,)),
             Command(
                 23,
                 "TST_RAM_CHECK",

@@ -16,6 +16,8 @@ from ev3proto.cli.files import files
 from ev3proto.cli.live import live
 from ev3proto.cli.ops import ops
 from ev3proto.cli.output import complain
+from ev3proto.cli.proxy import proxy
+from ev3proto.cli.replay import replay
 from ev3proto.cli.run import run
 from ev3proto.cli.sample import sample
 from ev3proto.cli.send import send
@@ -42,6 +44,8 @@ cli.add_command(export)
 cli.add_command(files)
 cli.add_command(live)
 cli.add_command(ops)
+cli.add_command(proxy)
+cli.add_command(replay)
 cli.add_command(run)
 cli.add_command(sample)
 cli.add_command(send)

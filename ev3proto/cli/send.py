@@ -11,12 +11,14 @@ from ev3proto.cli.captures import CaptureOptions
 from ev3proto.cli.encode import Encoding, Wants
 from ev3proto.cli.output import complain
 from ev3proto.cli.show import Show
-from ev3proto.cli.sources import sources
+from ev3proto.cli.sources import Source, sources
 from ev3proto.cli.targets import TargetType, channel_to, is_refused
 from ev3proto.errors import counted
 from ev3proto.messages import Message
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.declaration import DIALECTS
+from ev3proto.text.paste import Pasted
+from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
     from ev3proto.link.channel import Channel
@@ -41,6 +43,21 @@ class Collected:
             self.replies += 1
         else:
             self.commands.append(message)
+
+
+class _Commands(Encoding):
+    """Reads the input as `encode` does; what is wrong with a frame is left to the check."""
+
+    def __init__(self, found: Collected, dialect: str, reply: bool | None) -> None:
+        super().__init__(found, CaptureOptions(dialect=dialect), Wants(0, reply))
+        self._found = found
+
+    def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
+        """A frame of a text; one that is not all there is complained about."""
+        if pasted.cut:
+            super().piece(piece, pasted, source)
+        else:
+            self._found.write(piece.message)
 
 
 @click.command()
@@ -86,7 +103,7 @@ def send(
       ev3proto send wifi:127.0.0.1 "0x|06:00|2A:00|00|00:00|01|"
     """  # noqa: D301 - the mark by which click leaves lines as they are
     found = Collected()
-    encoding = Encoding(found, CaptureOptions(dialect=dialect), Wants(0, reply))
+    encoding = _Commands(found, dialect, reply)
     for source in sources(names):
         encoding.read(source)
     if not found.commands:

@@ -14,7 +14,9 @@ from ev3proto.link.commands import Prepared, Result
 from ev3proto.link.errors import ConnectionLostError, LinkError, NoAnswerError
 from ev3proto.link.reply_stream import Garbage
 from ev3proto.link.session import Answered, Event, Request, Session
+from ev3proto.schema.header import HEADER_SIZE, Header
 from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.frame import MessageType
 
 TURN = 0.1
 """Seconds after which the reading thread looks whether the connection was closed, where nothing can wake it."""
@@ -97,6 +99,18 @@ class Channel:
             ConnectionLostError: The connection is gone.
         """
         return self._send(None, lambda: self._session.adopt(frame), before)
+
+    def send_again(self, frame: bytes) -> Ticket:
+        """Sends a frame with a new counter, which is chosen here.
+
+        Args:
+            frame: A whole frame whose type is known.
+
+        Raises:
+            ConnectionLostError: The connection is gone.
+        """
+        kind = MessageType(Header.read(frame).type)
+        return self._send(None, lambda: self._session.command(kind, frame[HEADER_SIZE:]), None)
 
     def _send(
         self, prepared: Prepared | None, make: Callable[[], Request], before: Callable[[bytes], None] | None

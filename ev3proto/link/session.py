@@ -148,7 +148,7 @@ class Session:
         self._answered.pop(request.counter, None)
         self._abandoned.pop(request.counter, None)
         self._waiting[request.counter] = request
-        self._pairing.remember(_key(request.frame), 0, request)
+        self._pairing.remember(pairing_key(request.frame), 0, request)
 
     def abandon(self, request: Request) -> None:
         """Waits no more for the reply to a command. Its counter is not used again for as long as that is possible."""
@@ -171,7 +171,7 @@ class Session:
         _, counter, code = Header.read(frame)
         if MessageType(code).is_command:
             return Stray(Oddity.UNASKED, frame)
-        request = self._pairing.answered(_key(frame), None)
+        request = self._pairing.answered(pairing_key(frame), None)
         if request is not None and self._waiting.get(counter) is request:
             del self._waiting[counter]
             self._answered.add(counter, None)
@@ -194,7 +194,7 @@ class Session:
         raise LinkError(f"{COUNTERS} commands wait for their reply: no counter is left for another one")
 
 
-def _key(frame: bytes) -> tuple[str, int, int]:
+def pairing_key(frame: bytes) -> tuple[str, int, int]:
     """What a command and its reply have in common: whose message it is, the counter, and the system command."""
     _, counter, code = Header.read(frame)
     carries = MessageType(code).carries

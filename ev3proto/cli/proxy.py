@@ -1,0 +1,174 @@
+"""`ev3proto proxy`: a WiFi brick that hands everything on to another brick, shows it and records it."""
+
+from __future__ import annotations
+
+import ipaddress
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from random import Random
+from typing import TYPE_CHECKING, BinaryIO
+
+import click
+
+from ev3proto.cli.output import complain
+from ev3proto.cli.show import Show
+from ev3proto.cli.targets import TargetType
+from ev3proto.tables.declaration import DIALECTS
+from ev3proto.tables.discovery import TCP_PORT
+
+if TYPE_CHECKING:
+    from ev3proto.capture.dialogues import RequestReply
+    from ev3proto.link.proxy import Proxy
+    from ev3proto.link.targets import Target
+
+_LOOPBACK = "127.0.0.1"
+_SHARE = click.FloatRange(0, 1)
+_MOST_DELAY = 60
+
+
+@click.command()
+@click.option(
+    "--listen",
+    default="wifi",
+    show_default=True,
+    metavar="wifi[:ADDRESS[:PORT]]",
+    help="Where programs connect; only this computer and port 5555 unless another address is named.",
+)
+@click.option("--to", "target", type=TargetType(), required=True, help="The brick, as `ev3proto send` takes it.")
+@click.option("--record", metavar="FILE", help="Capture (pcapng) to write; - writes it to standard output.")
+@click.option("--read-only", is_flag=True, help="Let nothing through that changes the brick.")
+@click.option("--hide", is_flag=True, help="Write over names, addresses and PINs in what is recorded and shown.")
+@click.option("--from", "only_from", metavar="ADDRESS", help="Serve only clients with this address.")
+@click.option(
+    "--delay", type=click.FloatRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold replies back."
+)
+@click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies that are lost, 0 to 1.")
+@click.option(
+    "--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte, 0 to 1."
+)
+@click.option("--seed", type=int, metavar="NUMBER", help="Lose and change the same replies every time.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line: a command with its reply.")
+@click.option("--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True)
+def proxy(
+    listen: str,
+    target: Target,
+    record: str | None,
+    read_only: bool,
+    hide: bool,
+    only_from: str | None,
+    delay: float,
+    drop: float,
+    corrupt: float,
+    seed: int | None,
+    as_json: bool,
+    dialect: str,
+) -> None:
+    """Stands between a program and a brick, shows what they say and records it.
+
+    The program sees a WiFi brick; the real one may be on USB, Bluetooth or WiFi. No sniffer is needed, and no rights.
+    One client is served at a time. Ctrl-C ends it. The first line that it prints says where it listens.
+
+    \b
+      ev3proto proxy --to usb
+      ev3proto proxy --listen wifi:127.0.0.1:5556 --to wifi:192.0.2.10 --record talk.pcapng
+      ev3proto proxy --to bluetooth:00:16:53:42:2B:99 --record - | wireshark -k -i -
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    from ev3proto.brick.servers.faults import Faults
+    from ev3proto.link.carriers import open_wire
+    from ev3proto.link.errors import LinkError
+    from ev3proto.link.proxy import Proxy, ProxyOptions
+
+    address, port = _place(listen)
+    options = ProxyOptions(
+        address, port, _address(only_from), read_only, hide, Faults(delay, drop, corrupt, Random(seed)), dialect
+    )
+    with ExitStack() as stack:
+        stream = _recorded_to(record, stack)
+        shown = _Shown(as_json=as_json, is_quiet=record == "-")
+        try:
+            from ev3proto.link.recording import Recording
+
+            recording = None if stream is None else Recording(stream)
+            wire = open_wire(target)
+            stack.callback(wire.close)
+            standing = Proxy(wire, str(target), options, show=shown, say=complain, recording=recording)
+        except (LinkError, OSError) as error:
+            complain(str(error))
+            sys.exit(1)
+        shown.start_ns = standing.records.start_ns
+        if not ipaddress.ip_address(address).is_loopback:
+            complain(f"Everybody who reaches {address} can talk to the brick through this proxy (--from, --read-only).")
+        say = complain if record == "-" else click.echo
+        with _ended_by_signals(standing):
+            say(f"listening on {f'[{address}]' if ':' in address else address}:{standing.port}")
+            sys.stdout.flush()
+            standing.serve()
+    if standing.lost is not None:
+        complain(str(standing.lost))
+        sys.exit(1)
+
+
+class _Shown:
+    """Shows each command with its reply as soon as that is there."""
+
+    def __init__(self, *, as_json: bool, is_quiet: bool) -> None:
+        self.start_ns = 0
+        self._show = None if is_quiet else Show("json" if as_json else None)
+
+    def __call__(self, pair: RequestReply) -> None:
+        if self._show is not None:
+            self._show.dialogue(pair, self.start_ns)
+            sys.stdout.flush()
+
+
+def _place(listen: str) -> tuple[str, int]:
+    """Address and port to listen at. Raises click.BadParameter."""
+    from ev3proto.link.targets import Target, Way
+
+    try:
+        found = Target.parse(listen) if not listen.endswith(":0") else Target.parse(listen[:-2])
+        if found.way is not Way.WIFI:
+            raise ValueError(f"{listen!r}: a proxy listens as a WiFi brick: wifi, wifi:ADDRESS or wifi:ADDRESS:PORT")
+        address = found.host or _LOOPBACK
+        ipaddress.ip_address(address)
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint="--listen") from None
+    return address, 0 if listen.endswith(":0") else found.port or TCP_PORT
+
+
+def _address(text: str | None) -> str | None:
+    if text is None:
+        return None
+    try:
+        return str(ipaddress.ip_address(text))
+    except ValueError:
+        raise click.BadParameter(f"{text[:60]!r} is no address such as 192.0.2.1", param_hint="--from") from None
+
+
+def _recorded_to(record: str | None, stack: ExitStack) -> BinaryIO | None:
+    """The stream of the recording; None without one. Ends the program where it cannot be opened."""
+    if record is None:
+        return None
+    if record == "-":
+        if sys.stdout.isatty():
+            raise click.UsageError("a capture would garble the terminal: pipe it, or give --record FILE")
+        return click.get_binary_stream("stdout")
+    try:
+        return stack.enter_context(open(record, "wb"))  # noqa: PTH123 - a name as it was typed
+    except OSError as error:
+        complain(f"{record}: cannot be written: {error.strerror or error}")
+        sys.exit(1)
+
+
+@contextmanager
+def _ended_by_signals(standing: Proxy) -> Iterator[None]:
+    """While it lasts, Ctrl-C and being asked to terminate end the proxy in order."""
+    numbers = (signal.SIGINT, signal.SIGTERM)
+    before = {number: signal.signal(number, lambda *_: standing.stop()) for number in numbers}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)

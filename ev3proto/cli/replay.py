@@ -1,0 +1,194 @@
+"""`ev3proto replay`: the commands of a capture once more, and how the replies differ."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections import Counter
+from typing import TYPE_CHECKING
+
+import click
+
+from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.send import REPLY_TIMEOUT
+from ev3proto.cli.show import Show
+from ev3proto.cli.targets import TargetType, channel_to
+from ev3proto.errors import counted, near_misses
+from ev3proto.link.harm import Harm
+from ev3proto.text.dialogues import command_spans
+from ev3proto.text.spans import Role
+
+if TYPE_CHECKING:
+    from ev3proto.link.channel import Channel
+    from ev3proto.link.replay import Step
+    from ev3proto.link.targets import Target
+
+_EVERYTHING = "all"
+_NANOSECONDS = 1_000_000_000
+
+
+def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[str, ...]) -> frozenset[str]:
+    """What is allowed: groups in lower case, operations in upper case. Raises click.BadParameter for anything else."""
+    from ev3proto.tables import operations
+    from ev3proto.tables.system import SYSTEM
+
+    known = {*operations(), *(entry.name for entry in SYSTEM)}
+    found: set[str] = set()
+    for name in (part.strip() for text in given for part in text.split(",")):
+        if name.lower() == _EVERYTHING:
+            found |= set(Harm)
+        elif name.lower() in set(Harm):
+            found.add(Harm(name.lower()))
+        elif name.upper() in known:
+            found.add(name.upper())
+        else:
+            hint = near_misses(name, known) or f"; it must be an operation, {_EVERYTHING}, or one of {', '.join(Harm)}"
+            raise click.BadParameter(f"{name[:60]!r} is nothing that could be allowed{hint}")
+    return frozenset(found)
+
+
+@click.command()
+@click.argument("name", metavar="CAPTURE")
+@click.option("--to", "target", type=TargetType(), required=True, help="The brick, as `ev3proto send` takes it.")
+@click.option(
+    "--allow",
+    "allowed",
+    multiple=True,
+    callback=_allowed,
+    metavar="NAME",
+    help=f"Send also what does this: {', '.join(Harm)}, {_EVERYTHING}, or an operation such as OUTPUT_START.",
+)
+@click.option("--dry-run", is_flag=True, help="Send nothing; show what would be sent and what left out.")
+@click.option("--fast", is_flag=True, help="As fast as answers come, not at the pace of the capture.")
+@click.option(
+    "--timeout",
+    type=click.FloatRange(0, min_open=True),
+    default=REPLY_TIMEOUT,
+    show_default=True,
+    metavar="SECONDS",
+    help="How long to wait for each reply.",
+)
+@reading_options
+def replay(
+    name: str,
+    target: Target,
+    allowed: frozenset[str],
+    dry_run: bool,
+    fast: bool,
+    timeout: float,
+    reading: CaptureOptions,
+) -> None:
+    """Sends the commands of a capture again, and tells how the replies differ from the recorded ones.
+
+    What changes or harms a brick is left out and listed, unless --allow names it: what deletes or writes files, moves
+    motors, changes settings, controls programs, presses buttons, writes to devices, restarts the brick, erases
+    firmware, runs SYSTEM, and what cannot be read. Handles of files are those that the brick gives now; counters are
+    new.
+
+    Exit status: 0 where every reply is of the recorded kind, with whatever values; 1 where one is missing or other.
+
+    \b
+      ev3proto replay robot.pcapng --to virtual
+      ev3proto replay robot.pcapng --to usb --dry-run
+      ev3proto replay robot.pcapng --to wifi --fast --allow motors,settings
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    from ev3proto.capture.dialogues import dialogues
+    from ev3proto.link.replay import steps
+
+    capture = CaptureSource(name, reading)
+    found = steps(dialogues(capture.events()), allowed)
+    if not found:
+        if not capture.status:
+            complain(f"{capture.label}: there is no command in it")
+        sys.exit(1)
+    if dry_run:
+        _show_plan(found)
+        sys.exit(capture.status)
+    with channel_to(target) as channel:
+        is_fine = _Replaying(channel, str(target), timeout, reading.dialect, fast=fast).run(found)
+    sys.exit(0 if is_fine and not capture.status else 1)
+
+
+def _show_plan(found: list[Step]) -> None:
+    printer = Printer()
+    for step in found:
+        command = command_spans(step.command.message)
+        if step.harms:
+            printer.lines([[("left out  ", Role.FAULT), *command, (_why(step), Role.ASIDE)]])
+        else:
+            printer.lines([[("sent      ", Role.VALUE), *command]])
+    left_out = sum(bool(step.harms) for step in found)
+    complain(f"{counted(len(found) - left_out, 'command')} would be sent, {left_out} left out")
+
+
+def _why(step: Step) -> str:
+    return "".join(f"; {name} {harm.text} (--allow {harm})" for harm, name in step.harms.items())
+
+
+class _Replaying:
+    """Sends the steps and shows what comes of them."""
+
+    def __init__(self, channel: Channel, peer: str, timeout: float, dialect: str, *, fast: bool) -> None:
+        from ev3proto.link.records import Records
+        from ev3proto.link.replay import Handles
+
+        self._channel = channel
+        self._records = Records(channel.carrier, peer, dialect)
+        self._handles = Handles()
+        self._timeout = timeout
+        self._dialect = dialect
+        self._fast = fast
+        self._show = Show(None)
+        self._printer = Printer()
+        self._counts: Counter[str] = Counter()
+
+    def run(self, found: list[Step]) -> bool:
+        """Sends all steps. Returns whether every reply is of the recorded kind."""
+        from ev3proto.link.errors import ConnectionLostError
+        from ev3proto.link.replay import Likeness
+
+        begin, begin_ns = time.monotonic(), found[0].command.time_ns
+        try:
+            for step in found:
+                if step.harms:
+                    self._counts["left out"] += 1
+                    line = [("left out: ", Role.FAULT), *command_spans(step.command.message), (_why(step), Role.ASIDE)]
+                    self._printer.lines([line])
+                    continue
+                if not self._fast:
+                    due = begin + (step.command.time_ns - begin_ns) / _NANOSECONDS
+                    time.sleep(max(0.0, due - time.monotonic()))
+                self._step(step)
+        except ConnectionLostError as error:
+            complain(str(error))
+            return False
+        counts = self._counts
+        complain(
+            f"{counted(len(found) - counts['left out'], 'command')} sent, {counts['left out']} left out; answered"
+            f" {', '.join(f'{counts[each.value]} {each.value}' for each in Likeness)}"
+        )
+        return not counts[Likeness.KIND.value]
+
+    def _step(self, step: Step) -> None:
+        from ev3proto.capture.dialogues import RequestReply
+        from ev3proto.link.errors import NoAnswerError
+        from ev3proto.link.replay import Likeness, compare
+
+        ticket = self._channel.send_again(self._handles.frame_for(step.command))
+        frame = ticket.request.frame
+        command = self._records.sent(frame)
+        reply: bytes | None = None
+        try:
+            reply = self._channel.wait(ticket, self._timeout) or None
+        except NoAnswerError as error:
+            complain(str(error))
+        received = None if reply is None else self._records.received(reply, command)
+        self._show.dialogue(RequestReply(command, received), self._records.start_ns)
+        if reply is not None:
+            self._handles.learn(step.reply, reply)
+        likeness, difference = compare(step, frame, reply, self._dialect)
+        self._counts[likeness.value] += 1
+        if difference:
+            role = Role.FAULT if likeness is Likeness.KIND else Role.MEANING
+            self._printer.lines([[(f"{'':20} {difference}", role)]])

@@ -1,0 +1,337 @@
+"""The proxy: a WiFi brick for any program, which hands all that it is sent to another brick, and the answers back.
+
+One client is served at a time, as a brick does it; others wait. Frames go through as they are, counters included.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import queue
+import socket
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from ev3proto.brick.servers.faults import Faults
+from ev3proto.capture.dialogues import RequestReply
+from ev3proto.capture.record import Record
+from ev3proto.link.carriers import Wire
+from ev3proto.link.errors import ConnectionLostError, PortInUseError
+from ev3proto.link.harm import Harm, harms_of
+from ev3proto.link.masking import masked
+from ev3proto.link.recording import Recording
+from ev3proto.link.records import Records
+from ev3proto.link.reply_stream import Garbage, ReplyStream
+from ev3proto.link.session import pairing_key
+from ev3proto.messages import Message, SystemCommand
+from ev3proto.schema.header import build_frame
+from ev3proto.semantics.pairing import Pairing
+from ev3proto.stream import Decoder, StreamError
+from ev3proto.tables.discovery import ACCEPT, UNLOCK_REQUEST
+from ev3proto.tables.frame import MessageType
+from ev3proto.tables.system import SystemStatus
+
+_UNLOCK = UNLOCK_REQUEST[1:].encode()
+"""What the firmware looks for in the first bytes."""
+
+_FIRST_READ = 100
+"""Bytes that the firmware reads to find it; what else is among them is lost."""
+
+_CHUNK = 1 << 14
+_TURN = 0.1
+_UNLOCK_TIME = 30.0
+_SEND_TIME = 30.0
+_MOST_WAITING = 1024
+
+
+@dataclass(frozen=True)
+class ProxyOptions:
+    """What is wanted of a proxy.
+
+    address       of this computer, where clients connect
+    port          0 for any that is free
+    only_from     the address that clients must have; None for any
+    is_read_only  nothing goes through that changes the brick
+    is_masked     names, addresses and PINs are left out of the recording and of what is shown
+    faults        what happens to replies
+    dialect       the firmware's instruction set
+    """
+
+    address: str = "127.0.0.1"
+    port: int = 0
+    only_from: str | None = None
+    is_read_only: bool = False
+    is_masked: bool = False
+    faults: Faults = field(default_factory=Faults)
+    dialect: str = "official"
+
+
+Shown = Callable[[RequestReply], None]
+"""Is given each command with its reply, or without one where it wants none."""
+
+Say = Callable[[str], None]
+"""Is told what the user of the proxy should know."""
+
+
+class Proxy:
+    """Stands between clients and a brick.
+
+    port  where it listens
+    lost  why the connection to the brick is gone; None while it is there
+    """
+
+    def __init__(
+        self,
+        wire: Wire,
+        peer: str,
+        options: ProxyOptions,
+        *,
+        show: Shown,
+        say: Say,
+        recording: Recording | None = None,
+    ) -> None:
+        """Opens the port.
+
+        Args:
+            wire: The brick.
+            peer: What it is called in what is shown.
+            options: What is wanted.
+            show: Is given what goes by.
+            say: Is told, in sentences, what is odd.
+            recording: Is given what goes by, too.
+
+        Raises:
+            PortInUseError: The port is not to be had.
+        """
+        self.lost: ConnectionLostError | None = None
+        self.records = Records(wire.carrier, peer, options.dialect)
+        self._wire = wire
+        self._options = options
+        self._show = show
+        self._say = say
+        self._recording = recording
+        self._lock = threading.Lock()
+        self._pairing: Pairing[Record] = Pairing(_MOST_WAITING)
+        self._client: socket.socket | None = None
+        self._is_over = threading.Event()
+        self._delayed: queue.Queue[tuple[float, socket.socket, bytes]] = queue.Queue(_MOST_WAITING)
+        self._listening = _listen(options)
+        self.port: int = self._listening.getsockname()[1]
+
+    def serve(self) -> None:
+        """Serves clients until `stop` is called or the brick is gone."""
+        reader = threading.Thread(target=self._from_brick, name="reads from the brick", daemon=True)
+        reader.start()
+        if self._options.faults.delay:
+            threading.Thread(target=self._deliver_late, name="hands replies on late", daemon=True).start()
+        try:
+            while not self._is_over.is_set():
+                try:
+                    client, peer = self._listening.accept()
+                except OSError:
+                    break
+                with client:
+                    self._serve(client, peer[0])
+        finally:
+            self.stop()
+            reader.join()
+
+    def stop(self) -> None:
+        """Ends everything; may be called from another thread, or when a signal comes."""
+        self._is_over.set()
+        for each in (self._listening, self._client):
+            if each is not None:
+                with contextlib.suppress(OSError):
+                    each.shutdown(socket.SHUT_RDWR)
+        self._listening.close()
+        self._wire.stop()
+
+    # The client
+
+    def _serve(self, client: socket.socket, address: str) -> None:
+        wanted = self._options.only_from
+        if wanted is not None and address != wanted:
+            self._say(f"{address} was sent away: only {wanted} is served (--from)")
+            return
+        client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        if not _is_unlocked(client):
+            self._say(f"{address} did not send the unlock text of a WiFi brick, and was sent away")
+            return
+        client.settimeout(_SEND_TIME)
+        with self._lock:
+            self._client = client
+            self._pairing = Pairing(_MOST_WAITING)
+            self._record(lambda recording: recording.opened())
+        try:
+            self._from_client(client)
+        finally:
+            with self._lock:
+                self._client = None
+                for command in self._pairing.unanswered:
+                    self._show(RequestReply(command, None))
+                self._record(lambda recording: recording.closed())
+
+    def _from_client(self, client: socket.socket) -> None:
+        decoder = Decoder(strict=False, dialect=self._options.dialect)
+        while True:
+            try:
+                data = client.recv(_CHUNK)
+            except TimeoutError:
+                continue  # the time is for sending; a client may be silent as long as it likes
+            except OSError:
+                return
+            if not data:
+                return
+            try:
+                for message in decoder.feed(data):
+                    self._to_brick(message)
+            except StreamError as error:
+                self._say(f"the client's bytes are no frames: {error}; its connection was closed")
+                return
+            except ConnectionLostError as error:
+                self._lose(error)
+                return
+
+    def _to_brick(self, message: Message) -> None:
+        frame = message.build()
+        if self._options.is_read_only and (harms := harms_of(message)):
+            self._refuse(message, frame, harms)
+            return
+        with self._lock:
+            command = self._seen_command(frame, message.wants_reply)
+            if not message.wants_reply:
+                self._show(RequestReply(command, None))
+        self._wire.send(frame)
+
+    def _refuse(self, message: Message, frame: bytes, harms: dict[Harm, str]) -> None:
+        reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
+        self._say(f"not let through (--read-only): {reasons}")
+        with self._lock:
+            command = self._seen_command(frame, message.wants_reply)
+            if not message.wants_reply:
+                self._show(RequestReply(command, None))
+                return
+        if isinstance(message, SystemCommand):
+            kind = MessageType.SYSTEM_REPLY_ERROR
+            body = bytes((message.number, SystemStatus.NO_PERMISSION))
+        else:
+            kind, body = MessageType.DIRECT_REPLY_ERROR, b""
+        self._to_client(build_frame(kind, message.counter, body))
+
+    def _seen_command(self, frame: bytes, wants_reply: bool) -> Record:
+        shown = masked(frame, dialect=self._options.dialect) if self._options.is_masked else frame
+        self._record(lambda recording: recording.frame(shown, True))
+        command = self.records.sent(shown)
+        if wants_reply:
+            forgotten = self._pairing.remember(pairing_key(frame), 0, command)
+            if forgotten is not None:
+                self._show(RequestReply(forgotten, None))
+        return command
+
+    # The brick
+
+    def _from_brick(self) -> None:
+        stream = ReplyStream(lambda _counter: True)
+        while not self._is_over.is_set():
+            try:
+                data = self._wire.receive(_TURN)
+            except ConnectionLostError as error:
+                self._lose(error)
+                return
+            for part in stream.feed(data) if data else ():
+                if isinstance(part, Garbage):
+                    self._say(f"the brick sent {len(part.data)} bytes that are no frame: not handed on")
+                else:
+                    self._to_client(part)
+
+    def _to_client(self, frame: bytes) -> None:
+        faults = self._options.faults
+        sent = faults.befall(frame)
+        with self._lock:
+            request = self._pairing.answered(pairing_key(frame), None)
+            self._seen_reply(frame if sent is None else sent, request, is_lost=sent is None)
+            client = self._client
+        if sent is None or client is None:
+            return
+        if faults.delay:
+            self._delayed.put((time.monotonic() + faults.delay, client, sent))
+        else:
+            _deliver(client, sent)
+
+    def _deliver_late(self) -> None:
+        """Hands replies on when they are due, in their order."""
+        while True:
+            due, client, frame = self._delayed.get()
+            if self._is_over.wait(max(0.0, due - time.monotonic())):
+                return
+            _deliver(client, frame)
+
+    def _seen_reply(self, frame: bytes, request: Record | None, *, is_lost: bool) -> None:
+        if is_lost:
+            self._say("a reply was dropped (--drop)")
+            if request is not None:
+                self._show(RequestReply(request, None))
+            return
+        shown = frame
+        if self._options.is_masked:
+            shown = masked(frame, None if request is None else request.frame, self._options.dialect)
+        self._record(lambda recording: recording.frame(shown, False))
+        self._show(RequestReply(request, self.records.received(shown, request)))
+
+    def _lose(self, error: ConnectionLostError) -> None:
+        if not self._is_over.is_set():
+            self.lost = error
+            self.stop()
+
+    def _record(self, write: Callable[[Recording], None]) -> None:
+        if self._recording is None:
+            return
+        try:
+            write(self._recording)
+        except OSError as error:
+            self._recording = None
+            self._say(f"nothing more is recorded: {error.strerror or error}")
+
+
+def _listen(options: ProxyOptions) -> socket.socket:
+    place = f"{options.address}:{options.port}"
+    try:
+        family = socket.AF_INET6 if ":" in options.address else socket.AF_INET
+        return socket.create_server((options.address, options.port), family=family)
+    except (OSError, OverflowError) as error:
+        code = getattr(error, "errno", None)
+        if code == errno.EADDRINUSE:
+            raise PortInUseError(
+                f"{place} is in use: end what uses it, or name another port (--listen wifi:127.0.0.1:5556)"
+            ) from None
+        if code == errno.EADDRNOTAVAIL:
+            raise PortInUseError(f"{options.address} is not an address of this computer") from None
+        raise PortInUseError(f"{place} cannot be opened: {getattr(error, 'strerror', None) or error}") from None
+
+
+def _is_unlocked(client: socket.socket) -> bool:
+    """Waits for the unlock text and accepts it."""
+    text = b""
+    deadline = time.monotonic() + _UNLOCK_TIME
+    client.settimeout(_UNLOCK_TIME)
+    try:
+        while _UNLOCK not in text:
+            piece = client.recv(_FIRST_READ)
+            if not piece or time.monotonic() > deadline:
+                return False
+            text = text[-len(_UNLOCK) :] + piece
+        client.sendall(ACCEPT)
+    except OSError:
+        return False
+    return True
+
+
+def _deliver(client: socket.socket, data: bytes) -> None:
+    """Sends a reply; a client that takes nothing any more is sent away."""
+    try:
+        client.sendall(data)
+    except OSError:
+        with contextlib.suppress(OSError):
+            client.shutdown(socket.SHUT_RDWR)

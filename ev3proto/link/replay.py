@@ -1,0 +1,141 @@
+"""A capture's commands once more: which are sent, with what in them, and how the replies differ from the recorded ones.
+
+No I/O here: somebody else sends what `frame_for` gives and feeds the replies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import Enum
+
+from ev3proto.capture.dialogues import RequestReply
+from ev3proto.capture.record import Direction, Record
+from ev3proto.link.harm import Harm, harms_of
+from ev3proto.messages import Message, SystemReply
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.semantics.replies import values_of
+from ev3proto.tables.system import SYSTEM_BY_NUMBER
+from ev3proto.text.phrases import value_text
+
+_HANDLE = "handle"
+_HANDLE_AT = HEADER_SIZE + 1
+_MOST_DIFFERENCES = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A command of a capture.
+
+    command  as it was recorded
+    reply    the recorded reply, None where there was none
+    harms    why it is left out: what it may do, and the operation that does it; empty where it is sent
+    """
+
+    command: Record
+    reply: Record | None
+    harms: dict[Harm, str]
+
+
+class Likeness(Enum):
+    """How a reply compares with the recorded one."""
+
+    SAME = "as recorded"
+    VALUES = "with other values"
+    KIND = "otherwise"
+
+
+def steps(pairs: Iterable[RequestReply], allowed: frozenset[str]) -> list[Step]:
+    """The commands of a capture in the order in which they were sent.
+
+    Args:
+        pairs: Its commands with their replies, in any order.
+        allowed: What is sent although it changes the brick: groups of `Harm`, names of operations.
+    """
+    found = [
+        Step(command, reply, _harms(command.message, allowed))
+        for command, reply in pairs
+        if command is not None and command.direction is not Direction.RECEIVED
+    ]
+    return sorted(found, key=lambda step: (step.command.time_ns, step.command.number))
+
+
+def _harms(message: Message, allowed: frozenset[str]) -> dict[Harm, str]:
+    """Why a message is left out. One whose type is not known cannot be sent with a new counter at all."""
+    return {Harm.UNKNOWN: "the frame"} if message.type is None else harms_of(message, allowed)
+
+
+class Handles:
+    """The brick's handles of open files: those that were recorded, and those that it gives now."""
+
+    def __init__(self) -> None:
+        self._now: dict[int, int] = {}
+
+    def frame_for(self, command: Record) -> bytes:
+        """The frame of a recorded command, with the handle that the file has now."""
+        frame = command.frame
+        if _has_handle(command.message) and len(frame) > _HANDLE_AT:
+            handle = frame[_HANDLE_AT]
+            return frame[:_HANDLE_AT] + bytes((self._now.get(handle, handle),)) + frame[_HANDLE_AT + 1 :]
+        return frame
+
+    def learn(self, recorded: Record | None, reply: bytes) -> None:
+        """Takes a reply, and the recorded one: a file that both open may have another handle now."""
+        if recorded is None:
+            return
+        before, now = recorded.message, parse(reply, strict=False)
+        if isinstance(before, SystemReply) and isinstance(now, SystemReply):
+            was, is_now = before.fields.get(_HANDLE), now.fields.get(_HANDLE)
+            entry = SYSTEM_BY_NUMBER.get(now.number)
+            if entry is not None and entry.transfer == "begin" and isinstance(was, int) and isinstance(is_now, int):
+                self._now[was] = is_now
+
+
+def compare(step: Step, frame: bytes, reply: bytes | None, dialect: str) -> tuple[Likeness, str]:
+    """Compares a reply with the recorded one.
+
+    Args:
+        step: What was recorded.
+        frame: The command as it was sent now.
+        reply: Its reply, None where none came.
+        dialect: The firmware whose instruction set to read by.
+
+    Returns:
+        How they compare, and what differs in words.
+    """
+    if reply is None or step.reply is None:
+        if reply is None and step.reply is None:
+            return Likeness.SAME, ""
+        return Likeness.KIND, "recorded: no reply" if step.reply is None else "recorded: a reply"
+    before, now = step.reply.message, parse(reply, strict=False, dialect=dialect)
+    if (before.type, _status(before)) != (now.type, _status(now)):
+        return Likeness.KIND, f"recorded: {_kind(before)}"
+    if step.reply.frame[HEADER_SIZE:] == reply[HEADER_SIZE:]:
+        return Likeness.SAME, ""
+    values = values_of(now, parse(frame, strict=False, dialect=dialect))
+    changed = [
+        f"{was.name}={value_text(was)}"
+        for was, is_now in zip(step.reply.values, values, strict=False)
+        if was.value != is_now.value and was.name != _HANDLE
+    ]
+    if not changed and len(values) == len(step.reply.values) and values:
+        return Likeness.SAME, ""  # only handles differ, and memory that nothing was written to
+    more = f" and {len(changed) - _MOST_DIFFERENCES} more" if len(changed) > _MOST_DIFFERENCES else ""
+    return Likeness.VALUES, f"recorded: {', '.join(changed[:_MOST_DIFFERENCES]) or 'other bytes'}{more}"
+
+
+def _has_handle(message: Message) -> bool:
+    entry = SYSTEM_BY_NUMBER.get(getattr(message, "number", -1))
+    is_command = message.type is not None and message.type.is_command and message.type.carries == "system"
+    return is_command and entry is not None and bool(entry.request) and entry.request[0].name == _HANDLE
+
+
+def _status(message: Message) -> int | None:
+    return message.status_code if isinstance(message, SystemReply) else None
+
+
+def _kind(message: Message) -> str:
+    if isinstance(message, SystemReply):
+        return f"status {message.status_code}" if message.status is None else message.status.name
+    return "no EV3 message" if message.type is None else message.type.name

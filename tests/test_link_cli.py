@@ -1,0 +1,329 @@
+"""`ev3proto send`, `replay` and `proxy`, against virtual bricks."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import re
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+from support.cli import ROOT, run_ev3proto_text
+from support.server import Client, command, free_port, served
+
+import ev3proto
+from ev3proto import EV3
+from ev3proto.brick.servers.faults import Faults
+from ev3proto.capture import Record, read
+from ev3proto.capture.dialogues import RequestReply
+from ev3proto.generate.captures import write_pcapng
+from ev3proto.link.carriers import open_wire
+from ev3proto.link.errors import ConnectionLostError, PortInUseError
+from ev3proto.link.masking import masked
+from ev3proto.link.proxy import Proxy, ProxyOptions
+from ev3proto.link.recording import Recording
+from ev3proto.link.targets import Target
+from ev3proto.text.dialogues import dialogue_line
+from ev3proto.text.spans import plain_text
+
+WIFI_CAPTURE = ROOT / "captures" / "wifi.pcapng"
+
+
+def without_times(text: str) -> list[str]:
+    return [re.sub(r"^ +[\d.]+ +(#\d+) |  [\d.]+ ms$", r"\1 ", line).strip() for line in text.splitlines()]
+
+
+# send
+
+
+def test_send_shows_the_dialogue() -> None:
+    done = run_ev3proto_text("send", "virtual", "UI_READ(GET_FW_VERS, 16, GV0(0))")
+    assert done.returncode == 0
+    assert without_times(done.stdout) == [
+        '#1 wifi virtual  UI_READ.GET_FW_VERS(LENGTH=16, DESTINATION=GV(0)) -> DESTINATION="V1.04H"'
+    ]
+
+
+def test_send_takes_frames_in_any_form_and_passes_replies_over(tmp_path: Path) -> None:
+    log = tmp_path / "robot.log"
+    log.write_text("09:12:31.011558 Sent 0x|08:00|2A:00|00|01:00|7C:04:60|\n09:12:31.02 Recv 0x|04:00|2A:00|02|64|\n")
+    done = run_ev3proto_text("send", "virtual", "--json", log)
+    assert done.returncode == 0
+    entry = json.loads(done.stdout)
+    assert entry["command"]["hex"] == "08002a000001007c0460"
+    assert entry["reply"]["values"][0]["value"] == 100
+    assert done.stderr == "1 frame of the input from a brick: not sent\n"
+
+
+def test_send_sends_nothing_that_the_brick_would_refuse() -> None:
+    frame = "0x|07:00|2A:00|00|00:00|83:1F|"
+    done = run_ev3proto_text("send", "virtual", frame)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "UI_BUTTON has no CMD 31" in done.stderr
+    assert done.stderr.endswith("nothing was sent; --force sends it all the same\n")
+    forced = run_ev3proto_text("send", "virtual", "--force", frame)
+    assert forced.returncode == 1
+    assert "-> error" in forced.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "sentence"),
+    [
+        (("nowhere", "01"), 2, "'nowhere' is no target"),
+        (("bluetooth", "01"), 2, "it must be such as bluetooth:00:16:53:42:2B:99"),
+        (("virtual", "hello"), 1, "is no file, no assembly and no frame"),
+        (("wifi:127.0.0.1:1", "NOP()"), 1, "nobody listens at 127.0.0.1:1"),
+        (("serial:/dev/none", "NOP()"), 1, "there is no serial port /dev/none: pair the brick"),
+    ],
+)
+def test_send_says_what_to_do(words: tuple[str, ...], status: int, sentence: str) -> None:
+    done = run_ev3proto_text("send", *words)
+    assert (done.returncode, done.stdout) == (status, "")
+    assert sentence in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+# replay
+
+
+def test_replay_leaves_out_what_changes_the_brick() -> None:
+    done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run")
+    assert done.returncode == 0
+    left_out = [line for line in done.stdout.splitlines() if line.startswith("left out")]
+    assert "OUTPUT_START makes motors turn (--allow motors)" in left_out[0]
+    assert "BEGIN_DOWNLOAD creates or changes files (--allow files)" in left_out[1]
+    assert done.stderr == "18 commands would be sent, 6 left out\n"
+
+
+def test_replay_allows_what_is_named() -> None:
+    done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run", "--allow", "motors,BEGIN_DOWNLOAD")
+    assert done.stderr == "21 commands would be sent, 3 left out\n"
+    done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--dry-run", "--allow", "engines")
+    assert done.returncode == 2
+    assert "'engines' is nothing that could be allowed" in done.stderr
+
+
+def test_replay_tells_how_the_replies_differ() -> None:
+    done = run_ev3proto_text("replay", WIFI_CAPTURE, "--to", "virtual", "--fast")
+    assert done.returncode == 1
+    lines = without_times(done.stdout)
+    battery = next(number for number, line in enumerate(lines) if "UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.5" in line)
+    assert lines[battery + 1] == "recorded: VALUE=7.92 V"
+    assert done.stderr.endswith(
+        "18 commands sent, 6 left out; answered 4 as recorded, 7 with other values, 7 otherwise\n"
+    )
+
+
+def test_replay_of_a_transfer_uses_the_handle_that_the_brick_gives(tmp_path: Path) -> None:
+    (tmp_path / "brick" / "prjs").mkdir(parents=True)
+    (tmp_path / "brick" / "prjs" / "x").write_bytes(bytes(20))
+    frames = [
+        ev3proto.system.begin_upload("../prjs/x", 10, counter=1),
+        ev3proto.system_reply("BEGIN_UPLOAD", counter=1, size=20, handle=9, data=bytes(10)),
+        ev3proto.system.continue_upload(9, 10, counter=2),
+        ev3proto.system_reply("CONTINUE_UPLOAD", counter=2, status=8, handle=9, data=bytes(10)),
+    ]
+    capture = tmp_path / "upload.pcapng"
+    with capture.open("wb") as stream:
+        write_pcapng(frames, stream)
+    done = run_ev3proto_text("replay", capture, "--to", f"virtual:{tmp_path / 'brick'}")
+    assert done.stderr == "2 commands sent, 0 left out; answered 2 as recorded, 0 with other values, 0 otherwise\n"
+    assert "CONTINUE_UPLOAD handle=0 max_bytes=10 -> END_OF_FILE handle=0" in done.stdout
+    assert done.returncode == 0
+
+
+# proxy
+
+
+def line_of(pair: RequestReply) -> str:
+    command = None if pair.command is None else pair.command.message
+    reply = None if pair.reply is None else pair.reply.exchange
+    return plain_text(dialogue_line(command, reply, None))
+
+
+class Standing:
+    """A proxy in a thread, what it showed and what it said."""
+
+    def __init__(self, target: str, recording: Recording | None = None, **options: Any) -> None:
+        self.shown: list[str] = []
+        self.said: list[str] = []
+        self.proxy = Proxy(
+            open_wire(Target.parse(target)),
+            target,
+            ProxyOptions(**options),
+            show=lambda pair: self.shown.append(line_of(pair)),
+            say=self.said.append,
+            recording=recording,
+        )
+        self.thread = threading.Thread(target=self.proxy.serve)
+        self.thread.start()
+
+
+@contextlib.contextmanager
+def standing(target: str, recording: Recording | None = None, **options: Any) -> Iterator[Standing]:
+    found = Standing(target, recording, **options)
+    try:
+        yield found
+    finally:
+        found.proxy.stop()
+        found.thread.join(10)
+        assert not found.thread.is_alive()
+
+
+def through(found: Standing) -> EV3:
+    return EV3(protocol=ev3proto.WIFI, address=("127.0.0.1", found.proxy.port), timeout=5.0)
+
+
+def test_a_program_talks_through_the_proxy(tmp_path: Path) -> None:
+    with served(tmp_path) as brick, standing(f"wifi:127.0.0.1:{brick.port}") as found:
+        for _ in range(2):  # one client after the other
+            with through(found) as my_ev3:
+                assert my_ev3.volume == 100
+                my_ev3.download(bytes(3000), "../prjs/x.bin")
+        assert found.shown[0] == "INFO.GET_VOLUME(VALUE=GV(0)) -> VALUE=100 %"
+        assert found.shown[1] == 'BEGIN_DOWNLOAD size=3000 path="../prjs/x.bin" -> SUCCESS handle=0'
+        assert found.said == []
+
+
+def test_what_goes_through_is_recorded(tmp_path: Path) -> None:
+    stream = io.BytesIO()
+    with standing("virtual", Recording(stream)) as found, through(found) as my_ev3:
+        my_ev3.send_direct_cmd(ev3proto.ops.ui_write.led(2))
+        assert my_ev3.name == "EV3"
+    (tmp_path / "talk.pcapng").write_bytes(stream.getvalue())
+    records = [event for event in read(tmp_path / "talk.pcapng").events() if isinstance(event, Record)]
+    assert [record.message.kind for record in records] == ["direct-command", "direct-command", "direct-reply"]
+    assert records[2].values[0].value == "EV3"
+    assert records[2].request is records[1]
+
+
+def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
+    with standing("virtual", is_read_only=True) as found, through(found) as my_ev3:
+        with pytest.raises(ev3proto.DirectCommandError):
+            my_ev3.name = "other"
+        with pytest.raises(ev3proto.SystemCommandError, match="NO_PERMISSION"):
+            my_ev3.mkdir("../prjs/a")
+        my_ev3.send_direct_cmd(b"\xff\xff\xff")  # nobody knows what that does
+        assert my_ev3.name == "EV3"
+        assert found.said == [
+            "not let through (--read-only): COM_SET.SET_BRICKNAME changes settings",
+            "not let through (--read-only): CREATE_DIR creates or changes files",
+            "not let through (--read-only): the frame does what cannot be told, because not all of it can be read",
+        ]
+
+
+def test_names_and_pins_can_be_left_out(tmp_path: Path) -> None:
+    stream = io.BytesIO()
+    with standing("virtual", Recording(stream), is_masked=True) as found, through(found) as my_ev3:
+        my_ev3.name = "secret"
+        assert my_ev3.name == "secret"
+    assert found.shown == ['COM_SET.SET_BRICKNAME(NAME="xxxxxx") -> ok', *found.shown[1:]]
+    assert found.shown[1].endswith('-> NAME="xxxxxx"')
+    assert b"secret" not in stream.getvalue()
+
+
+def test_what_is_masked() -> None:
+    pin = ev3proto.system_command("BLUETOOTHPIN", mac="001653120001", pin="1200")
+    assert masked(pin.build()) == pin.build().replace(b"001653120001", b"x" * 12).replace(b"1200\0", b"xxxx\0")
+    told = ev3proto.system_reply("BLUETOOTHPIN", mac="001653120001", pin="1200")
+    assert b"1200" not in masked(told.build())
+    tone = ev3proto.command(ev3proto.ops.sound.play(100, "./ui/x")).build()
+    assert masked(tone) == tone
+
+
+@pytest.mark.parametrize(("faults", "sentence"), [(Faults(drop=1.0), "within"), (Faults(delay=0.3), "within")])
+def test_faults_on_purpose(faults: Faults, sentence: str) -> None:
+    with standing("virtual", faults=faults) as found, through(found) as my_ev3:
+        with pytest.raises(ev3proto.NoAnswerError, match=sentence):
+            my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC", timeout=0.1)
+        if faults.delay:
+            assert my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC") == b""
+
+
+def test_replies_with_a_wrong_byte() -> None:
+    faults = Faults(corrupt=1.0, random=Random(1))
+    with (
+        standing("virtual", faults=faults) as found,
+        through(found) as my_ev3,
+        pytest.raises(ev3proto.NoAnswerError),
+    ):
+        my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC", timeout=0.1)
+
+
+def test_strangers_are_sent_away() -> None:
+    with standing("virtual", only_from="127.0.0.2") as found:
+        with pytest.raises(ev3proto.NoBrickError):
+            through(found)
+        assert found.said == ["127.0.0.1 was sent away: only 127.0.0.2 is served (--from)"]
+
+
+def test_garbage_of_a_client_ends_its_connection_only() -> None:
+    with standing("virtual") as found:
+        with Client(found.proxy.port) as client:
+            client.send(b"\xff" * 9)
+            with pytest.raises(ConnectionError):
+                client.reply()
+        with Client(found.proxy.port) as client:
+            assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
+        assert "the client's bytes are no frames" in found.said[0]
+
+
+def test_the_brick_goes_away(tmp_path: Path) -> None:
+    with served(tmp_path) as brick:
+        found = Standing(f"wifi:127.0.0.1:{brick.port}")
+        my_ev3 = through(found)
+        assert my_ev3.volume == 100
+    found.thread.join(10)
+    assert isinstance(found.proxy.lost, ConnectionLostError)
+    with pytest.raises(ev3proto.ConnectionLostError):
+        my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC")
+
+
+def test_the_port_of_the_proxy_is_in_use() -> None:
+    with standing("virtual") as found, pytest.raises(PortInUseError, match="is in use: end what uses it"):
+        Standing("virtual", port=found.proxy.port)
+
+
+def test_the_proxy_as_a_program_records_into_a_pipe() -> None:
+    port = free_port()
+    words = ["proxy", "--listen", f"wifi:127.0.0.1:{port}", "--to", "virtual", "--record", "-"]
+    with subprocess.Popen(
+        [sys.executable, "-m", "ev3proto", *words], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stderr is not None
+        assert process.stdout is not None
+        assert process.stderr.readline() == f"listening on 127.0.0.1:{port}\n".encode()
+        with EV3(protocol=ev3proto.WIFI, address=("127.0.0.1", port)) as my_ev3:
+            assert my_ev3.volume == 100
+        process.send_signal(signal.SIGINT)
+        data = process.stdout.read()
+        assert process.wait(10) == 0
+        assert process.stderr.read() == b""
+    records = [event for event in read(io.BytesIO(data)).events() if isinstance(event, Record)]
+    assert records[1].values[0].value == 100
+
+
+def test_the_proxy_says_where_it_listens_and_who_may_come() -> None:
+    port = free_port(7000)
+    words = ["proxy", "--listen", f"wifi:127.0.0.1:{port}", "--to", "virtual"]
+    with subprocess.Popen([sys.executable, "-m", "ev3proto", *words], cwd=ROOT, stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == f"listening on 127.0.0.1:{port}\n".encode()
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(10) == 0
+    for words, sentence in (
+        (["--listen", "usb", "--to", "virtual"], "a proxy listens as a WiFi brick"),
+        (["--to", "virtual", "--from", "home"], "'home' is no address such as 192.0.2.1"),
+        (["--to", "nowhere"], "'nowhere' is no target"),
+    ):
+        done = run_ev3proto_text("proxy", *words)
+        assert done.returncode == 2
+        assert sentence in done.stderr

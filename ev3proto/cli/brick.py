@@ -79,7 +79,7 @@ class _WithDifferences(click.Command):
     "--script",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="TOML file that says what is plugged in and what happens; see ev3proto.brick.servers.script.",
+    help="TOML file that says what is plugged in and what happens.",
 )
 @click.option(
     "--record", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Capture (pcapng) to write."
@@ -131,6 +131,18 @@ def brick(
       ev3proto brick
       ev3proto brick --http --script robot.toml
       ev3proto brick --serial /tmp/ev3 --record talk.pcapng --report
+
+    \b
+    A script says what is plugged in, with raw readings by mode, and what happens:
+      period = 4.0               # begin again after so many seconds
+      [ports.1]
+      type = "TYPE_TOUCH"
+      [ports.B]
+      type = "TYPE_TACHO"
+      [[steps]]
+      at = 1.5                   # seconds
+      ports.1.0 = 4000           # mode 0 of port 1
+      press = "enter"            # or release = "enter"
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if coverage:
         _show_coverage(dialect)

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ev3proto.checking.checking import check
+from ev3proto.checking.report import Severity
 from ev3proto.schema.header import HEADER
 from ev3proto.text.spans import Line, Role
 
 if TYPE_CHECKING:
     from ev3proto.brick.servers.host import Connection
-    from ev3proto.checking.report import Report
+    from ev3proto.checking.report import Finding, Report
 
 _MOST_KINDS = 200
 """Different findings that are kept."""
@@ -32,6 +33,7 @@ class _Found:
     """A kind of finding: the first frame that has it, who sent that, and in how many frames it is."""
 
     report: Report
+    finding: Finding
     sender: str
     frames: int = 0
 
@@ -71,12 +73,14 @@ class Reporter:
 
     def _check(self, connection: Connection, frame: bytes) -> tuple[Kind, ...]:
         report = check(frame, dialect=self._dialect, carrier=connection.carrier)
-        kinds = {(finding.code, finding.operation, finding.parameter): None for finding in report.findings}
-        for kind in list(kinds):
+        kinds: dict[Kind, Finding] = {}
+        for finding in report.findings:
+            kinds.setdefault((finding.code, finding.operation, finding.parameter), finding)
+        for kind, finding in list(kinds.items()):
             if kind in self._found:
                 continue
             if len(self._found) < _MOST_KINDS:
-                self._found[kind] = _Found(report, connection.name)
+                self._found[kind] = _Found(report, finding, connection.name)
             else:
                 self._left_out += 1
                 del kinds[kind]
@@ -91,16 +95,10 @@ class Reporter:
             yield [(f"{many}: no findings", Role.PLAIN)]
             return
         yield [(f"{many}, {len(self._found)} different findings", Role.HEADING)]
-        for kind, found in self._found.items():
-            code, operation, parameter = kind
-            findings = [
-                finding
-                for finding in found.report.findings
-                if (finding.code, finding.operation, finding.parameter) == (code, operation, parameter)
-            ]
+        for found in sorted(self._found.values(), key=lambda found: list(Severity).index(found.finding.severity)):
             yield []
             place = f"{found.sender}, in {found.frames} frame{'s' * (found.frames != 1)}"
-            yield from diagnostics(found.report, findings[:1], place=place, dialect=self._dialect)
+            yield from diagnostics(found.report, [found.finding], place=place, dialect=self._dialect)
         if self._left_out:
             yield []
             yield [(f"and {self._left_out} more findings of other kinds", Role.ASIDE)]

@@ -42,6 +42,7 @@ class SerialPort:
             import tty
         except ImportError:
             raise SerialError("this system has no pseudo-terminals: there is no --serial here") from None
+        self._make_raw = tty.setraw
         self.path = path
         self._host = host
         self._loop = asyncio.get_running_loop()
@@ -111,8 +112,9 @@ class SerialPort:
         if data and self._connection is not None:
             self._connection.feed(data)
         elif not data:
-            # The last program that had it open has closed it.
+            # The last program that had it open has closed it. What that changed must not hold for the next one.
             self._hang_up()
+            self._make_raw(self._master)
             self._timer = self._loop.call_later(_PERIOD, self._wait)
 
     def _write(self) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from construct.core import ConstructError
 
@@ -52,6 +52,34 @@ class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
 
 class BuildError(ConstructError, ValueError):  # type: ignore[misc]
     """Values that no frame can carry; the sentence names the parameter, the value and what would be right."""
+
+
+def as_bytes(data: Any, what: str) -> bytes:
+    """What bytes are in a bytes-like object.
+
+    Args:
+        data: The object.
+        what: What it should be, for the sentence.
+
+    Returns:
+        The bytes.
+
+    Raises:
+        TypeError: There are none in it. For hex in a text, the sentence says how bytes are made of it.
+    """
+    try:
+        return bytes(memoryview(data))
+    except TypeError:
+        pass
+    if isinstance(data, str):
+        raise TypeError(f"{what} is bytes, not text: bytes.fromhex({shortened(data)}) makes bytes of hex")
+    raise TypeError(f"{what} is bytes, not {type(data).__name__}")
+
+
+def shortened(text: str) -> str:
+    """A text in quotes, of which a sentence shows no more than its first letters."""
+    most = 16
+    return repr(text) if len(text) <= most else repr(f"{text[:most]}...")
 
 
 def counted(count: int, noun: str) -> str:

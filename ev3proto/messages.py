@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import namedtuple
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from dataclasses import fields as dataclass_fields
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
 from ev3proto.errors import BuildError, Fault
@@ -38,15 +39,28 @@ class Variable:
     def __str__(self) -> str:
         return f"{'G' if self.scope == GLOBAL else 'L'}V({self.index})"
 
+    def __repr__(self) -> str:
+        marks = ", handle=True" * self.handle + ", address=True" * self.address
+        return f"{str(self)[:-1]}{marks})"
+
+
+def _index(index: int) -> int:
+    if isinstance(index, bool) or not isinstance(index, int):
+        raise BuildError(f"the index of a variable must be a whole number, 0 or more, not {index!r}")
+    return index
+
 
 def LV(index: int, *, handle: bool = False, address: bool = False) -> Variable:  # noqa: N802 - the field's name
-    """The local variable at an index (bytes, 0 or more)."""
-    return Variable(LOCAL, index, handle, address)
+    """The local variable at an index (bytes, 0 or more). Raises BuildError for what is no number."""
+    return Variable(LOCAL, _index(index), handle, address)
 
 
 def GV(index: int, *, handle: bool = False, address: bool = False) -> Variable:  # noqa: N802 - the field's name
-    """The global variable at an index (bytes, 0 or more): what the reply carries from offset 5 + index on."""
-    return Variable(GLOBAL, index, handle, address)
+    """The global variable at an index (bytes, 0 or more): what the reply carries from offset 5 + index on.
+
+    Raises BuildError for what is no number.
+    """
+    return Variable(GLOBAL, _index(index), handle, address)
 
 
 def _getters(count: int) -> tuple[Any, ...]:
@@ -132,7 +146,13 @@ class Argument(tuple[Parameter, Encoding, ArgumentValue, int, bytes]):
         return hash((self.offset, self.raw))
 
     def __repr__(self) -> str:
-        return f"Argument({self.name}={self.value!r}, {self.encoding}, offset={self.offset})"
+        return f"Argument({self.name}={self._shown()}, {self.encoding}, offset={self.offset})"
+
+    def _shown(self) -> str:
+        """The value as Python writes it: a variable as one."""
+        if not self.is_variable:
+            return repr(self.value)
+        return repr(Variable(self.form.kind, int(self.value), self.form.handle, self.form.address))
 
 
 class OperationReader(Protocol):
@@ -255,7 +275,7 @@ class Operation(tuple[Any, ...]):
         return hash((self.raw, self.offset))
 
     def __repr__(self) -> str:
-        arguments = ", ".join(f"{argument.name}={argument.value!r}" for argument in self.arguments)
+        arguments = ", ".join(f"{argument.name}={argument._shown()}" for argument in self.arguments)
         return f"<{self.full_name}({arguments}) at {self.offset}>"
 
 
@@ -286,11 +306,18 @@ class Flaw(NamedTuple):
     stated_length: int | None = None
     headless: bool = False
 
+    def __repr__(self) -> str:
+        shown = [f"{name}={value!r}" for name, value in self._asdict().items() if value not in (None, b"", False)]
+        return f"Flaw({', '.join(shown)})"
+
 
 NO_FLAW = Flaw()
 
+_NOTHING: tuple[object, ...] = (NO_FLAW, None, 0, b"", (), {})
+"""Values of a message's fields that stand there where nobody gives others."""
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Message:
     """What every message has. A message that is no subclass is one whose type could not be told.
 
@@ -358,8 +385,16 @@ class Message:
         """What follows the header, as far as it could be read."""
         return b""
 
+    def __repr__(self) -> str:
+        # What is as it is by default says nothing.
+        names = [field.name for field in dataclass_fields(self) if field.name != "type"]
+        present = [(name, getattr(self, name)) for name in names]
+        shown = [f"{name}={value!r}" for name, value in present if value not in _NOTHING]
+        kind = [] if self.type is None else [self.type.name]
+        return f"{type(self).__name__}({', '.join([*kind, *shown])})"
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DirectCommand(Message):
     """Operations for the brick's virtual machine.
 
@@ -378,7 +413,7 @@ class DirectCommand(Message):
         )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DirectReply(Message):
     """The answer to a direct command: all of its global memory, or an error that tells nothing more."""
 
@@ -397,7 +432,7 @@ FieldValue = int | str | bytes
 """What a system message's field holds."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class SystemCommand(Message):
     """A system command: its number, its firmware name (None when the number is unknown), its fields by name."""
 
@@ -409,7 +444,7 @@ class SystemCommand(Message):
         return _byte("number", self.number) + _fields(REQUESTS, self.number, self.fields)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class SystemReply(Message):
     """The answer to a system command: which one, how it went, and what it gives back."""
 
@@ -436,7 +471,7 @@ class SystemReply(Message):
         return head + _fields(REPLIES, self.number, self.fields)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DaisyCommand(Message):
     """A message from brick to brick over the daisy chain.
 
@@ -475,7 +510,7 @@ class SensorReport(NamedTuple):
     busy: bytes = b""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DaisyReply(Message):
     """The answer over the daisy chain; `report` is the payload read as a sensor's data where it has that shape."""
 

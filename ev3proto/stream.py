@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ev3proto.errors import DecodeError, Fault
+from ev3proto.errors import DecodeError, Fault, as_bytes
 from ev3proto.messages import Message
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.header import frame_size, impossible_length, is_frame_size
@@ -60,6 +60,8 @@ class Decoder:
             the decoder is fed after that. In strict mode it raises DecodeError for a faulty frame. The frames after
             that one can still be read.
         """
+        if type(chunk) is not bytes:
+            chunk = as_bytes(chunk, "a chunk of a stream")
         if self._lost is None:
             self._buffer += chunk
         return self._messages()

@@ -452,7 +452,7 @@ def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchSt
     """Direct commands of a few operations, built from values."""
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
     return st.builds(
-        lambda found, counter, reply, sizes: constructors.direct_command(
+        lambda found, counter, reply, sizes: constructors.any_direct_command(
             *_that_fit(found, room), counter=counter, reply=reply, **sizes
         ),
         _several(operations(dialect, chosen.operations), chosen),

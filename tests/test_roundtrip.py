@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import struct
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -26,6 +27,7 @@ from ev3proto import (
     DirectCommand,
     Fault,
     Message,
+    MessageType,
     Operation,
     StreamError,
     Variable,
@@ -374,7 +376,7 @@ def test_a_dialogue_takes_any_messages(found: list[Message]) -> None:
 def test_a_reply_of_any_memory_can_be_read(command: DirectCommand, data: st.DataObject) -> None:
     """Values never reach beyond the memory that came, whatever the command says of their length."""
     dialogue = Dialogue()
-    dialogue.feed(ev3proto.direct_command(*command.operations, counter=7, reply=True, global_size=command.global_size))
+    dialogue.feed(replace(command, type=MessageType.DIRECT_COMMAND_REPLY, counter=7))
     memory = data.draw(st.binary(min_size=command.global_size, max_size=command.global_size))
     if len(memory) > 1019:
         return

@@ -58,6 +58,45 @@ def test_a_frame_is_built() -> None:
     assert bytes(EV3(counter=42) / EV3DirectCommand(operations=[tone])) == TONE
 
 
+def test_an_operation_by_itself_is_put_into_a_command() -> None:
+    tone = ev3.SOUND_TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)
+    assert bytes(EV3(counter=42) / tone) == TONE
+    assert bytes(IP() / TCP() / EV3(counter=42) / tone)[40:] == TONE
+    wanted = bytes.fromhex("0b000100000400810160821b02")
+    light = ev3.UI_WRITE_LED(PATTERN="LED_RED")
+    assert bytes(EV3(counter=1) / ev3.UI_READ_GET_VBATT() / light) == wanted
+    assert bytes(EV3(counter=1) / (ev3.UI_READ_GET_VBATT() / light)) == wanted
+    assert bytes(EV3(counter=1, type=0x80) / ev3.UI_READ_GET_VBATT()).hex() == "08000100800400810160"
+    assert bytes(EV3(counter=1) / EV3DirectCommand(local_size=4) / light).hex() == "08000100800010821b02"
+
+
+def test_the_fields_of_a_system_message_get_their_number() -> None:
+    listing = ev3.SYS_LIST_FILES(path="/", max_bytes=100)
+    assert bytes(EV3() / listing).hex() == "08000000019964002f00"
+    assert parse(bytes(EV3(counter=7) / ev3.SYS_LIST_FILES_REPLY(list_size=3, list="a/"))) == (
+        ev3proto.system_reply("LIST_FILES", counter=7, list_size=3, handle=0, list="a/")
+    )
+    assert bytes(EV3() / ev3.SYS_BOOTLOADER_GET_VERSION()).hex() == "0400000001f6"
+
+
+def test_layers_are_found_and_shown_in_what_is_put_together() -> None:
+    packet = EV3() / ev3.SOUND_TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)
+    assert packet.haslayer(ev3.SOUND_TONE)
+    assert not packet.haslayer(ev3.UI_WRITE_LED)
+    assert packet[ev3.SOUND_TONE].FREQUENCY == 440
+    shown = packet.show2(dump=True)
+    assert shown is not None
+    assert "FREQUENCY = 440 Hz" in shown
+    assert "length    = 14" in shown
+
+
+def test_what_is_put_together_can_be_fuzzed() -> None:
+    fuzzed = fuzz(EV3(type=0x80) / ev3.SOUND_TONE())
+    frames = {bytes(fuzzed) for _ in range(20)}
+    assert len(frames) > 10
+    assert all(len(frame) == int.from_bytes(frame[:2], "little") + 2 for frame in frames)
+
+
 def test_operations_of_the_codec_will_do() -> None:
     tone = operation("SOUND.TONE", 1, 440, 1000)
     packet = EV3(counter=42) / EV3DirectCommand(operations=[tone])

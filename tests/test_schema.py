@@ -203,8 +203,9 @@ def test_memory(text: str, global_size: int, local_size: int) -> None:
     assert MEMORY.build({"globals": global_size, "locals": local_size}) == frame_of(text)
     command = direct_command(f"05:00|2A:00|00|{text}")
     assert (command.global_size, command.local_size) == (global_size, local_size)
-    built = ev3proto.direct_command(counter=42, reply=True, global_size=global_size, local_size=local_size)
-    assert built.build() == frame_of(f"05:00|2A:00|00|{text}")
+    nothing = ev3proto.operation("NOP")
+    built = ev3proto.direct_command(nothing, counter=42, reply=True, global_size=global_size, local_size=local_size)
+    assert built.build() == frame_of(f"06:00|2A:00|00|{text}|01")
 
 
 # Direct commands, the published examples
@@ -804,7 +805,7 @@ def test_every_beginning_of_a_frame_is_a_message_of_its_kind(frame: str) -> None
     [
         (lambda: ev3proto.operation("MOVEF_F", 10**400, GV(0)), "a DATAF reaches from"),
         (lambda: ev3proto.operation("SOUND.TONE", 10**400, 1, 1), "VOLUME cannot be 1000"),
-        (lambda: ev3proto.operation("MOVEF_F", 1.0, GV("x")), "DESTINATION cannot be"),  # type: ignore[arg-type]
+        (lambda: ev3proto.operation("MOVEF_F", 1.0, GV("x")), "the index of a variable must be"),  # type: ignore[arg-type]
         (lambda: ev3proto.direct_reply("abc"), "memory takes bytes"),  # type: ignore[arg-type]
         (lambda: ev3proto.direct_command(b"\x01"), "is no operation"),  # type: ignore[arg-type]
         (lambda: ev3proto.system_command("WRITEMAILBOX", name="x", payload=5), "payload takes bytes"),
@@ -817,5 +818,5 @@ def test_whatever_cannot_be_built_is_a_build_error(make: Callable[[], object], c
 
 def test_only_bytes_are_parsed() -> None:
     with pytest.raises(TypeError):
-        ev3proto.parse(5)  # type: ignore[arg-type]
+        ev3proto.parse(5)  # type: ignore[call-overload]
     assert ev3proto.parse(bytearray.fromhex("0600010080000001")).counter == 1

@@ -6,6 +6,7 @@ from ev3proto.compose.drafts import Draft, draft_of
 from ev3proto.compose.layout import LIMITS, layout
 from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, Operation
+from ev3proto.schema.constructors import EMPTY_COMMAND
 from ev3proto.schema.frame import new_direct_command
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
 from ev3proto.tables.encoding import GLOBAL, LOCAL
@@ -42,7 +43,7 @@ def command(
     """
     drafts = [each if type(each) is Draft else _drafted(each) for each in operations]
     if not drafts:
-        raise BuildError("a command needs an operation: the brick refuses an empty one")
+        raise BuildError(EMPTY_COMMAND)
     encoded, globals_used, locals_used, writes_globals = layout(drafts, LOCAL if reply is False else GLOBAL)
     if reply is None:
         reply = writes_globals or bool(global_size)

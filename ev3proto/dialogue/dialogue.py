@@ -63,6 +63,8 @@ class Dialogue:
         Returns:
             What the messages before make of it.
         """
+        if not isinstance(message, Message):
+            raise TypeError(f"a dialogue takes messages, not {type(message).__name__}: ev3proto.parse(frame) makes one")
         if message.type is None:
             return Exchange(message)
         key, size = _pairing(message)

@@ -5,12 +5,17 @@
 
     tone = EV3(counter=42) / EV3DirectCommand(operations=[ev3.SOUND_TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)])
     bytes(tone), EV3(b"..."), EV3(b"...").show()
+    EV3(counter=42) / ev3.SOUND_TONE(VOLUME=1, FREQUENCY=440, DURATION=1000) / ev3.UI_FLUSH()
+    EV3() / ev3.SYS_LIST_FILES(path="/home/root/lms2012/prjs/", max_bytes=1000)
     sniff(offline="robot.pcap", session=TCPSession)
     StreamSocket(connected, EV3).sr1(question)
 
 Importing it binds EV3 to TCP port 5555. Operations are called as in the tables, with a _ for the dot (`SOUND_TONE`,
 `UI_FLUSH`), system commands SYS_LIST_FILES, what is answered to them SYS_LIST_FILES_REPLY, and those of the bootloader
 SYS_BOOTLOADER_START_APP. All of them are attributes of this module.
+
+An operation that is put on a frame by itself asks for the memory that it uses, and for a reply if it writes to what the
+reply carries. The fields of a system command get their number in the same way.
 
 An argument is a number, a text, the name of an enumeration's member or a variable (`GV(0)`), and is built in its
 shortest encoding. Bytes are one argument that is encoded already: `LC2(1)`. What is dissected is kept so where its

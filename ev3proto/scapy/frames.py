@@ -16,11 +16,11 @@ from scapy.fields import (
     StrFixedLenField,
 )
 from scapy.layers.inet import TCP, UDP
-from scapy.packet import Packet, Padding, Raw, bind_bottom_up, bind_layers, bind_top_down
+from scapy.packet import NoPayload, Packet, Padding, Raw, bind_bottom_up, bind_layers, bind_top_down
 
 from ev3proto.errors import BuildError, DecodeError
-from ev3proto.scapy.operations import OperationsField
-from ev3proto.scapy.system import EV3SystemCommand, EV3SystemReply
+from ev3proto.scapy.operations import EV3Operation, OperationsField, in_a_row, memory_of
+from ev3proto.scapy.system import SYSTEM_BODIES, EV3SystemCommand, EV3SystemReply
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import SENSOR_REPORT
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, Header, build_frame, frame_size, is_frame_size
@@ -77,6 +77,22 @@ class EV3(Packet):
         """The body, and what follows the frame."""
         end = max(int(self.length) + LENGTH_FIELD - HEADER_SIZE, 0)
         return s[:end], s[end:]
+
+    def add_payload(self, payload: Any) -> None:
+        """Puts a body into the frame.
+
+        Args:
+            payload: A body; or an operation, or the fields of a system message, which get the body that they lack. That
+                of operations asks for the memory that they use, and the frame for a reply if they write to it.
+        """
+        if not isinstance(self.payload, NoPayload) or not isinstance(payload, Packet):
+            super().add_payload(payload)
+        elif isinstance(payload, EV3Operation):
+            super().add_payload(EV3DirectCommand(operations=[]))
+            self.payload.add_payload(payload)
+        else:
+            below = SYSTEM_BODIES.get(type(payload))
+            super().add_payload(payload if below is None else below() / payload)
 
     def post_build(self, pkt: bytes, pay: bytes) -> bytes:
         """Fills in the length where none is given.
@@ -154,6 +170,20 @@ class EV3DirectCommand(Packet):
         SizeField("global_size", 0, GLOBAL_BITS, end_tot_size=-MEMORY_SIZE),
         OperationsField("operations"),
     ]
+
+    def add_payload(self, payload: Any) -> None:
+        """An operation goes after the others, and asks for the memory that it uses. Nothing else follows operations."""
+        if not isinstance(payload, EV3Operation):
+            super().add_payload(payload)
+            return
+        operations: list[Packet] = [*self.getfieldval("operations"), *in_a_row(payload)]
+        sizes = memory_of(operations)
+        self.setfieldval("operations", operations)
+        self.setfieldval("local_size", max(self.getfieldval("local_size"), sizes.local_size))
+        self.setfieldval("global_size", max(self.getfieldval("global_size"), sizes.global_size))
+        frame = self.underlayer
+        if sizes.wants_reply and isinstance(frame, EV3) and "type" not in frame.fields:
+            frame.type = MessageType.DIRECT_COMMAND_REPLY.value
 
 
 class EV3DirectReply(Packet):

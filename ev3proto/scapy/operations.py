@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from scapy.config import conf
 from scapy.fields import Field, PacketListField, XByteEnumField
 from scapy.packet import Packet
 
-from ev3proto.errors import DecodeError
+from ev3proto.compose import command
+from ev3proto.errors import BuildError, DecodeError
 from ev3proto.messages import Operation
 from ev3proto.scapy.arguments import ArgumentField, ArgumentsField, CountField, default_of
 from ev3proto.schema.argument import ArgumentSchema
@@ -112,3 +114,33 @@ def next_operation(pkt: Packet, before: Any, last: Any, remain: bytes) -> type[E
             return None
         schema = family.commands.get(int(cmd.value)) if cmd.kind == CONSTANT else None
     return None if schema is None else operation_layer(schema.declaration)
+
+
+def in_a_row(packet: Packet) -> list[Packet]:
+    """An operation and those that were put after it with `/`, each by itself."""
+    found: list[Packet] = []
+    while isinstance(packet, EV3Operation):
+        single = packet.copy()
+        single.remove_payload()
+        found.append(single)
+        packet = packet.payload
+    return found
+
+
+class Memory(NamedTuple):
+    """What operations use of a command's memory, in bytes, and whether they write to what the reply carries."""
+
+    local_size: int
+    global_size: int
+    wants_reply: bool
+
+
+def memory_of(packets: Iterable[Packet]) -> Memory:
+    """The memory that operations use; none where they cannot be read as they are."""
+    data = b"".join(bytes(packet) for packet in packets)
+    operations, fault = instruction_set(conf.contribs["ev3"]["dialect"]).scan(data, 0, len(data))
+    try:
+        made = command(*(operations if fault is None else ()))
+    except BuildError:
+        return Memory(0, 0, False)
+    return Memory(made.local_size, made.global_size, made.wants_reply)

@@ -152,5 +152,13 @@ def _layers() -> dict[str, type[Packet]]:
     return found
 
 
+def _bodies() -> dict[type[Packet], type[Packet]]:
+    bodies = {"": EV3SystemCommand, REPLY: EV3SystemReply}
+    return {SYSTEM_LAYERS[layer_name(entry) + side]: below for entry in SYSTEM for side, below in bodies.items()}
+
+
 SYSTEM_LAYERS = _layers()
 """The fields of every system command and of every reply, by the names of their layers."""
+
+SYSTEM_BODIES = _bodies()
+"""What each of them stands in."""

@@ -12,6 +12,9 @@ from ev3proto.tables.frame import MessageType
 
 _WITH_REPLY, _WITHOUT_REPLY = MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY
 
+EMPTY_COMMAND = "a command needs an operation: the brick refuses an empty one"
+"""What is said to who makes a direct command of nothing."""
+
 
 def direct_command(
     *operations: Operation,
@@ -33,12 +36,22 @@ def direct_command(
         The command. Each operation has the offset that it has in the frame.
 
     Raises:
-        BuildError: No frame can carry it.
-
+        BuildError: There is no operation, or no frame can carry the command.
     """
     for operation in operations:
         if not isinstance(operation, Operation):
             raise BuildError(f"{operation!r} is no operation: ev3proto.operation makes one")
+    sizes = {"global_size": global_size, "local_size": local_size}
+    made = any_direct_command(*operations, counter=counter, reply=reply, **sizes)
+    if not operations:
+        raise BuildError(EMPTY_COMMAND)
+    return made
+
+
+def any_direct_command(
+    *operations: Operation, counter: int, reply: bool, global_size: int, local_size: int
+) -> DirectCommand:
+    """Makes a direct command, an empty one too, which no brick runs but anybody may send. As `direct_command`."""
     kind = _WITH_REPLY if reply else _WITHOUT_REPLY
     pieces = [one[1][one[2] : one[3]] for one in operations]
     frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(pieces))

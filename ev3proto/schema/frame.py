@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import TypeVar, overload
 
 from construct import Bytes, GreedyBytes, Int8ul, Struct
 from construct.core import ConstructError
 
-from ev3proto.errors import DecodeError, Fault
+from ev3proto.errors import DecodeError, Fault, as_bytes
 from ev3proto.messages import (
     NO_FLAW,
     DaisyCommand,
@@ -108,6 +109,7 @@ class FrameSchema(Bytewise):
 
     def __init__(self, dialect: str) -> None:
         super().__init__()
+        self._dialect = dialect
         self.instructions: InstructionSet = instruction_set(dialect)
         bodies: dict[str, tuple[type[Message], BodyReader]] = {
             "direct-command": (DirectCommand, self._direct_command),
@@ -119,6 +121,10 @@ class FrameSchema(Bytewise):
         }
         # The keys are plain numbers: to look up a member of an enumeration takes three times as long.
         self._types = {member.value: (member, *bodies[member.kind]) for member in MessageType}
+
+    def __reduce__(self) -> tuple[Callable[[str], FrameSchema], tuple[str]]:
+        """There is one for each dialect, in every process; what was read by it can be pickled."""
+        return frame_schema, (self._dialect,)
 
     # Reading
 
@@ -379,11 +385,32 @@ def frame_schema(dialect: str = "official") -> FrameSchema:
     return _SCHEMAS[dialect]
 
 
-def parse(frame: bytes | bytearray | memoryview, *, strict: bool = True, dialect: str = "official") -> Message:
+M = TypeVar("M", bound=Message)
+
+
+@overload
+def parse(frame: bytes | bytearray | memoryview, *, strict: bool = True, dialect: str = "official") -> Message: ...
+
+
+@overload
+def parse(
+    frame: bytes | bytearray | memoryview, *, expect: type[M], strict: bool = True, dialect: str = "official"
+) -> M: ...
+
+
+def parse(
+    frame: bytes | bytearray | memoryview,
+    *,
+    expect: type[Message] = Message,
+    strict: bool = True,
+    dialect: str = "official",
+) -> Message:
     """Reads exactly one frame.
 
     Args:
         frame: From its length field to its last byte, and nothing after it.
+        expect: The class of the message, such as `DirectReply`: type checkers know what is returned, and another
+            message is an error. When omitted, any message will do.
         strict: False: nothing in the frame's contents raises. `message.fault` says what is wrong and where.
         dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
 
@@ -392,9 +419,14 @@ def parse(frame: bytes | bytearray | memoryview, *, strict: bool = True, dialect
 
     Raises:
         DecodeError: The frame is faulty, and `strict` is true. It is a ValueError with `offset` and `reason`.
+        DecodeError: The message is not of the class that is expected.
         ValueError: There is no such dialect.
+        TypeError: The frame is not bytes.
     """
     if type(frame) is not bytes:
-        frame = bytes(memoryview(frame))
+        frame = as_bytes(frame, "a frame")
     schema = _SCHEMAS.get(dialect) or frame_schema(dialect)
-    return schema.read_frame(frame, strict=strict)
+    message = schema.read_frame(frame, strict=strict)
+    if expect is not Message and not isinstance(message, expect):
+        raise DecodeError(HEADER_SIZE - 1, f"this is a {type(message).__name__}, and a {expect.__name__} is expected")
+    return message

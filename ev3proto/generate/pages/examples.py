@@ -5,6 +5,7 @@ The values are the same every time. They are legal, and say something where the 
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from importlib import import_module
 from typing import Any, NamedTuple
@@ -160,7 +161,9 @@ def _number(parameter: Parameter, index: int) -> int | float:
 
 def _written(value: Any) -> str:
     """A value as Python writes it."""
-    return str(value) if isinstance(value, Variable) else repr(value)
+    if isinstance(value, Variable):
+        return str(value)
+    return json.dumps(value) if isinstance(value, str) else repr(value).replace("'", '"')
 
 
 def system_example(entry: SystemEntry) -> Example:
@@ -168,7 +171,7 @@ def system_example(entry: SystemEntry) -> Example:
     package = "system.bootloader" if entry.bootloader else "system"
     name = python_name(entry.name)
     values = {field.name: value for field in entry.request if (value := _field_value(field)) is not None}
-    arguments = ", ".join([*(f"{name}={value!r}" for name, value in values.items()), f"counter={_COUNTER}"])
+    arguments = ", ".join([*(f"{name}={_written(value)}" for name, value in values.items()), f"counter={_COUNTER}"])
     function = getattr(import_module(f"ev3proto.{package}"), name)
     return Example(f"{package}.{name}({arguments})", function(**values, counter=_COUNTER).build())
 

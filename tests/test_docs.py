@@ -113,6 +113,11 @@ def test_the_calls_of_the_examples_give_their_frames() -> None:
         assert bytes.fromhex(" ".join(lines)) == example.frame
 
 
+def test_no_page_says_where_something_is_in_memory() -> None:
+    for page in (DOCS / "reference").glob("*.md"):
+        assert not re.search(r"\bat 0x[0-9a-f]{6,}", page.read_text(encoding="utf-8")), page
+
+
 def test_an_entry_in_full() -> None:
     text = (DOCS / "reference" / "sound.md").read_text(encoding="utf-8")
     entry = text.partition("### SOUND.TONE\n")[2].partition("\n### ")[0]

@@ -17,6 +17,7 @@ MODULES = ("ev3proto", "ev3proto.capture", "ev3proto.program", "ev3proto.system"
 """The modules that people import; each names what it offers in `__all__`."""
 
 _WIDTH = 100
+_PLACE_IN_MEMORY = re.compile(r"<(?:function |class ')?([\w.]+)[^>]*>")
 _SECTIONS = ("Args", "Returns", "Raises", "Yields", "Attributes")
 
 
@@ -94,7 +95,7 @@ def _signature(head: str, function: Any) -> Iterator[str]:
     if inspect.Parameter.KEYWORD_ONLY in kinds and inspect.Parameter.VAR_POSITIONAL not in kinds:
         parameters.insert(kinds.index(inspect.Parameter.KEYWORD_ONLY), "*")
     end = "" if signature.return_annotation is inspect.Signature.empty else f" -> {_type(signature.return_annotation)}"
-    parameters = [re.sub(r"'([^']*)'", r"\1", each) if ": '" in each else each for each in parameters]
+    parameters = [_PLACE_IN_MEMORY.sub(r"\1", each) for each in parameters]
     line = f"{head}({', '.join(parameters)}){end}"
     if len(line) <= _WIDTH:
         yield line

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, TypeVar
 
 from ev3proto.brick import filenames
-from ev3proto.brick.areas.files import in_own_folder
+from ev3proto.brick.areas.files import checked_name
 from ev3proto.brick.display import Display
 from ev3proto.brick.display.graph import Graph, Scale
 from ev3proto.brick.display.pictures import read_picture
@@ -215,10 +215,13 @@ def _picture(vm: Machine, color: int, x: int, y: int, data: bytes) -> None:
         display.is_in_use = True
 
 
-@handles("UI_DRAW.BMPFILE")
-def bmpfile(vm: Machine, color: int, x: int, y: int, name: bytes) -> None:
-    """A picture from a file; nothing without such a file."""
-    path = in_own_folder(vm, name)
+@handles("UI_DRAW.BMPFILE", places=("NAME",))
+def bmpfile(vm: Machine, color: int, x: int, y: int, name: Place) -> None:
+    """A picture from a file; nothing without such a file, or where its name is not allowed."""
+    display = vm.brick.display
+    path = None if display.is_blocked_for(*_drawer(vm)) else checked_name(vm, name)
+    if path is None:
+        return
     data = vm.brick.files.read(path if filenames.split(path).extension else path + _EXTENSION)
     if data is not None:
         _picture(vm, color, x, y, data)

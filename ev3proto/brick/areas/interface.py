@@ -123,7 +123,7 @@ def pass_over(_: Machine) -> None:
     """The brick's own menus are not there, whose state this is."""
 
 
-@handles("UI_WRITE.SET_TESTPIN", "UI_WRITE.POWER", "UI_WRITE.ALLOW_PULSE", "UI_WRITE.SET_PULSE")
+@handles("UI_WRITE.SET_TESTPIN", "UI_WRITE.POWER")
 def pass_over_state(_: Machine, __: int) -> None:
     """What it sets cannot be seen from outside."""
 
@@ -185,13 +185,19 @@ def floatvalue(vm: Machine, number: float, figures: int, decimals: int) -> None:
 def stamp(vm: Machine, remark: bytes) -> None:
     """Time, program, object, position and a remark; printed at once."""
     place = b"%09d %d %03d %06d" % (vm.milliseconds, vm.program.slot, vm.object.number, vm.ip)
-    vm.brick.console.write((b"####[ %b %b]####\n" % (place, remark))[:_MOST_STAMP])
+    vm.brick.console.write((b"####[ %b %b]####\r\n" % (place, remark))[:_MOST_STAMP])
     vm.brick.console.flush()
 
 
 @handles("UI_WRITE.CODE")
 def code(vm: Machine, *_: int) -> None:
     """Memory at an address of the real brick, which means nothing here."""
+    vm.fail()
+
+
+@handles("UI_WRITE.ALLOW_PULSE", "UI_WRITE.SET_PULSE", "UI_WRITE.ADDRESS", raw=True)
+def no_code(vm: Machine) -> None:
+    """The firmware of 2013 has no code for these."""
     vm.fail()
 
 

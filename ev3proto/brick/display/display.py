@@ -200,7 +200,6 @@ class Display(Part):
     ) -> int | None:
         """Draws a number with its sign as a line; returns the cells it takes, None where it is drawn as dashes."""
         letters = FONTS[font]
-        figures = abs(figures)
         before = (letters.width + 2) // 3 - 1
         self._sign(letters, 1 - color, x - before, y, x + figures * letters.width)
         if not math.isfinite(number):

@@ -15,6 +15,7 @@ import click
 from ev3proto.cli.output import complain
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
+from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture import Account, Capture, Event
@@ -77,7 +78,7 @@ class CaptureSource:
     @property
     def label(self) -> str:
         """What complaints call it."""
-        return "standard input" if self.name == "-" else self.name
+        return "standard input" if self.name == "-" else visible(self.name)
 
     def events(self) -> Iterator[Event]:
         """Reads the capture. What cannot be read is complained about; nothing is raised.

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import complain, say
 
 
 @click.group()
@@ -97,22 +97,22 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     outcome = install_dissector(folders.plugins, force=force)
     if outcome is Outcome.KEPT:
         raise InstallError(f"{plugin} is another program's: move it away, or overwrite it with --force")
-    click.echo(f"{plugin}: {outcome.value}")
+    say(f"{plugin}: {outcome.value}")
     kept = []
     if with_profile:
         for path, became in install_profile(folders.profiles, force=force):
-            click.echo(f"{path}: {became.value}")
+            say(f"{path}: {became.value}")
             if became is Outcome.KEPT:
                 kept.append(path)
     if kept:
-        click.echo("To overwrite what was changed, add --force.")
+        say("To overwrite what was changed, add --force.")
     trouble = asked.trouble(plugin) if asked else None
     if asked and trouble:
         raise InstallError(f"{asked.path} does not load it: {trouble}")
     if asked:
-        click.echo(f"{asked.path} loads it.")
-    click.echo("Restart Wireshark, or choose Analyze, Reload Lua Plugins.")
+        say(f"{asked.path} loads it.")
+    say("Restart Wireshark, or choose Analyze, Reload Lua Plugins.")
     if with_profile and folder is None:
-        click.echo("For the profile, choose EV3 under Edit, Configuration Profiles.")
+        say("For the profile, choose EV3 under Edit, Configuration Profiles.")
     elif with_profile:
-        click.echo("The profile belongs in the folder profiles of the personal configuration: Help, About, Folders.")
+        say("The profile belongs in the folder profiles of the personal configuration: Help, About, Folders.")

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import complain, say
 from ev3proto.cli.programs import RBF, SUFFIX, encode_program
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
@@ -45,7 +45,6 @@ class Output:
     def __init__(self, form: str, path: str | None) -> None:
         self.count = 0
         self._form = FORMS[form]
-        self._is_raw = form == RAW
         self._path = path
         self._stack = ExitStack()
         self._dialogue = Dialogue()
@@ -55,8 +54,8 @@ class Output:
         """One frame."""
         self.count += 1
         data = self._form(message, self.count, self._dialogue)
-        if self._path is None and not self._is_raw:
-            click.echo(data)
+        if self._path is None and isinstance(data, str):
+            say(data)
             return
         if self._stream is None:
             self._stream = self._opened()

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import complain, say
 
 if TYPE_CHECKING:
     from ev3proto.capture.files import RecoveredFile
@@ -56,11 +56,11 @@ def files(file: str, reading: CaptureOptions, folder: Path | None, listings: boo
     for recovered in _complaining(found, source):
         is_empty = False
         if as_json:
-            click.echo(json.dumps(_record(recovered), ensure_ascii=False))
+            say(json.dumps(_record(recovered), ensure_ascii=False))
         elif folder is None:
             rows.append(_row(recovered))
         elif recovered.file is not None:
-            click.echo(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {printable(recovered.path)}")
+            say(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {printable(recovered.path)}")
         if folder is not None and recovered.trouble is not None:
             complain(f"{source.label}, packet {recovered.packets[0]}: {printable(recovered.path)}: {recovered.trouble}")
             source.status |= recovered.outcome is Outcome.INCOMPLETE

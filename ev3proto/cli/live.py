@@ -97,7 +97,7 @@ class _Watching:
     def __init__(self, reading: CaptureOptions, *, as_json: bool) -> None:
         self._chosen = reading.filter
         self._as_json = as_json
-        self._show = Show("json" if as_json else "tree")
+        self._show = Show("json" if as_json else "tree", at_once=True)
         self._start_ns: int | None = None
         self._beacons: set[bytes] = set()
         self._skipped = 0

@@ -2,61 +2,124 @@
 
 from __future__ import annotations
 
+import errno
+import gc
+import os
 import sys
+from collections.abc import Sequence
+from contextlib import suppress
+from importlib import import_module
+from pathlib import Path
+from typing import Any, NoReturn
 
 import click
 
-from ev3proto.cli.brick import brick
-from ev3proto.cli.check import check
-from ev3proto.cli.decode import decode
-from ev3proto.cli.dissector import dissector
-from ev3proto.cli.encode import encode
-from ev3proto.cli.export import export
-from ev3proto.cli.files import files
-from ev3proto.cli.live import live
-from ev3proto.cli.ops import ops
-from ev3proto.cli.output import complain
-from ev3proto.cli.proxy import proxy
-from ev3proto.cli.replay import replay
-from ev3proto.cli.run import run
-from ev3proto.cli.sample import sample
-from ev3proto.cli.send import send
-from ev3proto.cli.stats import stats
-from ev3proto.cli.timeline import timeline
+from ev3proto.cli.output import OutputError, complain, flush
+from ev3proto.text.visible import visible_lines
 from ev3proto.version import VERSION
 
+SUBCOMMANDS = (
+    "brick",
+    "check",
+    "decode",
+    "dissector",
+    "encode",
+    "export",
+    "files",
+    "live",
+    "ops",
+    "proxy",
+    "replay",
+    "run",
+    "sample",
+    "send",
+    "stats",
+    "timeline",
+)
+"""The subcommands. Each is a module of its own, which is imported when its command is used: commands start sooner."""
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+INTERNAL_ERROR = 70
+"""Exit status where ev3proto itself is at fault, as sysexits.h has it."""
+
+DEBUG = "EV3PROTO_DEBUG"
+"""The environment variable that shows where an internal error comes from."""
+
+_OBJECTS = 50_000
+"""New objects after which Python looks for circles of objects that nobody refers to any more. A long capture makes
+millions of tuples, and none of them is in a circle. Reading one takes twice as long with Python's usual 700."""
+
+
+class Commands(click.Group):
+    """The subcommands, and how everything ends: with an exit status, and never with a traceback."""
+
+    def list_commands(self, _context: click.Context) -> list[str]:
+        """The names of all, in order."""
+        return list(SUBCOMMANDS)
+
+    def get_command(self, _context: click.Context, name: str) -> click.Command | None:
+        """The command of that name, None where there is none."""
+        if name not in SUBCOMMANDS:
+            return None
+        command: click.Command = getattr(import_module(f"ev3proto.cli.{name}"), name)
+        return command
+
+    def main(  # type: ignore[override]
+        self, args: Sequence[str] | None = None, prog_name: str | None = None, **extra: Any
+    ) -> NoReturn:
+        """Runs a command, and exits with 0 (fine), 1 (the input is at fault), 2 (the call is) or 70 (ev3proto is)."""
+        extra["standalone_mode"] = False
+        try:
+            status = super().main(args, prog_name, **extra)
+        except click.ClickException as error:
+            error.message = visible_lines(error.message)
+            error.show()
+            status = error.exit_code
+        except click.Abort:
+            _say_last("interrupted")
+            status = 1
+        except OutputError as error:
+            _forget_output()
+            if error.number != errno.EPIPE:
+                complain(str(error))
+            status = 1
+        except OSError as error:
+            _say_last(f"the output cannot be written: {error.strerror or error}")
+            status = 1
+        except (Exception, RecursionError) as error:
+            if os.environ.get(DEBUG):
+                raise
+            _say_last(
+                f"ev3proto: internal error, please report it: {type(error).__name__}: {error}"
+                f" (with {DEBUG}=1 in the environment it says where)"
+            )
+            status = INTERNAL_ERROR
+        sys.exit(status if isinstance(status, int) else 0)
+
+
+def _forget_output() -> None:
+    """Lets what could not be written go: Python would try once more at its end, and report that it cannot."""
+    if sys.stdout is None:
+        return
+    with suppress(OSError, ValueError), Path(os.devnull).open("wb") as nowhere:
+        os.dup2(nowhere.fileno(), sys.stdout.fileno())
+
+
+def _say_last(sentence: str) -> None:
+    with suppress(OutputError):  # standard error may still work
+        flush()
+    complain(sentence)
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(VERSION, prog_name="ev3proto")
 def cli() -> None:
     """The wire protocol of the LEGO MINDSTORMS EV3: read frames and captures, look operations up.
 
-    Exit status: 0 fine, 1 the input is at fault, 2 the call is.
+    Exit status: 0 fine, 1 the input is at fault, 2 the call is, 70 ev3proto itself is.
     """
 
 
-cli.add_command(brick)
-cli.add_command(check)
-cli.add_command(decode)
-cli.add_command(dissector)
-cli.add_command(encode)
-cli.add_command(export)
-cli.add_command(files)
-cli.add_command(live)
-cli.add_command(ops)
-cli.add_command(proxy)
-cli.add_command(replay)
-cli.add_command(run)
-cli.add_command(sample)
-cli.add_command(send)
-cli.add_command(stats)
-cli.add_command(timeline)
-
-
 def main() -> None:
-    """Runs the command line. click ends it quietly when a reader goes away (`| head`) and on Ctrl-C."""
-    try:
-        cli(prog_name="ev3proto")
-    except OSError as error:
-        complain(f"the output cannot be written: {error.strerror or error}")
-        sys.exit(1)
+    """Runs the command line."""
+    gc.set_threshold(_OBJECTS)
+    cli(prog_name="ev3proto")

@@ -1,15 +1,24 @@
-"""Lines to people: coloured on a terminal, plain into a pipe and where NO_COLOR is set."""
+"""What people and other programs are shown. Everything that is printed goes through here.
+
+Standard output is written in blocks, and line by line on a terminal. What was printed is also written before anything
+goes to standard error, and before more input is waited for. No control character gets through, wherever it comes from.
+"""
 
 from __future__ import annotations
 
+import io
+import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, TextIO
 
 import click
-from rich.console import Console
-from rich.text import Text
 
 from ev3proto.text.spans import Line, Role, plain_text
+from ev3proto.text.visible import visible, visible_lines
+
+if TYPE_CHECKING:
+    from _typeshed import WriteableBuffer
 
 STYLES = {
     Role.PLAIN: "",
@@ -22,27 +31,174 @@ STYLES = {
     Role.FAULT: "bold red",
 }
 
+_BLOCK = 1 << 16
+"""Characters that are written together."""
+
+
+class OutputError(Exception):
+    """Standard output cannot be written. It is no OSError, so that nobody takes it for one about what is read.
+
+    number  the number of the error (errno), None where there is none
+    reason  a few words
+    """
+
+    def __init__(self, number: int | None, reason: str) -> None:
+        super().__init__(f"the output cannot be written: {reason}")
+        self.number = number
+
+
+class _Output:
+    """Standard output, written in blocks."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self.stream = stream
+        self.is_terminal = stream.isatty()
+        self._waiting: list[str] = []
+        self._size = 0
+        if isinstance(stream, io.TextIOWrapper):
+            # What the terminal's character set does not have is written as an escape, too.
+            stream.reconfigure(errors="backslashreplace")
+
+    def write(self, text: str) -> None:
+        """Writes a text, now or with what follows it."""
+        self._waiting.append(text)
+        self._size += len(text)
+        if self.is_terminal or self._size > _BLOCK:
+            self.flush()
+
+    def flush(self) -> None:
+        """Writes what waits. Raises OutputError; nothing waits any more then."""
+        if self._waiting:
+            text = "".join(self._waiting)
+            self._waiting, self._size = [], 0
+            try:
+                self.stream.write(text)
+                self.stream.flush()
+            except OSError as error:
+                raise OutputError(error.errno, error.strerror or str(error)) from None
+
+
+_outputs: list[_Output] = []
+"""The one for what is standard output at the moment."""
+
+
+def _output() -> _Output:
+    stream = sys.stdout
+    if stream is None:
+        raise OutputError(None, "standard output is closed")
+    if not _outputs or _outputs[0].stream is not stream:
+        _outputs[:] = [_Output(stream)]
+        context = click.get_current_context(silent=True)
+        if context is not None:
+            context.find_root().call_on_close(flush)
+    return _outputs[0]
+
+
+def flush() -> None:
+    """Writes what waits to be written to standard output. Raises OutputError where that is not possible."""
+    for output in _outputs:
+        if output.stream is sys.stdout:
+            output.flush()
+
 
 class Printer:
-    """Prints lines, each as soon as it is there."""
+    """Prints lines: coloured on a terminal, plain into a pipe and where NO_COLOR is set.
 
-    def __init__(self) -> None:
-        self._console = Console(highlight=False, soft_wrap=True)
-        self._coloured = sys.stdout.isatty() and self._console.is_terminal and not self._console.no_color
+    at_once  what is printed is to be seen at once, because nobody knows when more will come
+    """
+
+    def __init__(self, *, at_once: bool = False) -> None:
+        self._output = _output()
+        self._at_once = at_once
+        self._paint = _Paint() if self._output.is_terminal and not os.environ.get("NO_COLOR") else None
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether nothing is coloured, so that texts say all that lines do."""
+        return self._paint is None
 
     def lines(self, lines: Iterable[Line]) -> None:
         """Prints lines that are made of pieces."""
-        for line in lines:
-            if self._coloured:
-                self._console.print(Text.assemble(*((text, STYLES[role]) for text, role in line)))
-            else:
-                click.echo(plain_text(line))
+        if self._paint is not None:
+            for line in lines:
+                self._output.write(self._paint(line) + "\n")
+            if self._at_once:
+                self._output.flush()
+            return
+        self.texts([plain_text(line) for line in lines])
 
     def text(self, text: str) -> None:
-        """Prints text as it is."""
-        click.echo(text)
+        """Prints one line."""
+        self._output.write(visible(text) + "\n")
+        if self._at_once:
+            self._output.flush()
+
+    def texts(self, lines: Sequence[str]) -> None:
+        """Prints lines."""
+        if lines:
+            harmless = "".join(lines).isprintable()
+            self._output.write("\n".join(lines if harmless else map(visible, lines)) + "\n")
+        if self._at_once:
+            self._output.flush()
+
+
+class _Paint:
+    """Gives the pieces of lines the colours of their roles."""
+
+    def __init__(self) -> None:
+        from rich.console import Console
+        from rich.text import Text
+
+        self._text = Text
+        self._console = Console(highlight=False, soft_wrap=True)
+
+    def __call__(self, line: Line) -> str:
+        """A line with the sequences that colour it."""
+        with self._console.capture() as captured:
+            self._console.print(self._text.assemble(*((visible(text), STYLES[role]) for text, role in line)), end="")
+        return captured.get()
+
+
+def say(text: str = "") -> None:
+    """Prints lines to standard output."""
+    _output().write(visible_lines(text) + "\n")
 
 
 def complain(sentence: str) -> None:
-    """A sentence to standard error."""
-    click.echo(sentence, err=True)
+    """Prints a sentence to standard error, after all that was printed before it."""
+    flush()
+    if sys.stderr is not None:
+        sys.stderr.write(visible_lines(sentence) + "\n")
+        sys.stderr.flush()
+
+
+class Awaited(io.RawIOBase):
+    """Input that may come slowly: what was printed is written before more of it is waited for.
+
+    stream   what is read
+    is_ours  closing this closes the stream, too
+    """
+
+    def __init__(self, stream: io.RawIOBase | io.BytesIO, *, is_ours: bool = False) -> None:
+        super().__init__()
+        self._stream = stream
+        self._is_ours = is_ours
+
+    def close(self) -> None:
+        """Nothing more is read."""
+        if self._is_ours and not self.closed:
+            self._stream.close()
+        super().close()
+
+    def readable(self) -> bool:
+        """True, as for every input."""
+        return True
+
+    def fileno(self) -> int:
+        """The number of the open file."""
+        return self._stream.fileno()
+
+    def readinto(self, buffer: WriteableBuffer, /) -> int | None:
+        """Reads what there is, at least a byte, or nothing at the end."""
+        flush()
+        return self._stream.readinto(buffer)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.output import Printer, complain, say
 from ev3proto.tables.program import SIGN
 from ev3proto.text.spans import Line, Role
 
@@ -75,7 +75,7 @@ def show_program(
     if style in (LEGO, "asm"):
         from ev3proto.program import source_of
 
-        printer.text(source_of(program).rstrip("\n"))
+        printer.texts(source_of(program).rstrip("\n").split("\n"))
     else:
         from ev3proto.program.listing import listing, program_tree
 
@@ -184,5 +184,5 @@ def encode_program(
         return 1
     count = len(made.program.objects)
     told = "the strict dialect" if made.dialect == "strict" else "LEGO's dialect"
-    click.echo(f"{path}: {len(made.image)} bytes, {count} object{'s' * (count != 1)}, from a source in {told}")
+    say(f"{path}: {len(made.image)} bytes, {count} object{'s' * (count != 1)}, from a source in {told}")
     return 0

@@ -9,7 +9,7 @@ from itertools import islice
 
 import click
 
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import complain, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
 from ev3proto.schema.frame import parse
@@ -97,7 +97,7 @@ def _writer(style: str, dialect: str) -> Callable[[bytes], None]:
     def write(frame: bytes) -> None:
         message = parse(frame, strict=False, dialect=dialect)
         if show is None:
-            click.echo(as_hex(message))
+            say(as_hex(message))
         else:
             show.exchange(Exchange(message), Seen())
 

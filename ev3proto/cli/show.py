@@ -11,9 +11,10 @@ from ev3proto.text.assembly import assembly
 from ev3proto.text.dialogues import dialogue_line
 from ev3proto.text.heading import Seen, heading, origin
 from ev3proto.text.json_format.writing import record as json_record
+from ev3proto.text.json_format.writing import record_text as json_record_text
 from ev3proto.text.spans import Line, Role, plain_text
 from ev3proto.text.table import table
-from ev3proto.text.tree import tree
+from ev3proto.text.tree import tree, tree_texts
 
 if TYPE_CHECKING:
     from ev3proto.capture import Announcement, Record
@@ -26,25 +27,30 @@ FORMATS = ("tree", "table", "asm", "json")
 class Show:
     """Shows one message after the other.
 
-    style  one of FORMATS, or of those that there are for programs only; None for the usual one
+    style    one of FORMATS, or of those that there are for programs only; None for the usual one
+    at_once  what is shown is to be seen at once, because nobody knows when more will come
     """
 
-    def __init__(self, style: str | None) -> None:
+    def __init__(self, style: str | None, *, at_once: bool = False) -> None:
         self._program_style = style
         self._style = style if style in FORMATS else FORMATS[0]
-        self._printer = Printer()
+        self._printer = Printer(at_once=at_once)
         self.count = 0
 
     def exchange(self, exchange: Exchange, seen: Seen, padding: int = 0) -> None:
         """A message, and how many bytes of padding followed it."""
         self._count()
         if self._style == "json":
-            self._printer.text(json.dumps(json_record(exchange, seen), ensure_ascii=False))
+            self._printer.text(json_record_text(exchange, seen))
         elif self._style == "asm":
-            for line in assembly(exchange, plain_text(heading(exchange, seen))):
-                self._printer.text(line)
+            self._printer.texts(list(assembly(exchange, plain_text(heading(exchange, seen)))))
         else:
-            self._printer.lines((table if self._style == "table" else tree)(exchange, seen))
+            if self._style == "table":
+                self._printer.lines(table(exchange, seen))
+            elif self._printer.is_plain:
+                self._printer.texts(tree_texts(exchange, seen))
+            else:
+                self._printer.lines(tree(exchange, seen))
             if padding:
                 self._printer.text(f"        {padding} bytes of padding follow the frame")
 
@@ -61,7 +67,8 @@ class Show:
         """A frame of a capture that began then."""
         if self._style == "json":
             self._count()
-            self._printer.text(json.dumps(_json(record), ensure_ascii=False))
+            seen = Seen(direction=record.direction)
+            self._printer.text(json_record_text(record.exchange, seen, _of_capture(record)))
             return
         answers = None if record.request is None else record.request.number
         self.exchange(record.exchange, _seen(record, start_ns, answers))
@@ -157,7 +164,12 @@ def _place(event: Record | Announcement) -> dict[str, Any]:
 
 
 def _json(record: Record) -> dict[str, Any]:
-    entry = json_record(record.exchange, Seen(direction=record.direction)) | _place(record)
+    return json_record(record.exchange, Seen(direction=record.direction)) | _of_capture(record)
+
+
+def _of_capture(record: Record) -> dict[str, Any]:
+    """What a capture knows of a frame, for other tools."""
+    entry = _place(record)
     if record.request is not None:
         entry |= {"answers": record.request.number, "latency": record.latency}
     if record.note is not None:

@@ -16,10 +16,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import Awaited, complain
 from ev3proto.cli.programs import is_image
 from ev3proto.text.paste import MAX_LINE, Pasted, read_argument, read_text
 from ev3proto.text.split import Piece, split
+from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
@@ -38,17 +39,21 @@ class Source:
 
     @property
     def label(self) -> str:
-        """How people call it."""
-        return "standard input" if self.name == "-" else self.name
+        """How people call it, on one line."""
+        return "standard input" if self.name == "-" else visible(self.name)
 
     def open(self) -> io.BufferedReader:
         """The bytes of a file or of standard input. Raises OSError when there are none to read."""
         if self.name != "-":
-            return Path(self.name).open("rb")
+            path = Path(self.name)
+            if path.is_file():
+                return path.open("rb")
+            return io.BufferedReader(Awaited(path.open("rb", buffering=0), is_ours=True))
         if sys.stdin is None:
             raise OSError("standard input is closed")
-        assert isinstance(sys.stdin.buffer, io.BufferedReader)
-        return sys.stdin.buffer
+        raw = getattr(sys.stdin.buffer, "raw", None)
+        assert isinstance(raw, io.RawIOBase | io.BytesIO), "standard input is a file of Python's own"
+        return io.BufferedReader(Awaited(raw))
 
     def where(self, pasted: Pasted) -> str:
         """How a complaint about it starts."""

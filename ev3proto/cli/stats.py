@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.output import say
 from ev3proto.cli.tables import Tables
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ def stats(file: str, reading: CaptureOptions, as_json: bool) -> None:
     summary = statistics.summary(source.account)
     if source.account.packets:
         if as_json:
-            click.echo(json.dumps(summary.as_dict(), ensure_ascii=False))
+            say(json.dumps(summary.as_dict(), ensure_ascii=False))
         else:
             _Page(summary).show()
     sys.exit(source.status)
@@ -106,7 +107,7 @@ class _Page:
         if peer.latency is not None and not peer.latency.exact:
             from ev3proto.capture.latencies import ACCURACY, EXACT
 
-            click.echo(f"Of more than {EXACT} replies, median, p90 and p99 are right to {ACCURACY:.0%}.")
+            say(f"Of more than {EXACT} replies, median, p90 and p99 are right to {ACCURACY:.0%}.")
 
     def _transfers(self) -> None:
         rows = [
@@ -143,7 +144,7 @@ class _Page:
             self._tables.heading(heading)
             self._tables.table(titles, rows)
         if more:
-            click.echo(f"and {more} more")
+            say(f"and {more} more")
 
 
 _LATENCY = ("min", "median", "p90", "p99", "max")

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from itertools import compress
 
-import click
+from ev3proto.cli.output import Printer, say
+from ev3proto.text.spans import Role
+from ev3proto.text.visible import visible
 
 TEXTS = {"kind", "operation", "text", "path", "direction", "state", "brick", "what", "part"}
 """The columns that have texts in them, which stand left and may be folded; the others have numbers."""
@@ -33,16 +35,14 @@ class Tables:
     def heading(self, text: str) -> None:
         """A line with an empty one above it."""
         if not self._is_first:
-            click.echo()
+            say()
         self._is_first = False
-        click.secho(text, bold=True if self._on_terminal else None)
+        Printer().lines([[(text, Role.HEADING)]])
 
     def table(self, titles: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
         """A table. Its cells may come from the network: nothing in them is markup, nothing moves the cursor."""
         from rich.table import Table
         from rich.text import Text
-
-        from ev3proto.capture.moving import printable
 
         table = Table(box=None, pad_edge=False, header_style="dim")
         shown = [title not in self._hidden for title in titles]
@@ -50,7 +50,7 @@ class Tables:
             is_text = title in TEXTS
             table.add_column(title, justify="left" if is_text else "right", overflow="fold", no_wrap=not is_text)
         for row in rows:
-            table.add_row(*(Text(printable(cell)) for cell in compress(row, shown)))
+            table.add_row(*(Text(visible(cell)) for cell in compress(row, shown)))
         with self._console.capture() as captured:
             self._console.print(table)
-        click.echo("\n".join(line.rstrip() for line in captured.get().splitlines()))
+        say("\n".join(line.rstrip() for line in captured.get().splitlines()))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import complain, say
 
 if TYPE_CHECKING:
     from ev3proto.capture.timeline import Timeline
@@ -71,7 +71,7 @@ def timeline(file: str, reading: CaptureOptions, output: Path, first: float | No
             complain(_nothing(source, first, last))
         sys.exit(1)
     _write(drawn, output, Path(source.label).name)
-    click.echo(f"{output}: written")
+    say(f"{output}: written")
     sys.exit(source.status)
 
 

@@ -11,9 +11,11 @@ warning[W303]: FREQUENCY is 200 Hz, outside of 250 to 10000 Hz
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
+from operator import attrgetter
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
@@ -46,6 +48,9 @@ _MOST_LABEL = 60
 _TEXT_WIDTH = 100
 _COUNTER_SIZE = 2
 _BLANK = "   "
+_SEVERITIES = tuple(Severity)
+
+_SPAN = attrgetter("offset", "length")
 
 ROLES = {Severity.ERROR: Role.FAULT, Severity.WARNING: Role.VALUE, Severity.HINT: Role.MEANING}
 """How each severity looks."""
@@ -62,8 +67,8 @@ def verdict_spans(report: Report) -> Line:
 
 def tally(findings: Iterable[Finding]) -> str:
     """`2 errors, 1 hint`, or `no findings`."""
-    counts = Counter(finding.severity for finding in findings)
-    present = [(severity, counts[severity]) for severity in Severity if counts[severity]]
+    severities = [finding.severity for finding in findings]
+    present = [(severity, severities.count(severity)) for severity in _SEVERITIES if severity in severities]
     told = [f"{count} {severity}{'s' * (count != 1)}" for severity, count in present]
     return ", ".join(told) or "no findings"
 
@@ -87,7 +92,7 @@ def diagnostics(
     yield [*line, *verdict_spans(report), (f"; {counts}", Role.PLAIN), (aside, Role.ASIDE)]
     excerpt = _Excerpt(report.frame, dialect)
     kept, left = _without_repetitions(shown)
-    for _, together in groupby(kept, key=lambda finding: (finding.offset, finding.length)):
+    for _, together in groupby(kept, key=_SPAN):
         yield []
         yield from _together(list(together), excerpt, place)
     if left:
@@ -164,6 +169,8 @@ def _cuts(message: Message, size: int) -> Iterator[int]:
 
 def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], list[list[Finding]]]:
     """The findings to show, and by code those that repeat what was shown often enough."""
+    if len(findings) <= MOST_ALIKE:
+        return list(findings), []
     seen: Counter[str] = Counter()
     kept: list[Finding] = []
     left: dict[str, list[Finding]] = {}
@@ -198,7 +205,7 @@ def _together(findings: list[Finding], excerpt: _Excerpt, place: str) -> Iterato
         ]
     margin = " " * excerpt.margin
     yield [(f"{margin}--> ", Role.ASIDE), (", ".join((*([place] if place else []), _where(first))), Role.PLAIN)]
-    worst = min((finding.severity for finding in findings), key=list(Severity).index)
+    worst = min([finding.severity for finding in findings], key=_SEVERITIES.index)
     yield from excerpt.rows(first, ROLES[worst])
     yield from excerpt.operation(first)
     helps: dict[str, str] = {}
@@ -220,7 +227,10 @@ class _Excerpt:
 
     def __init__(self, frame: bytes, dialect: str) -> None:
         self._frame = frame
-        self._message = parse(frame, strict=False, dialect=dialect)
+        self._message = message = parse(frame, strict=False, dialect=dialect)
+        self._operations = message.operations if isinstance(message, DirectCommand | DaisyCommand) else ()
+        self._starts = [operation.offset for operation in self._operations]
+        self._lines: dict[int, str] = {}
         self.margin = 2 + len(str(max(len(frame) - 1, 10)))
 
     def rows(self, finding: Finding, role: Role) -> Iterator[Line]:
@@ -254,9 +264,12 @@ class _Excerpt:
 
     def _bytes(self, row: int, start: int, end: int, role: Role) -> Line:
         # The plus keeps who reads frames out of texts from taking the row for one.
+        first, behind = max(start, row), min(max(end, row), row + ROW)
         line = self._gutter(f"+{row}")
-        for at in range(row, min(row + ROW, len(self._frame))):
-            line.append((f" {self._frame[at]:02X}", role if start <= at < end else Role.PLAIN))
+        for begin, stop, part in ((row, first, Role.PLAIN), (first, behind, role), (behind, row + ROW, Role.PLAIN)):
+            data = self._frame[begin:stop] if begin < stop else b""
+            if data:
+                line.append((f" {data.hex(' ').upper()}", part))
         return line
 
     def _underline(self, row: int, start: int, end: int, role: Role, label: str) -> Line:
@@ -308,18 +321,24 @@ class _Excerpt:
             if not finding.length and (operation is None or operation.full_name != finding.operation):
                 # What is missing at the end of an operation stands where the next one starts.
                 operation = self._operation_at(offset - 1)
-            return "" if operation is None else operation_line(operation)
+            return "" if operation is None else self._line(operation)
         return "" if message.type is None or offset < HEADER_SIZE else plain_text(command_spans(message))
 
+    def _line(self, operation: Operation) -> str:
+        """An operation as assembly, made once."""
+        line = self._lines.get(operation.offset)
+        if line is None:
+            line = self._lines[operation.offset] = operation_line(operation)
+        return line
+
     def _operation_at(self, offset: int) -> Operation | None:
-        message = self._message
-        for operation in message.operations if isinstance(message, DirectCommand | DaisyCommand) else ():
-            # Of an operation that is cut short, what could not be read belongs to it, too.
-            if offset >= operation.offset and (
-                offset < operation.offset + operation.length or not operation.is_complete
-            ):
-                return operation
-        return None
+        number = bisect_right(self._starts, offset) - 1
+        if number < 0:
+            return None
+        operation = self._operations[number]
+        # Of an operation that is cut short, what could not be read belongs to it, too.
+        is_there = offset < operation.offset + operation.length or not operation.is_complete
+        return operation if is_there else None
 
 
 def _told(argument: Argument) -> str:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import math
 import struct
+from functools import cache
 
 from ev3proto.dialogue import Value, ValueType
 from ev3proto.messages import Argument
-from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT, Encoding
 
+_LETTERS = {LOCAL: "L", GLOBAL: "G"}
 _SINGLE = struct.Struct("<f")
 
 
@@ -17,7 +19,8 @@ def short_float(value: float) -> str:
     """A single-precision float in as few digits as tell it from its neighbours: `7.92`, not `7.920000076293945`."""
     if not math.isfinite(value):
         return str(value)
-    for digits in range(1, 10):
+    # Six digits always come through a single and back, so fewer need not be tried: zeros at the end are left off.
+    for digits in range(6, 10):
         text = f"{value:.{digits}g}"
         try:
             if _SINGLE.pack(float(text)) == _SINGLE.pack(value):
@@ -40,6 +43,8 @@ def spaced_hex(data: bytes) -> str:
 
 def plain(value: ValueType) -> str:
     """A value alone: numbers, quoted texts, lists in brackets, bytes as hex (long ones cut, with their number)."""
+    if type(value) is int:
+        return str(value)
     if isinstance(value, str):
         return quoted(value)
     if isinstance(value, float):
@@ -53,26 +58,32 @@ def plain(value: ValueType) -> str:
 
 def argument_value(argument: Argument) -> str:
     """An argument's value: `440`, `"myEV3"`, `GV(0)`, with handle and address marked."""
-    if argument.kind in (LOCAL, GLOBAL):
-        text = f"{'G' if argument.kind == GLOBAL else 'L'}V({argument.value})"
-    else:
-        text = plain(argument.value)
-    if argument.form.handle:
-        text = f"handle {text}"
-    if argument.form.address:
-        text = f"address {text}"
-    return text
+    before, after = around_value(argument.form)
+    return f"{before}{plain(argument.value)}{after}"
+
+
+@cache
+def around_value(form: Encoding) -> tuple[str, str]:
+    """What stands before and after a value of an encoding: `handle GV(` and `)`."""
+    before, after = (f"{_LETTERS[form.kind]}V(", ")") if form.kind in _LETTERS else ("", "")
+    if form.handle:
+        before = f"handle {before}"
+    if form.address:
+        before = f"address {before}"
+    return before, after
 
 
 def argument_meaning(argument: Argument) -> str:
     """What the tables know of a constant: its name in the enumeration, or its special meaning, or else its unit."""
-    if argument.is_variable or argument.kind == "string":
+    parameter, form, value, _, _ = argument
+    if form.kind in (LOCAL, GLOBAL, TEXT):
         return ""
-    parameter = argument.parameter
-    if argument.symbol is not None:
-        return argument.symbol
-    if isinstance(argument.value, int) and argument.value in parameter.special:
-        return parameter.special[argument.value]
+    if parameter.enum is not None:
+        symbol = argument.symbol
+        if symbol is not None:
+            return symbol
+    if parameter.special and isinstance(value, int) and value in parameter.special:
+        return parameter.special[value]
     return parameter.unit or ""
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import StrEnum
 
 
@@ -22,6 +23,6 @@ Span = tuple[str, Role]
 Line = list[Span]
 
 
-def plain_text(line: Line) -> str:
+def plain_text(line: Sequence[Span]) -> str:
     """The line without its roles."""
-    return "".join(text for text, _ in line).rstrip()
+    return "".join([text for text, _ in line]).rstrip()

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
+from typing import NamedTuple
 
 from ev3proto.dialogue import Exchange, Transfer
 from ev3proto.messages import (
+    NO_FLAW,
     Argument,
     DaisyCommand,
     DaisyReply,
@@ -13,6 +16,7 @@ from ev3proto.messages import (
     DirectReply,
     Message,
     Operation,
+    OperationReader,
     SystemCommand,
     SystemReply,
 )
@@ -20,12 +24,17 @@ from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
 from ev3proto.tables.encoding import STRING_CODING, TEXT
+from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
 from ev3proto.text.heading import Seen, heading
-from ev3proto.text.phrases import argument_meaning, argument_value, plain, spaced_hex, value_text
-from ev3proto.text.spans import Line, Role
+from ev3proto.text.patterns import Around, Pattern, has_pattern, is_usual
+from ev3proto.text.phrases import argument_meaning, argument_value, around_value, plain, spaced_hex, value_text
+from ev3proto.text.spans import Line, Role, plain_text
 
 _MOST_REST = 32
+
+_OFFSETS = tuple(f"  {offset:4}    " for offset in range(MAX_FRAME))
+"""What the line of an argument starts with, by its offset."""
 
 
 def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
@@ -47,6 +56,64 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
     yield from _fault(message, seen.cut)
 
 
+def tree_texts(exchange: Exchange, seen: Seen) -> list[str]:
+    """The same lines as texts."""
+    message = exchange.message
+    if type(message) is not DirectCommand or message.flaw is not NO_FLAW:
+        return [plain_text(line) for line in tree(exchange, seen)]
+    texts = [plain_text(heading(exchange, seen))]
+    if message.global_size or message.local_size:
+        texts.append(f"  memory: {message.global_size} bytes global, {message.local_size} bytes local")
+    for operation in message.operations:
+        _add_texts(operation, texts)
+    return texts
+
+
+def _add_texts(operation: Operation, texts: list[str]) -> None:
+    usual = _usual(operation[0])
+    if usual is None or not is_usual(operation):
+        texts += [plain_text(line) for line in operation_lines(operation)]
+        return
+    texts.append(f"  {operation.offset:4}  {usual.title}")
+    for argument, pattern in zip(operation.arguments, usual.patterns, strict=True):
+        _, form, value, offset, _ = argument
+        if type(value) is int:
+            before, after = pattern.get((id(form), value) if pattern.by_value else id(form)) or pattern.learn(argument)
+            texts.append(f"{_OFFSETS[offset]}{before}{value}{after}")
+        else:
+            texts.append(plain_text(_argument(argument, usual.width)))
+
+
+class _Usual(NamedTuple):
+    """What the lines of an operation without a list have in common, wherever it stands.
+
+    title     the first line after its offset
+    width     columns of the names of its arguments
+    patterns  for each argument, how its line looks
+    """
+
+    title: str
+    width: int
+    patterns: tuple[Pattern, ...]
+
+
+@cache
+def _usual(schema: OperationReader) -> _Usual | None:
+    declaration = schema.declaration
+    if not has_pattern(declaration):
+        return None
+    parameters = declaration.parameters
+    width = max((len(parameter.name) for parameter in parameters), default=0)
+    title = f"{declaration.name.replace('.', ' ', 1)}  {declaration.text}"
+
+    def split(argument: Argument) -> Around:
+        before, after = around_value(argument.form)
+        meaning, aside = _after_value(argument)
+        return f"{argument.name.ljust(width)} = {before}", f"{after}{meaning}{aside}".rstrip()
+
+    return _Usual(title, width, tuple(Pattern(parameter, split) for parameter in parameters))
+
+
 def operation_lines(operation: Operation) -> Iterator[Line]:
     """The lines of one operation: what it is, and each argument with its encoding and meaning."""
     line: Line = [(f"  {operation.offset:4}  ", Role.ASIDE), (operation.name, Role.OPERATION)]
@@ -63,17 +130,20 @@ def operation_lines(operation: Operation) -> Iterator[Line]:
 
 
 def _argument(argument: Argument, width: int) -> Line:
+    parameter, _, _, offset, _ = argument
     line: Line = [
-        (f"  {argument.offset:4}    ", Role.ASIDE),
-        (argument.name.ljust(width), Role.NAME),
+        (_OFFSETS[offset] if offset < MAX_FRAME else f"  {offset}    ", Role.ASIDE),
+        (parameter.name.ljust(width), Role.NAME),
         (" = ", Role.PLAIN),
         (argument_value(argument), Role.VALUE),
     ]
+    meaning, aside = _after_value(argument)
+    return [*line, (meaning, Role.MEANING), (aside, Role.ASIDE)]
+
+
+def _after_value(argument: Argument) -> tuple[str, str]:
     meaning = argument_meaning(argument)
-    if meaning:
-        line.append((f" {meaning}", Role.MEANING))
-    line.append((f"  {argument.encoding}: {argument.parameter.text}", Role.ASIDE))
-    return line
+    return f" {meaning}" if meaning else "", f"  {argument.form.name}: {argument.parameter.text}"
 
 
 def _values(exchange: Exchange) -> Iterator[Line]:

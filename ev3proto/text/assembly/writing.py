@@ -129,7 +129,7 @@ def _system(message: SystemCommand | SystemReply) -> Iterator[str]:
     values += [f"{name}={_field(value)}" for name, value in message.fields.items()]
     if message.fault is not None:
         values.append(CUT)
-    yield f"{command_name(entry)}({', '.join(values)})"
+    yield from f"{command_name(entry)}({', '.join(values)})".split("\n")
 
 
 def _field(value: FieldValue) -> str:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import math
+from collections.abc import Mapping
+from functools import cache
+from types import MappingProxyType
 from typing import Any
 
 from ev3proto.dialogue import Exchange, Value
@@ -14,10 +18,13 @@ from ev3proto.messages import (
     DirectReply,
     Message,
     Operation,
+    OperationReader,
     SystemCommand,
     SystemReply,
 )
+from ev3proto.tables.encoding import Encoding
 from ev3proto.text.heading import Seen
+from ev3proto.text.patterns import Around, Pattern, has_pattern, is_usual
 
 
 def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
@@ -25,6 +32,15 @@ def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
 
     Floats that are not finite are the strings "nan", "inf", "-inf"; bytes are hex; keys that do not apply are absent.
     """
+    message = exchange.message
+    return _record(exchange, seen, [operation_record(operation) for operation in _operations(message)])
+
+
+def _operations(message: Message) -> tuple[Operation, ...]:
+    return message.operations if isinstance(message, DirectCommand | DaisyCommand) else ()
+
+
+def _record(exchange: Exchange, seen: Seen, operations: list[dict[str, Any]]) -> dict[str, Any]:
     message = exchange.message
     entry: dict[str, Any] = {"kind": message.kind}
     if message.type is not None:
@@ -35,7 +51,7 @@ def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
         entry["direction"] = seen.direction
     if seen.time is not None:
         entry["time"] = seen.time
-    entry.update(_contents(message))
+    entry.update(_contents(message, operations))
     if exchange.request is not None or isinstance(message, SystemReply):
         entry["values"] = [_value(value) for value in exchange.values]
     if message.fault is not None:
@@ -48,13 +64,79 @@ def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
     return {key: value for key, value in entry.items() if value is not None or key in ("command",)}
 
 
-def _contents(message: Message) -> dict[str, Any]:
+_encode = json.JSONEncoder(ensure_ascii=False).encode
+
+_NO_OPERATIONS = '"operations": []'
+
+
+def record_text(exchange: Exchange, seen: Seen, more: Mapping[str, Any] = MappingProxyType({})) -> str:
+    """The same as a text on one line.
+
+    Args:
+        exchange: The message.
+        seen: How it was come by.
+        more: Further keys.
+
+    Returns:
+        JSON.
+
+    """
+    message = exchange.message
+    if not isinstance(message, DirectCommand):
+        return _encode(record(exchange, seen) | dict(more))
+    # The operations are most of the text. They are put together from what those of the same kind have in common.
+    entry = _encode(_record(exchange, seen, []) | dict(more))
+    operations = ", ".join([_operation_text(operation) for operation in message.operations])
+    return entry.replace(_NO_OPERATIONS, f'"operations": [{operations}]', 1)
+
+
+def _operation_text(operation: Operation) -> str:
+    usual = _usual(operation[0])
+    if usual is None or not is_usual(operation):
+        return _encode(operation_record(operation))
+    texts = []
+    for argument, pattern in zip(operation.arguments, usual[1], strict=True):
+        _, form, value, offset, _ = argument
+        if type(value) is int:
+            before, after = pattern.get((id(form), value) if pattern.by_value else id(form)) or pattern.learn(argument)
+            texts.append(f'{before}{value}, "offset": {offset}{after}')
+        else:
+            texts.append(_encode(_argument(argument)))
+    return f'{usual[0]}{operation.offset}, "length": {operation.length}, "args": [{", ".join(texts)}]}}'
+
+
+@cache
+def _usual(schema: OperationReader) -> tuple[str, tuple[Pattern, ...]] | None:
+    """An operation up to its offset, and how each of its arguments looks."""
+    declaration = schema.declaration
+    if not has_pattern(declaration):
+        return None
+    opcode, command = declaration.opcode, declaration.command
+    head = _encode({"op": opcode.name, "opcode": opcode.number, "command": command.name if command else None})
+    patterns = tuple(Pattern(parameter, _split) for parameter in declaration.parameters)
+    return f'{head[:-1]}, "offset": ', patterns
+
+
+def _split(argument: Argument) -> Around:
+    before, after = _around(argument.name, argument.form, argument.length)
+    symbol = argument.symbol
+    return before, after if symbol is None else f'{after[:-1]}, "symbol": {_encode(symbol)}}}'
+
+
+@cache
+def _around(name: str, form: Encoding, length: int) -> Around:
+    """What stands before the value of an argument and after its offset, where its value has no name."""
+    before, _, after = _encode(_named(name, form, 0, 0, length)).partition('0, "offset": 0')
+    return before, after
+
+
+def _contents(message: Message, operations: list[dict[str, Any]]) -> dict[str, Any]:
     match message:
         case DirectCommand():
             return {
                 "globals": message.global_size,
                 "locals": message.local_size,
-                "operations": [operation_record(operation) for operation in message.operations],
+                "operations": operations,
             }
         case DirectReply():
             return {"status": "error" if message.is_error else "ok", "memory": message.memory.hex()}
@@ -78,7 +160,7 @@ def _contents(message: Message) -> dict[str, Any]:
                     "layer_to": message.layer_to,
                     "payload": message.payload.hex(),
                 },
-                "operations": [operation_record(operation) for operation in message.operations],
+                "operations": operations,
             }
         case DaisyReply():
             fields: dict[str, Any] = {
@@ -116,20 +198,26 @@ def operation_record(operation: Operation) -> dict[str, Any]:
 
 
 def _argument(argument: Argument) -> dict[str, Any]:
+    entry = _named(argument.name, argument.form, _plain(argument.value), argument.offset, argument.length)
+    symbol = argument.symbol
+    if symbol is not None:
+        entry["symbol"] = symbol
+    return entry
+
+
+def _named(name: str, form: Encoding, value: Any, offset: int, length: int) -> dict[str, Any]:
     entry: dict[str, Any] = {
-        "name": argument.name,
-        "kind": argument.kind,
-        "encoding": argument.encoding,
-        "value": _plain(argument.value),
-        "offset": argument.offset,
-        "length": argument.length,
+        "name": name,
+        "kind": form.kind,
+        "encoding": form.name,
+        "value": value,
+        "offset": offset,
+        "length": length,
     }
-    if argument.form.handle:
+    if form.handle:
         entry["handle"] = True
-    if argument.form.address:
+    if form.address:
         entry["address"] = True
-    if argument.symbol is not None:
-        entry["symbol"] = argument.symbol
     return entry
 
 

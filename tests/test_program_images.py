@@ -119,6 +119,34 @@ def test_a_program_made_by_hand() -> None:
     )
 
 
+def test_headers_that_all_say_offset_0() -> None:
+    image = bytes.fromhex(
+        "4C45474F 38000000 6D00 0200 00000000  00000000 0000 0000 01000000  00000000 0000 0100 01000000"
+        "09020105 0A  0180 40820100 0A 3040 40 08 0A"
+    )
+    image = image[:4] + len(image).to_bytes(4, "little") + image[8:]
+    program = programs.parse(image)
+    assert [[step.name for step in part.operations] for part in program.objects] == [
+        *(["CALL", "OBJECT_END"], ["JR", "OBJECT_END", "MOVE8_8", "RETURN", "OBJECT_END"])
+    ]
+    assert [part.offset for part in program.objects] == [40, 45]
+    assert program.defects.offsets == (0, 0)
+    assert program.build() == image
+    assert programs.assemble(programs.source_of(program)).image == image
+    report = programs.check_program(image)
+    assert not report.accepted
+    assert "the headers of all objects say offset 0" in report.findings[0].message
+
+
+def test_headers_that_all_say_offset_0_and_no_code_after_them() -> None:
+    image = bytes.fromhex(
+        "4C45474F 29000000 6D00 0200 00000000  00000000 0000 0000 00000000 00000000 0000 0000 00000000 01"
+    )
+    program = programs.parse(image, strict=False)
+    assert "object 1 should be at offset 0, in the header" in str(program.fault)
+    assert program.build() == image
+
+
 @pytest.mark.parametrize(
     ("damage", "offset", "words"),
     [

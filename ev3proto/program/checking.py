@@ -11,6 +11,7 @@ from ev3proto.checking.report import Finding, Report
 from ev3proto.checking.verdict import code_verdict
 from ev3proto.errors import DecodeError, counted
 from ev3proto.messages import Argument, Operation
+from ev3proto.program.header import IMAGE_HEADER_SIZE
 from ev3proto.program.image import parse
 from ev3proto.program.objects import CodeObject, Program
 from ev3proto.program.parameters import table_bytes
@@ -59,6 +60,10 @@ class _Check:
         """All of them; those of code that several objects share once."""
         for fault in self._program.defects.faults:
             yield codes.DAMAGED.finding(fault.offset, 0, fault.reason, "give the whole image")
+        if self._program.defects.has_no_offsets:
+            yield codes.DAMAGED.finding(
+                IMAGE_HEADER_SIZE, 0, "the headers of all objects say offset 0, where no code is", "assemble it again"
+            )
         for offset, data in self._program.defects.gaps:
             yield self._left_over(offset, len(data))
         for part in self._program.objects:

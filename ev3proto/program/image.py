@@ -28,6 +28,9 @@ MAX_IMAGE = 1 << 25
 _COUNT_AT = len(SIGN) + Int32ul.sizeof() + Int16ul.sizeof()
 """Offset of the number of objects."""
 
+_FIRST_LOOK = 64
+"""Bytes among which the end of a code is looked for first."""
+
 _OBJECT_END = "OBJECT_END"
 _JUMPS = "JR"
 """What the names of jumps start with."""
@@ -65,18 +68,20 @@ class _Reader:
             PACKED_OBJECT.unpack_from(self.image, IMAGE_HEADER_SIZE + index * OBJECT_HEADER_SIZE)
             for index in range(known)
         ]
+        told = tuple(offset for offset, *_ in entries)
+        if not any(told):
+            entries = self._in_their_order(entries, table_end)
         starts = sorted({offset for offset, *_ in entries if table_end <= offset < end})
         self._ends = dict(zip(starts, [*starts[1:], end], strict=True)) if starts else {}
         objects = self._objects(entries)
         first = starts[0] if starts else end
         gaps = ((table_end, self.image[table_end:first]),) if first > table_end else ()
-        offsets = tuple(offset for offset, *_ in entries)
         regular = tuple(regular_offsets([_entry(part) for part in objects]))
         defects = Defects(
             tuple(self.faults),
             size if size != end else None,
             count if known < count else None,
-            offsets if offsets != regular or gaps else None,
+            told if told != regular or gaps else None,
             gaps,
         )
         return Program(
@@ -101,6 +106,38 @@ class _Reader:
 
     def _fault(self, offset: int, reason: str, truncated: bool = False) -> None:
         self.faults.append(Fault(offset, reason, truncated))
+
+    def _in_their_order(self, entries: list[tuple[int, int, int, int]], at: int) -> list[tuple[int, int, int, int]]:
+        """The entries with the offsets of their codes, where the headers of all of them say 0, as one published image has.
+
+        The codes stand in the order of the objects, each up to its OBJECT_END. Where they do not, the entries stay.
+        """
+        found = []
+        for _, owner, triggers, local_size in entries:
+            if at >= len(self.image):
+                return entries
+            found.append((at, owner, triggers, local_size))
+            at = self._code_end(at, kind_of(owner, triggers) is ObjectKind.SUBCALL)
+        return found
+
+    def _code_end(self, start: int, is_subcall: bool) -> int:
+        """Where the code that starts at an offset ends: after its own OBJECT_END, or with the image."""
+        size = _FIRST_LOOK
+        while True:
+            code = self.image[start : start + size]
+            at = 0
+            try:
+                if is_subcall:
+                    _, at = read_table(code, 0, len(code))
+                operations = tuple(self._instructions.scan(code, at, len(code))[0])
+            except DecodeError:
+                operations = ()
+            count = _own_operations(operations)
+            if count is not None:
+                return start + _end_of(operations[:count], at)
+            if start + size >= len(self.image):
+                return len(self.image)
+            size *= 4
 
     def _objects(self, entries: list[tuple[int, int, int, int]]) -> list[CodeObject]:
         codes = self._codes(entries)
@@ -309,6 +346,8 @@ def image_of(
     if len(entries) > MAX_OBJECTS:
         raise BuildError(f"a program cannot have {len(entries)} objects: at most {MAX_OBJECTS}")
     offsets = tuple(regular_offsets(entries)) if defects.offsets is None else defects.offsets
+    if defects.has_no_offsets:
+        headers, offsets = offsets, tuple(regular_offsets(entries))
     if len(offsets) != len(entries):
         raise BuildError(f"the program has {len(entries)} objects, and its defects name {len(offsets)} offsets")
     body = b"".join(piece for _, piece in _pieces(entries, offsets, defects))

@@ -72,6 +72,8 @@ def _head(program: Program) -> Iterator[Line]:
         (f"  version 0x{program.version:02X}{told}, {counted(len(program.objects), 'object')},", Role.PLAIN),
         (f" {counted(program.global_size, 'byte')} of globals", Role.PLAIN),
     ]
+    if program.defects.has_no_offsets:
+        yield [("its headers say offset 0 for all objects: their codes are taken in their order", Role.ASIDE)]
 
 
 def _object_head(part: CodeObject, name: str) -> Iterator[Line]:

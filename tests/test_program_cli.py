@@ -76,12 +76,40 @@ def test_a_source_that_decode_wrote_becomes_the_same_image(tmp_path: Path, bytes
 def test_encode_makes_a_program(source: Path, tmp_path: Path) -> None:
     target = tmp_path / "made.rbf"
     result = run_ev3proto_text("encode", source, "-o", target)
-    assert result.stdout == f"{target}: 101 bytes, 2 objects, from a source in the strict dialect\n"
+    assert result.stderr == f"{target}: 101 bytes, 2 objects, from a source in the strict dialect\n"
     assert target.read_bytes() == IMAGE
     assert run_ev3proto("encode", source, "--to", "rbf").stdout == IMAGE
     assert run_ev3proto("encode", source, "--shortest").stdout == SHORTEST
-    assert "in LEGO's dialect" in run_ev3proto_text("encode", source, "-o", target, "--source", "lego").stdout
+    assert "in LEGO's dialect" in run_ev3proto_text("encode", source, "-o", target, "--source", "lego").stderr
     assert run_ev3proto("encode", source, "--version", "0x39").stdout[8] == 0x39
+
+
+def test_encode_without_a_name_for_the_image_says_how_to_make_one(source: Path) -> None:
+    result = run_ev3proto_text("encode", source)
+    assert (result.returncode, result.stdout) == (1, "")
+    assert result.stderr == f"{source}: the source of a program fits no frame: give -o FILE.rbf to make its image\n"
+    source.write_text("subcall Say\n{\n}\n")
+    assert "give -o FILE.rbf" in run_ev3proto_text("encode", source).stderr
+    source.write_text("vmthread MAIN\n{\n  DATAS text 70\n  STRINGS(DUPLICATE, 'x', text)\n}\n")
+    result = run_ev3proto_text("encode", source)
+    assert "line 3" in result.stderr
+    assert "give -o FILE.rbf" in result.stderr
+
+
+def test_a_direct_command_written_as_a_thread_is_still_a_frame(source: Path) -> None:
+    source.write_text("vmthread MAIN\n{\n  UI_DRAW(UPDATE)\n}\n")
+    assert run_ev3proto_text("encode", source).stdout == "0x|07:00|00:00|80|00:00|84:00|\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "words"), [("missing.lms", "missing.lms: there is no such file"), ("a.rbf", "is an image already")]
+)
+def test_what_is_no_source(tmp_path: Path, name: str, words: str) -> None:
+    (tmp_path / "a.rbf").write_bytes(IMAGE)
+    result = run_ev3proto_text("encode", tmp_path / name, "-o", tmp_path / "b.rbf")
+    assert result.returncode == 1
+    assert words in result.stderr
+    assert len(result.stderr.splitlines()) == 1
 
 
 def test_encode_says_what_is_wrong_with_a_source(source: Path, tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import itertools
 import json
+import re
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
@@ -31,6 +32,10 @@ if TYPE_CHECKING:
     from ev3proto.text.assembly.errors import AssemblyError
 
 _START = 8
+_OBJECT = re.compile(r"^[ \t]*(vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
+"""The start of an object of a program. A direct command may be written as one vmthread."""
+
+_SUBROUTINE = "subcall"
 _MOST_LOOKED_AT = 500
 """Lines of comments in front of the first that tells what a text is."""
 
@@ -188,7 +193,7 @@ class Encoding(SourceReader):
         whole = itertools.chain(first, lines)
         if _is_record(line):
             self._records(source, whole)
-        elif _is_assembly(line):
+        elif _is_assembly(line) or _OBJECT.match(line):
             self._assembly(source, whole)
         else:
             self._frames(source, whole)
@@ -217,7 +222,12 @@ class Encoding(SourceReader):
                 self._output.write(message)
                 self._counter = (message.counter + 1) % COUNTERS
         except AssemblyError as error:
-            self._tell(source, error)
+            objects = _OBJECT.findall(text)
+            if len(objects) <= 1 and _SUBROUTINE not in objects:
+                self._tell(source, error)
+            if objects:
+                label = "this" if source.is_frame else source.label
+                self.complain(f"{label}: the source of a program fits no frame: give -o FILE.rbf to make its image")
 
     def _tell(self, source: Source, error: AssemblyError) -> None:
         """Every error with its line and, below that, a mark at the place."""

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.output import Printer, complain, say
+from ev3proto.cli.output import Printer, complain
+from ev3proto.errors import counted
 from ev3proto.tables.program import SIGN
 from ev3proto.text.spans import Line, Role
 
@@ -34,6 +35,7 @@ PROGRAM_FORMATS = ("listing", LEGO)
 
 _MOST_WARNINGS = 20
 _TEXT_WIDTH = 100
+_MOST_OF_A_NAME = 200
 
 
 def is_image(start: bytes) -> bool:
@@ -158,13 +160,9 @@ def encode_program(
     source = found[0]
     if path is None and sys.stdout.isatty():
         raise click.UsageError("an image would garble the terminal: give -o FILE, or pipe it into another program")
-    if source.is_frame:
-        text: str | bytes = source.name
-    else:
-        read = read_source(source)
-        if read is None:
-            return 1
-        text = read
+    text = _text_of(source)
+    if text is None:
+        return 1
     label = "the source" if source.is_frame else source.label
     try:
         made = assemble(text, dialect=dialect, version=version, shortest=shortest)
@@ -176,13 +174,27 @@ def encode_program(
         stdout = click.get_binary_stream("stdout")
         stdout.write(made.image)
         stdout.flush()
-        return 0
-    try:
-        Path(path).write_bytes(made.image)
-    except OSError as error:
-        complain(f"{path}: cannot be written: {error.strerror or error}")
-        return 1
-    count = len(made.program.objects)
+    else:
+        try:
+            Path(path).write_bytes(made.image)
+        except OSError as error:
+            complain(f"{path}: cannot be written: {error.strerror or error}")
+            return 1
     told = "the strict dialect" if made.dialect == "strict" else "LEGO's dialect"
-    say(f"{path}: {len(made.image)} bytes, {count} object{'s' * (count != 1)}, from a source in {told}")
+    size, objects = counted(len(made.image), "byte"), counted(len(made.program.objects), "object")
+    complain(f"{path or 'the image'}: {size}, {objects}, from a source in {told}")
     return 0
+
+
+def _text_of(source: Source) -> str | bytes | None:
+    """What is to be assembled; None, and a complaint, for what no source is."""
+    if not source.is_frame:
+        read = read_source(source)
+        if read is not None and is_image(read):
+            complain(f"{source.label}: is an image already: `ev3proto decode --format lego` shows its source")
+            return None
+        return read
+    if "{" not in source.name and not any(character.isspace() for character in source.name.strip()):
+        complain(f"{source.name[:_MOST_OF_A_NAME]}: there is no such file")
+        return None
+    return source.name

@@ -451,6 +451,51 @@ def test_what_strict_would_refuse_is_warned_of() -> None:
     assert [it.line for it in assemble(source).warnings] == [4, 4, 5, 6, 6]
 
 
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("DATA8 x\nDATA8 x", "x is declared already: the last one counts"),
+        ("define N 3\ndefine N 4", "N is declared already: the last one counts"),
+        ("again:\nagain:", "the label again is set already: the last one counts"),
+        ("again: NOP", "what stands after the label again: on its line is left out"),
+        ("LINE:", "LINE is a name of the firmware: in this object it means the label"),
+        ("MOVE32_32(4294967297, v)", "4294967297 has more than 32 bits, and only the lowest 32 are taken"),
+        ("CALL", "CALL needs the name of the subcall"),
+        ("CALL(1, 0)", "CALL takes a subcall by its name"),
+        ("STRINGS(DUPLICATE, @v, @v)", "v is a DATA32, and @ stands before a HANDLE"),
+        ("UI_WRITE(TEXT, v)", "TEXT is no CMD of UI_WRITE, and counts as the number 5"),
+    ],
+)
+def test_what_legos_assembler_let_pass_is_warned_of(line: str, words: str) -> None:
+    source = f"DATA32 v\nvmthread M\n{{\n{line}\n}}\n"
+    assert words in " ".join(warning.reason for warning in assemble(source, dialect="lego").warnings)
+
+
+def test_a_nan_by_its_name_is_no_whole_number() -> None:
+    assert not assemble("DATAF x\nvmthread M { MOVEF_F(DATAF_NAN, x) }").warnings
+
+
+@pytest.mark.parametrize(
+    ("source", "line", "words"),
+    [
+        ("vmthread M { \x00 NOP() }", 1, "cannot stand here"),
+        ("vmthread M { NOP() /* x }\n", 1, "the comment that starts here has no */"),
+        ("vmthread M\n{\nNOP() /* x\n}\n", 3, "the comment that starts here has no */"),
+        ("vmthread M\n{\nNOP\nJR(nowhere)\n}\n", 4, "there is no nowhere: a variable is declared above its use"),
+        ("vmthread M\n{\nblock B { }\n}\n", 3, "a block cannot stand in another object"),
+    ],
+)
+def test_the_first_error_is_the_one_to_fix(source: str, line: int, words: str) -> None:
+    with pytest.raises(AssemblyError) as caught:
+        assemble(source)
+    assert caught.value.line == line
+    assert words in caught.value.reason
+
+
+def test_a_long_product_is_cut_to_32_bits_in_the_strict_dialect() -> None:
+    assert _code("MOVE8_8((" + "3 * " * 2000 + "0), 1)", dialect="strict") == "30 00 01 0A"
+
+
 def test_an_expression_that_the_other_dialect_reads_otherwise_is_warned_of() -> None:
     for dialect in BOTH:
         (warning,) = assemble("define A (2 + 3 * 4)\nDATAS x A", dialect=dialect).warnings
@@ -475,8 +520,11 @@ def test_an_expression_that_the_other_dialect_reads_otherwise_is_warned_of() -> 
         "".join(f"define A{number} {'(' * 45}A{number + 1}{' + 1)' * 45}\n" for number in range(99)) + "DATAS x A0",
         "/*" * 50_000,
         "x" * 1_000_000,
+        "vmthread M\n{\n}\n"
+        + "".join(f"define A{n} A{n + 1} * A{n + 1}\n" for n in range(40))
+        + "define A40 9 / 10\nDATAS x A0",
     ],
-    ids=range(14),
+    ids=range(15),
 )
 def test_no_text_takes_long_or_goes_deep(text: str) -> None:
     for dialect in BOTH:

@@ -108,7 +108,7 @@ class _Reader:
         self.faults.append(Fault(offset, reason, truncated))
 
     def _in_their_order(self, entries: list[tuple[int, int, int, int]], at: int) -> list[tuple[int, int, int, int]]:
-        """The entries with the offsets of their codes, where the headers of all of them say 0, as one published image has.
+        """The entries with the offsets of their codes, where all headers say 0, as those of one published image do.
 
         The codes stand in the order of the objects, each up to its OBJECT_END. Where they do not, the entries stay.
         """

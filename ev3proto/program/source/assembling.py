@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from ev3proto.errors import BuildError
+from ev3proto.errors import BuildError, counted
 from ev3proto.program.image import Entry, image_of, regular_offsets
 from ev3proto.program.objects import NO_DEFECTS, Defects
 from ev3proto.program.parameters import ProgramParameter, code_of, table_bytes
@@ -194,11 +194,15 @@ class Assembler:
         """Strict refuses a name twice; both dialects are warned of names that the firmware has."""
         if name in builtin_names():
             self.warnings.append((at, f"{name} is a name of the firmware, which means something else from here on"))
-        if not self._is_strict:
-            return
         names = self._names
         if name in names.defines or name in names.objects or name in names.globals:
-            raise SourceError(at, f"{name[:40]} is declared already")
+            self._check_twice(at, f"{name[:40]} is declared already")
+
+    def _check_twice(self, at: int, reason: str) -> None:
+        """Strict refuses what is there already. LEGO's dialect takes the last one, for variables the last one above."""
+        if self._is_strict:
+            raise SourceError(at, reason)
+        self.warnings.append((at, f"{reason}: the last one counts"))
 
     def _define(self, item: Define) -> None:
         self._check_new(item.at, item.name)
@@ -261,8 +265,11 @@ class Assembler:
         body = Body(source, settings)
         for statement in source.body:
             if isinstance(statement, Label):
-                if self._is_strict and statement.name in body.names.labels:
-                    self._keep(SourceError(statement.at, f"the label {statement.name[:40]} is set already"))
+                if statement.name in body.names.labels:
+                    try:
+                        self._check_twice(statement.at, f"the label {statement.name[:40]} is set already")
+                    except SourceError as error:
+                        self._keep(error)
                 body.names.labels[statement.name] = statement.at
         for statement in source.body:
             try:
@@ -288,8 +295,9 @@ class Assembler:
             case Step():
                 self._step(statement, body)
             case Label(at, name):
-                if self._is_strict and name in builtin_names():
-                    self.warnings.append((at, f"{name} is a name of the firmware: jumps to it mean that"))
+                if name in builtin_names():
+                    what = "jumps to it mean that" if self._is_strict else "in this object it means the label"
+                    self.warnings.append((at, f"{name} is a name of the firmware: {what}"))
                 body.labels[name] = len(body.parts)
             case Declaration():
                 self._local(statement, body)
@@ -302,8 +310,8 @@ class Assembler:
                 body.last = ""
 
     def _local(self, item: Declaration, body: Body) -> None:
-        if self._is_strict and (item.name in body.names.places or item.name in body.names.defines):
-            raise SourceError(item.at, f"{item.name[:40]} is declared already")
+        if item.name in body.names.places or item.name in body.names.defines:
+            self._check_twice(item.at, f"{item.name[:40]} is declared already")
         if item.word in PARAMETER_WORDS:
             if body.source.kind != _SUBCALL:
                 raise SourceError(item.at, f"a {body.source.kind} has no parameters; only a subcall has")
@@ -324,7 +332,7 @@ class Assembler:
             raise SourceError(step.at, f"there is no operation {step.name[:40]}{suggestion(step.name, _OPCODES)}")
         parts = body.parts
         parts.append(code)
-        if step.name == _CALL and step.arguments:
+        if step.name == _CALL:
             self._call(step, body)
         else:
             values: list[Meaning | None] = []
@@ -337,16 +345,24 @@ class Assembler:
 
     def _call(self, step: Step, body: Body) -> None:
         """A CALL. Of a subcall by name, the number of its parameters is written too."""
+        if not step.arguments:
+            self.warnings.append((step.at, "CALL needs the name of the subcall, and then its arguments"))
+            return
         first, *others = step.arguments
         part, callee = self._argument(first, body)
         body.parts.append(part)
         if isinstance(callee, Callee) and callee.parameters is not None:
             body.parts.append(integer(len(callee.parameters)))
             if len(others) != len(callee.parameters):
-                reason = f"{_shown(first)} takes {len(callee.parameters)} parameters, and here are {len(others)}"
+                wanted = counted(len(callee.parameters), "argument")
+                reason = f"{_shown(first)} takes {wanted}, and here are {len(others)}"
                 if self._is_strict:
                     raise SourceError(step.at, reason)
                 self.warnings.append((step.at, reason))
+        elif callee is not None and not isinstance(callee, Callee):
+            self.warnings.append(
+                (first.at, "CALL takes a subcall by its name; anything else has its count written, too")
+            )
         values: list[Meaning | None] = []
         for argument in others:
             part, meaning = self._argument(argument, body)
@@ -373,6 +389,8 @@ class Assembler:
                 place_of = self._names.meaning(name.text, name.at, body.names)
                 if not isinstance(place_of, Place):
                     raise SourceError(at, f"{name.text[:40]} is no variable, and only one can stand after {sign}")
+                if sign == "@" and place_of.type is not Type.HANDLE:
+                    self.warnings.append((at, f"{name.text[:40]} is a {place_of.type}, and @ stands before a HANDLE"))
                 return marked(place_of, sign), None
             case RawArgument(_, data):
                 return data, None

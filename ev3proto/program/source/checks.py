@@ -7,15 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ev3proto.errors import counted
 from ev3proto.program.source.names import Callee, Meaning, Place
 from ev3proto.program.source.statements import Float, Name, Step, Text, Value
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import FamilySchema, OperationSchema
 from ev3proto.tables import OPCODES
+from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
 from ev3proto.tables.encoding import RANGES
 
 _NUMBERS = {opcode.name: opcode.number for opcode in OPCODES}
+_COMMANDS = {(opcode.name, command.name) for opcode in OPCODES for command in opcode.commands}
 _UNTYPED = (Type.ARRAY_TYPED, Type.LABEL, Type.COUNT, Type.VALUES)
 _LISTS = (Type.COUNT, Type.VALUES)
 
@@ -40,7 +43,11 @@ class Checks:
             cmd = values[0]
             if not isinstance(cmd, int):
                 return
-            schema = next((it.families[number].commands.get(cmd) for it in self._sets if it.families[number]), None)  # type: ignore[union-attr]
+            families = (it.families[number] for it in self._sets)
+            schema = next((it.commands[cmd] for it in families if it is not None and cmd in it.commands), None)
+            first = arguments[0]
+            if type(first) is Name and (step.name, first.text) not in _COMMANDS:
+                self._warn(first.at, f"{first.text[:40]} is no CMD of {step.name}, and counts as the number {cmd}")
             if schema is None:
                 self._warn(step.at, f"{step.name} has no CMD {cmd}")
                 return
@@ -65,7 +72,7 @@ class Checks:
             count = values[len(fixed) - 1] if len(values) >= len(fixed) else None
             wanted = len(fixed) + count if isinstance(count, int) else None
         if wanted is not None and len(values) != wanted:
-            self._warn(step.at, f"{name} takes {wanted} arguments, and here are {len(values)}")
+            self._warn(step.at, f"{name} takes {counted(wanted, 'argument')}, and here are {len(values)}")
         for one, argument, value in zip(fixed, arguments, values, strict=False):
             self._one(name, one.parameter, argument, value)
 
@@ -89,7 +96,7 @@ class Checks:
         else:
             return
         if reason is not None:
-            shown = f" {argument.text[:40]}" if isinstance(argument, Name) else ""
+            shown = f": {argument.text[:40]}" if isinstance(argument, Name) else ""
             self._warn(argument.at, f"{parameter.name} of {operation} {reason}{shown}")
 
     def _warn(self, at: int, reason: str) -> None:
@@ -100,14 +107,16 @@ def _constant(parameter: Parameter, value: int | Float | Text) -> str | None:
     """What is wrong with a constant."""
     kind = parameter.type
     if parameter.direction is Direction.OUT:
-        return "is an output, and what is written into a constant is lost:"
+        return "is an output, and what is written into a constant is lost"
     if isinstance(value, Float):
         return None if kind in (Type.DATAF, Type.ARRAY_TYPED) else f"is a {kind}, and here is a float"
     if isinstance(value, Text):
         is_text = kind in (Type.STRING, Type.ARRAY_TYPED, Type.DATA8)
         return None if is_text else f"is a {kind}, and here is a string"
     if kind is Type.DATAF:
-        return "is a DATAF, and a whole number means its bits there: floats end in F" if value else None
+        if value in (0, CONSTANTS["DATAF_NAN"]):
+            return None
+        return "is a DATAF, and a whole number means its bits there, while floats end in F"
     if kind is Type.STRING:
         return "is a string, and here is a number"
     limits = RANGES.get(kind) if kind in (Type.DATA8, Type.DATA16) else None
@@ -123,12 +132,10 @@ def _place(parameter: Parameter, place: Place) -> str | None:
         return None
     if kind is Type.STRING:
         return (
-            None
-            if place.type in (Type.STRING, Type.DATA8, Type.HANDLE)
-            else f"is a string, and here is a {place.type}:"
+            None if place.type in (Type.STRING, Type.DATA8, Type.HANDLE) else f"is a string, and here is a {place.type}"
         )
     if place.type is Type.STRING:
-        return None if kind is Type.DATA8 else f"is a {kind}, and here is a string:"
+        return None if kind is Type.DATA8 else f"is a {kind}, and here is a string"
     if place.type.size != kind.size or (place.type is Type.DATAF) is not (kind is Type.DATAF):
-        return f"is a {kind}, and here is a {place.type}:"
+        return f"is a {kind}, and here is a {place.type}"
     return None

@@ -54,6 +54,7 @@ _WHOLE = re.compile(r"([+-]?)(\d+)", re.ASCII)
 _POINT = re.compile(r"([+-]?)(\d*)\.\d*", re.ASCII)
 _OCTAL = re.compile(r"0[0-7]+")
 _OPERATORS = frozenset("+-*/")
+_BEYOND = 1 << 32
 _CODE = re.compile(r"_.", re.DOTALL)
 _SIZED = frozenset((*SIZED_WORDS, *SIZED_PARAMETERS, *OLD_WORDS))
 _PARAMETERS = frozenset(PARAMETER_WORDS) - frozenset(HANDLE_PARAMETERS)
@@ -86,7 +87,7 @@ class LegoParser:
                 self._keep(error)
             if len(self.errors) >= MOST_ERRORS:
                 return
-        if self._object is not None:
+        if self._object is not None and not self.errors:
             name = f"{self._object.kind} {self._object.name}"
             self._keep(SourceError(self._object.at, f"{name} has no }} at its end"))
 
@@ -158,6 +159,8 @@ class LegoParser:
                 raise SourceError(first.at, "there is no { that this } could end")
             self._object = None
         elif word.endswith(":") and _NAME.fullmatch(word[:-1]):
+            if len(words) > 1:
+                self.warnings.append((words[1].at, f"what stands after the label {word[:40]} on its line is left out"))
             self._inside(first, "a label").body.append(Label(first.at, word[:-1]))
         elif word == DEFINE:
             self._define(words)
@@ -249,7 +252,7 @@ class LegoParser:
     def _number(self, at: int, text: str) -> Value | None:
         found = _HEX.fullmatch(text)
         if found:
-            return Number(at, pattern(int(found[1], 16)))
+            return Number(at, self._cut(at, text, int(found[1], 16)))
         if _FLOAT.fullmatch(text):
             try:
                 return Float(at, single_bits(float(text[:-1])))
@@ -269,4 +272,10 @@ class LegoParser:
         if len(found[2]) > 40:
             raise SourceError(at, f"{text[:40]}... has more digits than any number needs")
         value = int(found[2] or "0")
-        return Number(at, pattern(-value if found[1] == "-" else value))
+        return Number(at, self._cut(at, text, -value if found[1] == "-" else value))
+
+    def _cut(self, at: int, text: str, value: int) -> int:
+        """The lowest 32 bits of a number that was written."""
+        if not -_BEYOND // 2 <= value < _BEYOND:
+            self.warnings.append((at, f"{text[:40]} has more than 32 bits, and only the lowest 32 are taken"))
+        return pattern(value)

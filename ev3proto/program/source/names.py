@@ -18,8 +18,13 @@ from ev3proto.tables.declaration import Direction, Enumeration, Type
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.text.assembly.symbols import suggestion
 
+_HOW_TO_NAME = ": a variable is declared above its use, a label stands in the same object"
+
 _MOST_KNOWN = 5000
 """Names among which a misspelt one is looked for."""
+
+_MOST_BITS = 1024
+"""Of the numerator and the denominator of an exact result."""
 
 MAX_DEPTH = 100
 """How many defines may be needed for the value of one."""
@@ -162,7 +167,8 @@ class Names:
     def _unknown(self, name: str, at: int, local: LocalNames) -> str:
         if any(place.at >= at for place in self.globals.get(name, ())):
             return f"{name[:40]} is declared further down: a variable has to stand above its use"
-        return f"there is no {name[:40]}{suggestion(name, islice(self._known(local), _MOST_KNOWN))}"
+        near = suggestion(name, islice(self._known(local), _MOST_KNOWN))
+        return f"there is no {name[:40]}{near or _HOW_TO_NAME}"
 
     def _known(self, local: LocalNames) -> Iterator[str]:
         yield from builtin_names()
@@ -229,10 +235,14 @@ class Names:
                 raise SourceError(part.at, "an expression is made of whole numbers and their names")
             parts.append(found)
         try:
-            usual = _usual(parts, value.operators)
             from_the_left = _from_the_left([int(part) for part in parts], value.operators)
+            usual = _usual(parts, value.operators)
         except ZeroDivisionError:
             raise SourceError(value.at, "a division by zero has no value") from None
+        except OverflowError:
+            if value.is_usual:
+                raise SourceError(value.at, "the expression needs more digits than any number has") from None
+            return from_the_left
         result = usual if value.is_usual else from_the_left
         if int(usual) != from_the_left:
             how = "products before sums" if value.is_usual else "from left to right"
@@ -260,7 +270,10 @@ def _applied(operator: str, left: int, right: int) -> int:
 
 
 def _usual(parts: list[int | Fraction], operators: tuple[str, ...]) -> int | Fraction:
-    """Products before sums, divisions exact; what is left over is cut off where the number is encoded."""
+    """Products before sums, divisions exact; what is left over is cut off where the number is encoded.
+
+    Raises OverflowError for a product or sum that no program needs: each could be twice as long as the one before.
+    """
     sums: list[Fraction] = [Fraction(parts[0])]
     for operator, part in zip(operators, parts[1:], strict=True):
         if operator == "*":
@@ -269,7 +282,16 @@ def _usual(parts: list[int | Fraction], operators: tuple[str, ...]) -> int | Fra
             sums[-1] /= part
         else:
             sums.append(Fraction(part if operator == "+" else -part))
-    total = sum(sums, Fraction(0))
+        _check_digits(sums[-1])
+    total = Fraction(0)
+    for product in sums:
+        total += product
+        _check_digits(total)
     if not fits(int(total)):
         return wrapped(int(total))
     return int(total) if total.denominator == 1 else total
+
+
+def _check_digits(value: Fraction) -> None:
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) > _MOST_BITS:
+        raise OverflowError

@@ -74,8 +74,8 @@ def assemble(
         if not errors:
             return Assembled(image, one, lines.warnings(warnings[:_MOST_WARNINGS]))
         failed.append(errors)
-    # What got further is the dialect that was meant.
-    raise lines.error(max(failed, key=lambda errors: min(error.at for error in errors)))
+    # What got to a later line is the dialect that was meant.
+    raise lines.error(max(failed, key=lambda errors: lines.place(min(error.at for error in errors))[0]))
 
 
 def _decoded(source: str | bytes) -> tuple[str, str]:

@@ -62,6 +62,7 @@ _TOKEN = re.compile(
 )
 _RAW = re.compile(r"bytes\((?:[0-9A-Fa-f]{2}|\s)*+\)")
 _BLANK = re.compile(r"(?:[ \t\r\n\f\v\x1a\ufeff]++|//[^\r\n]*+)*+")
+_STRAY_WORD = re.compile(r"[\w.]+")
 _ESCAPED = re.compile(r"\\(?P<known>[nqrt\\])?", re.DOTALL)
 _END = ""
 _MARKS = frozenset("{}(),:@&!+-*/")
@@ -106,7 +107,7 @@ class StrictParser:
                 at = blank.end() if blank else at
                 if len(self.errors) < MOST_ERRORS:
                     self.errors.append(SourceError(at, self._stray(at)))
-                at = self._behind_line(at)
+                at = self._behind_stray(at)
                 continue
             kind = found.lastgroup or ""
             start = found.start(kind)
@@ -141,12 +142,19 @@ class StrictParser:
         character = self._text[at]
         if character in "'\"":
             return f"the string that starts here has no {character} at its end"
-        word = re.compile(r"[\w.]+").match(self._text, at)
+        word = _STRAY_WORD.match(self._text, at)
         if word is None:
             return f"{character!r} cannot stand here"
         if "." in word[0] or word[0][0].isdigit():
             return f"{word[0][:40]} is no number: floats end in F, hexadecimal starts with 0x"
         return f"{word[0][:40]} cannot stand here"
+
+    def _behind_stray(self, at: int) -> int:
+        """Where reading goes on after a place where no token starts: after the word, or the string without an end."""
+        if self._text[at] in "'\"":
+            return self._behind_line(at)
+        word = _STRAY_WORD.match(self._text, at)
+        return word.end() if word else at + 1
 
     def _behind_line(self, at: int) -> int:
         found = re.compile(r"[\r\n]").search(self._text, at)
@@ -198,6 +206,8 @@ class StrictParser:
         body: list[Statement] = []
         while self._texts[self._at] != "}" or self._kinds[self._at] != "mark":
             if self._kinds[self._at] == "end":
+                if self.errors:  # What is wrong above may have taken the } with it.
+                    break
                 raise SourceError(at, f"{kind} {name} has no }} at its end")
             start = self._at
             try:
@@ -241,7 +251,7 @@ class StrictParser:
                 return self._define()
             if word in OBJECT_WORDS:
                 raise SourceError(at, f"a {word} cannot stand in another object: a }} is missing in front of it")
-            raise SourceError(self._ats[i + 1], f"a ( should stand after {word[:40]}, not {self._shown(i + 1)}")
+            raise SourceError(at + len(word), f"a ( should stand after {word[:40]}, not {self._shown(i + 1)}")
         if kind == "raw":
             self._at = i + 1
             return _raw(at, word)

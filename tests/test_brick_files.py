@@ -392,6 +392,17 @@ def test_a_file_is_found_by_the_name_that_opened_it(brick: Brick) -> None:
     assert run(brick, *code, globals=6, locals=2) == (OK, bytes((0xFF, 0xFF, 0, 1, 1, 0)))
 
 
+def test_moving_what_is_not_there_empties_the_target(brick: Brick, projects: Path) -> None:
+    (projects / "a.rtf").write_bytes(b"x")
+    assert run(brick, op("FILE.MOVE", "../prjs/none.rtf", "../prjs/a.rtf"))[0] == OK
+    assert not (projects / "a.rtf").exists()
+
+
+def test_a_path_that_is_put_together_is_cut(brick: Brick) -> None:
+    code = op("FILENAME.MERGE", "f" * 100, "n" * 30, ".rtf", -1, GV(0)), op("STRINGS.GET_SIZE", GV(0), GV(200))
+    assert run(brick, *code, globals=202)[1][200] == 118
+
+
 def test_arrays_take_all_of_a_path(brick: Brick) -> None:
     code = (
         op("ARRAY.CREATE8", 1, LV(0)),

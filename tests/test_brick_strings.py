@@ -374,3 +374,18 @@ def test_memory_is_copied_byte_by_byte(brick: Brick) -> None:
     assert run(brick, *code, globals=4) == (OK, bytes((1, 1, 1, 1)))
     code = op("INIT_BYTES", GV(0), 4, [1, 2, 3, 4]), op("MEMORY_WRITE", 2, 0, 1, 3, GV(0))
     assert run(brick, *code, globals=4) == (OK, bytes((1, 1, 1, 1)))
+
+
+def test_the_text_of_an_error_is_empty_where_there_is_no_room(brick: Brick) -> None:
+    code = op("MOVE16_16", 0x0909, GV(0)), op("INFO.ERRORTEXT", 5, 0, GV(0))
+    assert run(brick, *code, globals=2) == (OK, bytes((0, 9)))
+
+
+def test_the_number_of_an_error_has_ten_elements_of_an_array(brick: Brick) -> None:
+    code = (
+        op("ARRAY.CREATE8", 1, LV(0)),
+        op("INFO.ERRORTEXT", 127, -1, LV(0, handle=True)),
+        op("ARRAY.SIZE", LV(0), GV(0)),
+        op("STRINGS.DUPLICATE", LV(0, handle=True), GV(4)),
+    )
+    assert run(brick, *code, globals=14, locals=2) == (OK, bytes((10, 0, 0, 0)) + b"Number 12\0")

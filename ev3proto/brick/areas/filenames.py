@@ -16,10 +16,13 @@ _AS_THEY_ARE = (b".", b"/", b"~", b'"')
 """How names begin that are never looked up in the program's own folder."""
 
 
+_MOST_PATH = 118
+"""Bytes of a path that is put together or looked up; longer ones are cut."""
+
+
 def _looked_up(vm: Machine, name: bytes) -> bytes:
-    if name.startswith(_AS_THEY_ARE):
-        return name
-    return vm.program.folder.encode(STRING_CODING) + name
+    folder = b"" if name.startswith(_AS_THEY_ARE) else vm.program.folder.encode(STRING_CODING)
+    return (folder + name)[:_MOST_PATH]
 
 
 @handles("FILENAME.EXIST")
@@ -57,7 +60,7 @@ def _write(vm: Machine, place: Place, text: bytes, length: int) -> None:
 @handles("FILENAME.MERGE")
 def merge(vm: Machine, folder: bytes, name: bytes, extension: bytes, length: int, path: Place) -> None:
     """A slash is always put in."""
-    _write(vm, path, folder + b"/" + name + extension, length)
+    _write(vm, path, (folder + b"/" + name + extension)[:_MOST_PATH], length)
 
 
 @handles("FILENAME.CHECK", places=("FILENAME",))

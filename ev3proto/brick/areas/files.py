@@ -243,10 +243,15 @@ def make_folder(vm: Machine, path: bytes, success: Place) -> None:
 
 @handles("FILE.MOVE", places=("SOURCE", "DEST"))
 def move(vm: Machine, source: Place, target: Place) -> None:
-    """Copies: the source stays."""
-    names = checked_name(vm, source), checked_name(vm, target)
-    if names[0] is not None and names[1] is not None:
-        vm.brick.files.copy(names[0], names[1])
+    """Copies: the source stays. What is at the target is gone, even where there is nothing to copy."""
+    origin = checked_name(vm, source)
+    goal = None if origin is None else checked_name(vm, target)
+    if origin is None or goal is None:
+        return
+    files = vm.brick.files
+    if files.is_file(goal) or files.is_folder(goal):
+        _remove(vm, goal)
+    files.copy(origin, goal)
 
 
 def _entry(vm: Machine, folder: bytes, item: int) -> bytes | None:

@@ -8,6 +8,9 @@ from ev3proto.brick.memory import Place
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.errors import ERRORS
 
+NUMBER_ROOM = 10
+"""Elements of an array for the text of an error that has no name."""
+
 
 @handles("INFO.SET_ERROR")
 def set_error(vm: Machine, number: int) -> None:
@@ -24,7 +27,14 @@ def get_error(vm: Machine, number: Place) -> None:
 
 @handles("INFO.ERRORTEXT")
 def error_text(vm: Machine, number: int, length: int, destination: Place) -> None:
-    """The name of an error; of one without a name, its number."""
+    """The name of an error; of one without a name, its number, for which an array gets ten elements at most.
+
+    The text is empty where the length is 0.
+    """
+    if destination.handle < 0:
+        destination.write8(0)
+    elif number >= len(ERRORS):
+        length = NUMBER_ROOM if length == -1 else min(length, NUMBER_ROOM)
     text = "" if number == 0 else ERRORS[number] if 0 < number < len(ERRORS) else f"Number {number:02d}"
     vm.write_limited(destination, text.encode(STRING_CODING), length)
 

@@ -15,6 +15,9 @@ NO_TEXT = b"(null)"
 NEGATIVE_NOT_A_NUMBER = NOT_A_NUMBER | 0x80000000
 """The bits of a float that is no number, read from a text with a minus sign."""
 
+MOST_CHARACTERS = 1023
+"""Of a text that the firmware puts together in a buffer of its own."""
+
 MOST_DASHES = 4
 """Of a number that is none."""
 
@@ -53,7 +56,7 @@ def strip(vm: Machine, text: bytes, destination: Place) -> None:
 def sub(vm: Machine, text: bytes, sought: bytes, destination: Place) -> None:
     """What follows the first place where the text sought is; without such a place a rest of what printf shows."""
     at = text.find(sought)
-    rest = NO_TEXT[len(sought) :] if at < 0 else text[at + len(sought) :]
+    rest = (NO_TEXT if at < 0 else text[at:][:MOST_CHARACTERS])[len(sought) :]
     vm.write_text(destination, rest, len(text) + 1)
 
 
@@ -119,7 +122,7 @@ def number_formatted(vm: Machine, value: int, pattern: bytes, size: int, destina
 
 def _write_formatted(vm: Machine, destination: Place, text: bytes, size: int) -> None:
     """Cut to the size with its zero; an array gets what is needed instead."""
-    text = text.partition(b"\0")[0]
+    text = text.partition(b"\0")[0][:MOST_CHARACTERS]
     if destination.handle >= 0 or size < 0:
         vm.write_text(destination, text)
     elif size > 0:

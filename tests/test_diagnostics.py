@@ -229,4 +229,4 @@ def test_only_fixed_frames_are_read_again() -> None:
             found = Fix(frame, (change,), (), report(frame, span, rejected_at=10))
             yield from (f"{text}\n" for text in texts(fixed(found)))
 
-    assert [pasted.data for pasted in read_text(lines())] == [TONE + TONE] * 16
+    assert [pasted.data for pasted in read_text(lines())] == [TONE] * 32

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ev3proto.capture import Account, Capture, Event
     from ev3proto.capture.filter import Filter
     from ev3proto.capture.formats import CaptureFile
+    from ev3proto.text.paste import Missing
 
 BUILTIN = "builtin"
 """The engine that needs no other program."""
@@ -41,6 +42,7 @@ class CaptureOptions:
     engine   builtin or wireshark
     tshark   path of the tshark for that engine
     filter   which records to show, None for all
+    missing  what the bytes in a text lack in front of them to be frames
     """
 
     dialect: str = DIALECTS[0]
@@ -48,6 +50,7 @@ class CaptureOptions:
     engine: str = BUILTIN
     tshark: str | None = None
     filter: Filter | None = None
+    missing: Missing | None = None
 
 
 @dataclass
@@ -184,6 +187,18 @@ _OPTIONS = (
         metavar="EXPRESSION",
         help="Only frames of a capture for which this is true, such as 'op==SOUND.TONE && FREQUENCY>400'.",
     ),
+    click.option(
+        "--no-length",
+        "missing",
+        flag_value="length",
+        help="Each line of a text is a frame without the two bytes of its length field.",
+    ),
+    click.option(
+        "--operations",
+        "missing",
+        flag_value="header",
+        help="Each line of a text is operations without the header of a frame.",
+    ),
 )
 
 
@@ -198,9 +213,10 @@ def reading_options(command: F) -> F:
         engine: str,
         tshark: str | None,
         chosen: Filter | None,
+        missing: Missing | None,
         **others: Any,
     ) -> Any:
-        reading = CaptureOptions(dialect, ports, engine, tshark, chosen)
+        reading = CaptureOptions(dialect, ports, engine, tshark, chosen, missing)
         return command(*arguments, reading=reading, **others)
 
     for option in reversed(_OPTIONS):

@@ -18,7 +18,7 @@ import click
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.programs import RBF, SUFFIX, encode_program
-from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.sources import Source, SourceReader, Unread, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -240,12 +240,17 @@ class Encoding(SourceReader):
     def _frames(self, source: Source, lines: Iterable[str]) -> None:
         found = [read_argument(source.name)] if source.is_frame else read_text(lines)
         count = 0
+        unread = Unread()
         for pasted in found:
             count += 1
-            if source.is_frame and not pasted.data:
+            if pasted.unread:
+                unread.add(pasted)
+            elif source.is_frame and not pasted.data:
                 self.complain(f"{source.name[:60]!r} is no file, no assembly and no frame: {pasted.problem}")
             else:
                 self._pasted(pasted, source)
+        if unread.count:
+            self.complain(f"{source.label}: {unread}")
         if not count:
             self.complain(f"{source.label}: there is nothing in it that can be encoded: {_EXPECTED}")
 

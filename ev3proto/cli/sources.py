@@ -18,7 +18,7 @@ import click
 from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
 from ev3proto.cli.programs import is_image
-from ev3proto.text.paste import MAX_LINE, Pasted, read_argument, read_text
+from ev3proto.text.paste import MAX_LINE, Pasted, read_argument, read_bare, read_text
 from ev3proto.text.split import Piece, split
 from ev3proto.text.visible import visible
 
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
 
 _START = 8
+_MOST_UNREAD = 8
+_MOST_RAW = 1 << 26
 
 _GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 
@@ -81,6 +83,26 @@ def _exists(name: str) -> bool:
         return False
 
 
+class Unread:
+    """What looks like frames in a text and was not read."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        self._first: list[str] = []
+
+    def add(self, pasted: Pasted) -> None:
+        """Takes one more; only the first ones are named."""
+        self.count += 1
+        if len(self._first) < _MOST_UNREAD:
+            self._first.append(f"line {pasted.line}, column {pasted.column}: {pasted.problem}")
+
+    def __str__(self) -> str:
+        many = f"{self.count} lines look like frames and were"
+        lines = "1 line looks like a frame and was" if self.count == 1 else many
+        more = self.count - len(self._first)
+        return f"{lines} not read: {'; '.join(self._first)}" + (f"; and {more} more" if more else "")
+
+
 class SourceReader(ABC):
     """Reads sources one after the other, and remembers whether any was at fault.
 
@@ -123,12 +145,22 @@ class SourceReader(ABC):
 
     def argument(self, source: Source) -> None:
         """Takes a frame that was typed on the command line."""
-        self._pasted(read_argument(source.name), source)
+        if self.reading.missing is not None:
+            self.text(source, iter([source.name]))
+        else:
+            self._pasted(read_argument(source.name), source)
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
-        """Takes the lines of a text."""
-        for pasted in read_text(lines):
-            self._pasted(pasted, source)
+        """Takes the lines of a text, and complains about those that look like frames and are none."""
+        missing = self.reading.missing
+        unread = Unread()
+        for pasted in read_text(lines) if missing is None else read_bare(lines, missing):
+            if pasted.unread:
+                unread.add(pasted)
+            else:
+                self._pasted(pasted, source)
+        if unread.count:
+            self.complain(f"{source.label}: {unread}")
 
     def read(self, source: Source) -> None:
         """Reads everything in a source, and complains where it cannot be read."""
@@ -149,12 +181,28 @@ class SourceReader(ABC):
                 return
             self.refuse_text(source)
             if is_binary(start):
+                if self._raw(source, file):
+                    return
                 self.complain(
                     f"{source.label}: neither text nor a capture: it starts with {start.hex(' ').upper()};"
                     f" {self.accepted}"
                 )
                 return
             self.text(source, self._readable(source, text_lines(file.contents)))
+
+    def _raw(self, source: Source, file: CaptureFile) -> bool:
+        """Takes frames that stand one after the other as they are; tells whether they did."""
+        try:
+            data = file.contents.read(_MOST_RAW)
+        except (OSError, EOFError, zlib.error):
+            return False
+        found = list(split(data, dialect=self.reading.dialect))
+        if len(found) == 1 and found[0].message.fault is not None:
+            return False
+        pasted = Pasted(data, 1, "")
+        for piece in found:
+            self.piece(piece, pasted, source)
+        return True
 
     def program(self, source: Source, image: bytes) -> None:
         """Takes a program image (.rbf)."""

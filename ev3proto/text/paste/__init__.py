@@ -1,41 +1,71 @@
 r"""Text that people paste -> the bytes of frames: log lines, hex, byte strings, arrays, dumps.
 
 Nobody types a frame into a file of its own: frames come out of terminals, source code and bug reports. What is here
-finds them there, line by line, and leaves prose alone. It knows how bytes are written and nothing of what they mean.
+finds them there and leaves prose alone. One rule says what a frame is: a run of byte values, in any notation, whose
+length field fits it exactly, wherever it stands in a text and whatever stands around it.
 
-The forms, in the order in which a line is tried:
+    blanking      what is no byte is blanked: times, casts, indexes, comments
+    columns       so are the offsets and the text of dumps
+    values        the values in a line, the runs that they form, and the readings that a run may have
+    fitting       which bytes of a run are frames, and what looks like one
+    scanner       lines to frames, also those that are wrapped
+    forms         what is no frame: where a piece breaks off, and the few bytes that an argument may be
 
-    dump            0000  0e 00 2a 00 80 00 00 94  01 01 82 b8 01 82 e8 03   ..*.............
-    fromhex         bytes.fromhex("0e002a00...")
-    string          b'\x0e\x00*\x00...'  and  "\x0e\x00*\x00..."
-    escapes         \x0e\x00\x2a\x00...
-    lesson          0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|
-    array           { 0x0E, 0x00, 42, ... }  and  [14, 0, 42, ...], also over several lines
-    bare hex        0E002A00..., with blanks, commas, colons, dashes, bars or 0x; nothing else may stand in the line
-
-In front of each may stand a time and a word that tells the direction.
+A reading is chosen by the length field, too: `10` is sixteen where the run is a frame with it, and ten where it is one
+with that.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from typing import Literal
 
 from ev3proto.text.paste.dumps import dump_row
+from ev3proto.text.paste.fitting import bare_reason, is_flawless, with_header, with_length
+from ev3proto.text.paste.forms import Forms
 from ev3proto.text.paste.hexadecimal import bare
-from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, Pasted, Wants, short
+from ev3proto.text.paste.pieces import MAX_TEXT, Pasted, Wants, short
 from ev3proto.text.paste.reader import MAX_LINE, Reader
+from ev3proto.text.paste.scanner import bytes_in
 
-__all__ = ["MAX_LINE", "Pasted", "read_argument", "read_text"]
+__all__ = ["MAX_LINE", "Missing", "Pasted", "read_argument", "read_bare", "read_text"]
+
+Missing = Literal["length", "header"]
+"""What bytes may lack: the two bytes of the length field, or the whole header of a direct command."""
+
+_MAKERS = {"length": with_length, "header": with_header}
 
 
 def read_text(lines: Iterable[str]) -> Iterator[Pasted]:
-    """The frames in lines of text, in their order; whatever looks like none is passed over. Never raises of itself.
+    """The frames in lines of text, in their order, and what looks like one (`unread`). Never raises of itself.
 
     Memory stays bounded: only an array or a dump that goes on over several lines is collected, up to 64 KiB of it.
     Lines of more than 1 MiB are not read, but reported.
     """
-    yield from Reader(Wants(LEAST, is_sure=False)).read(lines)
+    yield from Reader().read(lines)
+
+
+def read_bare(lines: Iterable[str], missing: Missing) -> Iterator[Pasted]:
+    """The frames in lines of bytes that lack a part of it; each line is one.
+
+    Args:
+        lines: The lines.
+        missing: What is put in front of the bytes of each.
+
+    Yields:
+        The frames. A line whose bytes cannot be a frame even so has a `problem`; a line without bytes has nothing.
+    """
+    for number, line in enumerate(lines, 1):
+        data = bytes_in(line[:MAX_LINE])
+        if not data:
+            continue
+        frame = _MAKERS[missing](data)
+        text = short(line, MAX_TEXT)
+        if frame is not None:
+            yield Pasted(frame, number, text)
+        else:
+            yield Pasted(b"", number, text, problem=f"{len(data)} bytes are no frame that lacks its {missing}")
 
 
 def read_argument(text: str) -> Pasted:
@@ -44,11 +74,16 @@ def read_argument(text: str) -> Pasted:
     What cannot be read gives a `problem`, and so does a second piece in the same argument: `data` is the first.
     """
     lines = text.strip("\r\n").split("\n")
-    if len(lines) == 1:
-        pieces = list(Reader(Wants(1, is_sure=True)).read(lines))
-    else:
-        wrapped = _wrapped_hex(lines)
-        pieces = list(read_text(lines)) if wrapped is None else [wrapped]
+    found = list(read_text(lines))
+    pieces = [piece for piece in found if not piece.unread]
+    if not any(piece.problem is None for piece in pieces):
+        wrapped = _wrapped_hex(lines) if len(lines) > 1 else None
+        if wrapped is not None:
+            pieces = [wrapped]
+        elif len(lines) == 1:
+            forms = Forms(Wants(1, is_sure=True))
+            pieces = [*forms.feed(lines[0], 1), *forms.close()]
+    pieces = [_explained(piece) for piece in pieces]
     if not pieces:
         problem = "it is empty" if not text.strip() else "column 1: there are no bytes in it that could be read"
         return Pasted(b"", 1, short(text, MAX_TEXT), problem=problem)
@@ -57,6 +92,14 @@ def read_argument(text: str) -> Pasted:
         return first
     problem = f"it has {len(pieces)} frames in it, of which only the first was read: give each an argument of its own"
     return replace(first, problem=problem)
+
+
+def _explained(piece: Pasted) -> Pasted:
+    """The piece, and what is missing in front of it where that makes a frame of it."""
+    if piece.problem is not None or is_flawless(piece.data):
+        return piece
+    reason = bare_reason(piece.data)
+    return piece if reason is None else replace(piece, problem=reason)
 
 
 def _wrapped_hex(lines: list[str]) -> Pasted | None:

@@ -27,6 +27,8 @@ class Pasted:
     time       as printed, such as "09:12:31.011558" or "2024-01-31T09:12:31Z"; None where the text has none
     cut        True where the text says that more bytes existed, by an ellipsis at its end
     problem    None, or a sentence that tells (with the column) why the piece could not be read whole
+    column     where it starts in its line, the first column is 1
+    unread     True for what looks like a frame and is none: `data` is empty, and `problem` tells why
     """
 
     data: bytes
@@ -36,6 +38,8 @@ class Pasted:
     time: str | None = None
     cut: bool = False
     problem: str | None = None
+    column: int = 1
+    unread: bool = False
 
 
 @dataclass(frozen=True, slots=True)

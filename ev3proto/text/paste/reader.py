@@ -1,85 +1,68 @@
-"""The forms together: which is tried when, and the array or the dump that goes on over several lines."""
+"""Lines of text to pieces: frames by the rule, and the forms for what is none."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+import re
+from collections.abc import Iterable, Iterator
 
-from ev3proto.text.paste.arrays import Array, find_arrays
-from ev3proto.text.paste.dumps import Dump, start_dump
-from ev3proto.text.paste.hexadecimal import bare, fromhex, lesson
-from ev3proto.text.paste.pieces import MAX_TEXT, Found, Pasted, Wants, short
-from ev3proto.text.paste.strings import escapes, strings
+from ev3proto.text.paste.fitting import reason
+from ev3proto.text.paste.forms import Forms
+from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, Pasted, Wants, short
+from ev3proto.text.paste.scanner import Row, Scanner
 
 MAX_LINE = 1 << 20
 
-_FORMS: tuple[Callable[[str], Iterator[Found]], ...] = (fromhex, strings, escapes, lesson)
+_ADDRESS = re.compile(r"(?:[0-9a-fA-F]{2}([:-]))(?:[0-9a-fA-F]{2}\1){4}[0-9a-fA-F]{2}")
+_DENSE = re.compile(r"[\"'<(]*(?:[0-9a-fA-F]{2}[:-]?)+[\"'>),;.]*")
 
 
 class Reader:
-    """Reads line after line and keeps the array or the dump that is not yet at its end."""
+    """Reads the frames of a text, and says of the rest what looks like one."""
 
-    def __init__(self, wants: Wants) -> None:
-        self._wants = wants
-        self._open: Array | Dump | None = None
+    def __init__(self) -> None:
+        self._scanner = Scanner()
+        self._forms = Forms(Wants(LEAST, is_sure=False))
+        self._held: list[Pasted] = []
 
     def read(self, lines: Iterable[str]) -> Iterator[Pasted]:
-        """All pieces in the lines."""
+        """All pieces in the lines, in their order."""
+        number = 0
         for number, line in enumerate(lines, 1):
             if len(line) > MAX_LINE:
-                yield from self._end()
+                yield from self._all(self._scanner.close())
+                yield from self._kept(self._forms.close())
                 problem = f"the line has {len(line)} characters, more than {MAX_LINE}, and was not read"
                 yield Pasted(b"", number, short(line, MAX_TEXT), problem=problem)
             else:
-                yield from self._line(line.rstrip("\r\n"), number)
-        yield from self._end()
+                yield from self._all(self._scanner.feed(line.rstrip("\r\n"), number))
+        yield from self._all(self._scanner.close())
+        yield from self._kept(self._forms.close())
 
-    def _end(self) -> Iterator[Pasted]:
-        """What was being collected, as far as it came."""
-        collected, self._open = self._open, None
-        if collected is not None and collected.is_wanted(self._wants):
-            yield collected.pasted()
+    def _all(self, found: Iterator[Pasted | Row]) -> Iterator[Pasted]:
+        for one in found:
+            if isinstance(one, Pasted):
+                yield one
+                continue
+            if one.looks is not None:
+                self._held.append(one.looks)
+            yield from self._kept(self._forms.feed(one.line, one.number))
 
-    def _line(self, line: str, number: int) -> Iterator[Pasted]:
-        """What ends with the line, and what is in the rest of it."""
-        collected, position = self._open, 0
-        if isinstance(collected, Dump) and collected.takes(line, number):
-            return
-        if isinstance(collected, Array):
-            position = collected.feed(line, 0, number)
-            if collected.state == "open":
-                return
-        yield from self._end()
-        if isinstance(collected, Array) and collected.state == "closed":
-            yield from self._keep(find_arrays(line, number, position, self._wants))
-        else:
-            yield from self._new_line(line, number)
+    def _kept(self, pieces: Iterator[Pasted]) -> Iterator[Pasted]:
+        """The pieces that are worth reporting, and what looks like a frame where there is none of them."""
+        for piece in pieces:
+            if _is_worth(piece):
+                self._held = [looks for looks in self._held if looks.line < piece.line]
+                yield piece
+        if not self._forms.is_open:
+            held, self._held = self._held, []
+            yield from held
 
-    def _new_line(self, line: str, number: int) -> Iterator[Pasted]:
-        """The pieces in a line that goes on with nothing: those of the first form that finds any."""
-        if not line.strip() or line.lstrip().startswith(("#", "//")):
-            return
-        self._open = start_dump(line, number)
-        if self._open is not None:
-            return
-        for form in _FORMS:
-            found = [piece for piece in form(line) if self._takes(piece)]
-            if found:
-                yield from (piece.pasted(number, line) for piece in found)
-                return
-        arrays = find_arrays(line, number, 0, self._wants)
-        # Hex in brackets without 0x breaks off as an array at its first letter.
-        if all(array.state == "broken" for array in arrays):
-            piece = bare(line, is_sure=self._wants.is_sure)
-            if piece is not None and self._takes(piece) and (not arrays or piece.problem is None):
-                yield piece.pasted(number, line)
-                return
-        yield from self._keep(arrays)
 
-    def _takes(self, found: Found) -> bool:
-        return self._wants.takes(len(found.data), found.problem, found.head, is_marked=found.is_marked)
-
-    def _keep(self, arrays: list[Array]) -> Iterator[Pasted]:
-        """Reports the arrays, and keeps the one that is still open."""
-        if arrays and arrays[-1].state == "open":
-            self._open = arrays.pop()
-        yield from (array.pasted() for array in arrays)
+def _is_worth(piece: Pasted) -> bool:
+    """Whether a piece that is no frame is reported: the text says that it is meant as one, or it looks like one."""
+    if _ADDRESS.fullmatch(piece.text.strip()):
+        return False
+    if piece.problem is not None or piece.cut or piece.direction is not None or piece.text.startswith("0x|"):
+        return True
+    is_dense = _DENSE.fullmatch(piece.text) is not None
+    return reason(piece.data, is_dense=is_dense, is_decimal=False) is not None

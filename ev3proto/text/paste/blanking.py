@@ -1,0 +1,120 @@
+"""What stands among bytes and is none is blanked, column for column: times, casts, indexes, remarks, offsets, colours.
+
+A line keeps its length, so that a column found in what is left is a column of the line.
+"""
+
+from __future__ import annotations
+
+import re
+
+OTHER = "\x00"
+"""Stands for characters that cannot be bytes and that end a run of them."""
+
+_COLOUR = re.compile(r"\x1b\[[0-9;?]{0,20}[A-Za-z]")
+_CLOCK = r"(?:[01]?\d|2[0-3]):[0-5]\d:[0-6]\d(?:[.,]\d{1,9})?"
+_FOREIGN = re.compile(
+    # A UUID, a date with or without a time, a time.
+    r"(?<![\w-])[0-9a-fA-F]{8}-[0-9a-fA-F]{4}-[0-9a-fA-F]{4}-[0-9a-fA-F]{4}-[0-9a-fA-F]{12}(?![\w-])"
+    rf"|(?<![\w.:|-])(?:19|20)\d\d[-/.][01]\d[-/.][0-3]\d(?:[T ]\s?{_CLOCK})?(?:Z|\s?[+-]\d\d:?\d\d)?(?![\w:|-])"
+    r"|(?<![\w.:|-])[0-3]\d[./][01]\d[./](?:19|20)\d\d(?![\w:|-])"
+    rf"|(?<![\w.:|-]){_CLOCK}(?:Z|\s?[+-]\d\d:?\d\d)?(?=[\])>:;,-]?(?:\s|$))"
+    # A number with a unit or decimal places; an address on the internet.
+    r"|(?<![\w.-])[-+]?\d+(?:\.\d+)+(?:e[-+]?\d+)?(?![\w.])",
+    re.ASCII,
+)
+_CAST = re.compile(
+    r"\(\s?(?:(?:un)?signed )?(?:byte|char|u?int8_t|u8|sbyte|Byte|SByte|UInt8|uint8|BYTE)\s?\)"
+    r"|\.to(?:Byte|UByte|Char)\(\)|\bas (?:u8|i8|byte|Byte)\b"
+    r"|\b(?:byte|char|chr|Chr\$?|ord|CByte|UInt8|uint8|int8|u8|ToByte|Word8|fromIntegral)(?=\s?\()"
+    r"|<repeats \d+ times>|\bb?(?=')(?='..?')",
+)
+_DIRECTIVE = re.compile(
+    r"^(?P<before>[\s\w.$@:]{0,40}?)(?P<word>(?:\.byte|\.db|\bdb|\bDB|\bdc\.b|\bDC\.B|\bdefb|\bDEFB|\bfcb|\bFCB"
+    r"|(?:\d{1,5}\s+)?DATA|\.ascii|\.short8|\bBYTE)\s)"
+)
+_LEAD = re.compile(
+    r"^(?P<blank>\s*)(?P<mark>(?://+[/!]?|#+|/\*+|\*(?!/)|;+|--+(?=\s)|'(?=\s)|REM\b|%+(?=\s)|<!--|>(?=\s))\s?)+"
+)
+_REMARK = re.compile(
+    r"(?://|(?<=[\s,;)}\]])(?:#(?![xX$\d])|;(?=\s*[^\W\d_]{2})|--(?=\s)|'(?=\s*[A-Za-z]{3})|\\\s|%(?=\s)))"
+)
+_COMMENT = re.compile(r"/\*(?:(?!\*/).)*+(?:\*/)?")
+_SUBSCRIPT = re.compile(r"(?:\b[A-Za-z_][\w.>-]{0,40})?\[\s?(?P<index>0|[1-9]\d{0,4})\]\s{0,4}(?:=>?|:)\s{0,4}")
+_KEY = re.compile(
+    r"(?<![\w\"'.])(?P<quote>[\"']?)(?P<index>0|[1-9]\d{0,4})(?P=quote)\s?(?:=>|:)(?:\s{1,4}|(?<=[\"']:))"
+)
+
+
+def blank(line: str, pattern: re.Pattern[str], character: str = " ") -> str:
+    """The line, each match replaced by so many characters."""
+    return pattern.sub(lambda found: character * len(found[0]), line)
+
+
+def clean(line: str) -> str:
+    """The line without what no notation of bytes has: colours, times, addresses on the internet, casts."""
+    if "\x1b" in line:
+        line = blank(line, _COLOUR)
+    if "." in line or ":" in line or "-" in line or "/" in line:
+        line = blank(line, _FOREIGN, OTHER)
+    return blank(line, _CAST) if "(" in line or " as " in line or "<r" in line else line
+
+
+def without_marks(line: str) -> str:
+    """The line without the marks of a comment at its start, and without an assembler's directive."""
+    found = _LEAD.match(line)
+    if found is not None:
+        line = " " * found.end() + line[found.end() :]
+    found = _DIRECTIVE.match(line)
+    if found is not None:
+        line = " " * found.end() + line[found.end() :]
+    return line
+
+
+def without_remarks(line: str, *, is_inside: bool = False) -> tuple[str, bool]:
+    """The line without its comments, and whether a comment goes on in the next line.
+
+    Args:
+        line: A line.
+        is_inside: It begins inside a comment.
+    """
+    if is_inside:
+        end = line.find("*/")
+        if end < 0:
+            return " " * len(line), True
+        line = " " * (end + 2) + line[end + 2 :]
+    stays_open = False
+    if "/*" in line:
+        last = line.rfind("/*")
+        stays_open = "*/" not in line[last:]
+        line = blank(line, _COMMENT)
+    found = _REMARK.search(line, len(line) - len(line.lstrip()) + 1)
+    if found is not None:
+        line = line[: found.start()] + " " * (len(line) - found.start())
+    return line, stays_open
+
+
+def without_indexes(line: str, expected: int) -> tuple[str, int]:
+    """The line without the indexes of an expanded array (`0: 15, 1: 0` or `cmd[0] = 15;`), which must count up.
+
+    Args:
+        line: A line.
+        expected: The index that may stand first.
+
+    Returns:
+        The line, and the index after the last.
+    """
+    for pattern in (_SUBSCRIPT, _KEY):
+        found = pattern.search(line)
+        if found is None or int(found["index"]) not in (0, expected):
+            continue
+        following = int(found["index"])
+        parts = []
+        position = 0
+        for found in pattern.finditer(line):
+            if int(found["index"]) != following:
+                break
+            following += 1
+            parts += [line[position : found.start()], " " * len(found[0])]
+            position = found.end()
+        return "".join(parts) + line[position:], following
+    return line, expected

@@ -1,0 +1,122 @@
+"""The columns of a dump that are no bytes: the offset in front of a row, and the same bytes as text after it.
+
+A column of text is known by what it says: each printable byte stands there as its character. An offset is known by its
+digits, what follows it, and whether it counts the bytes of the rows before.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+
+from ev3proto.text.paste.blanking import OTHER
+
+_OFFSET = re.compile(
+    r"^(?P<before>(?:.{0,80}?[\s\])>:])??)(?P<offset>(?:0[xX])?[0-9a-fA-F]{4,16})(?P<mark>[:hH]?\s?[|:]?)(?P<blanks>\s++)"
+    r"(?=-?[0-9a-fA-F\\])"
+)
+_ONLY_OFFSET = re.compile(r"^\s*(?P<offset>[0-9a-fA-F]{7,8}):?\s*$")
+_GROUP = re.compile(r"(?P<digits>(?:[0-9a-fA-F]{2}){1,8})(?![^\s|])(?P<blanks>\s*+)")
+_MOST_TEXT = 1 << 10
+_NUMBERS = re.compile(r"[\s\d-]+")
+_MOST_GROUPS = 64
+_NEAR = 8
+
+
+def without_columns(line: str, counts: Collection[int] = ()) -> str:
+    """The line without offset and text column, if it is the row of a dump.
+
+    Args:
+        line: A line, cleaned.
+        counts: How many bytes the rows before it have, in each reading of them.
+    """
+    alone = _ONLY_OFFSET.match(line)
+    if alone is not None and _numbers(alone["offset"]) & {*counts} - {0}:
+        return " " * len(line)
+    start = 0
+    offset = _OFFSET.match(line)
+    if offset is not None and _is_offset(line, offset, counts):
+        start = offset.end()
+        line = " " * start + line[start:] if not offset["before"].strip() else _covered(line, offset)
+    else:
+        offset = None
+    return _without_text(line, start, has_offset=offset is not None)
+
+
+def _covered(line: str, offset: re.Match[str]) -> str:
+    begin = offset.start("offset")
+    return line[:begin] + " " * (offset.end() - begin) + line[offset.end() :]
+
+
+def _is_offset(line: str, offset: re.Match[str], counts: Collection[int]) -> bool:
+    """Whether the digits are an offset: zero, the bytes so far, or written as nothing but an offset is."""
+    digits = offset["offset"].lower().removeprefix("0x")
+    numbers = _numbers(digits)
+    if numbers & {count for count in counts if count}:
+        return True
+    group = _GROUP.match(line, offset.end())
+    width = len(group["digits"]) if group is not None else 0
+    is_set_off = ":" in offset["mark"] or len(offset["blanks"]) > 1 or "\t" in offset["blanks"]
+    if numbers == {0}:
+        return is_set_off or len(digits) in (6, 7) or width == 2 or (len(digits) == 8 and width == 4)
+    return not offset["before"].strip() and (
+        ":" in offset["mark"] or (width == 2 and (len(offset["blanks"]) > 1 or len(digits) in (6, 7)))
+    )
+
+
+def _numbers(digits: str) -> set[int]:
+    """The numbers that the digits of an offset may mean: od counts in octal."""
+    numbers = {int(digits, 16)}
+    if digits.isdecimal():
+        numbers.add(int(digits))
+    if set(digits) <= set("01234567"):
+        numbers.add(int(digits, 8))
+    return numbers
+
+
+def _without_text(line: str, start: int, *, has_offset: bool) -> str:
+    """The line without the column of text."""
+    first = re.compile(r"[0-9a-fA-F]{2}").search(line, start)
+    if first is None:
+        return line
+    position = first.start()
+    if not has_offset and line[:position].strip(" \t" + OTHER):
+        return line
+    data = bytearray()
+    for _ in range(_MOST_GROUPS):
+        group = _GROUP.match(line, position)
+        if group is None:
+            break
+        data += bytes.fromhex(group["digits"])
+        position = group.end()
+        text = line[position:]
+        if not text:
+            return line
+        is_wide = len(group["blanks"]) > 1 or text[0] in "|>"
+        if not is_wide:
+            continue
+        if _says(text, data):
+            return line[:position] + " " * len(text)
+        if len(text) > _MOST_TEXT or _NUMBERS.fullmatch(text):
+            continue
+        # As long as eight bytes have only one more blank after them, no wider gap may stand between bytes.
+        if has_offset and len(data) > 1 and len(group["digits"]) in (2, 4, 8):
+            if text[0] == "|" or not (len(group["blanks"]) == 2 and len(data) == _NEAR):
+                return line[:position] + " " * len(text)
+        elif has_offset and len(data) == 1 and len(group["blanks"]) > 4 * _NEAR:
+            return line[:position] + " " * len(text)
+    return line
+
+
+def _says(text: str, data: bytearray) -> bool:
+    """Whether the text is that of the bytes."""
+    if len(text) > _MOST_TEXT:
+        return False
+    shown = text.strip()
+    if len(shown) > 2 and shown[0] in "|>" and shown[-1] in "|<":
+        shown = shown[1:-1]
+    shown = "".join(shown.split())
+    known = [byte for byte in data if byte != 0x20]
+    if len(shown) != len(known):
+        return False
+    return all(chr(byte) == character or not 0x20 < byte < 0x7F for byte, character in zip(known, shown, strict=True))

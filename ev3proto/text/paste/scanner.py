@@ -1,0 +1,560 @@
+"""Text to frames, by one rule: a run of byte values whose length field fits it is a frame, wherever it stands.
+
+Lines are looked at one by one. A run that reaches to the end of its line and is no frame yet is kept: the next
+lines may go on with it. What is no frame in the end is said to look like one, or left to the forms.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+from ev3proto.schema.header import frame_size
+from ev3proto.text.paste.blanking import (
+    clean,
+    without_indexes,
+    without_marks,
+    without_remarks,
+)
+from ev3proto.text.paste.columns import without_columns
+from ev3proto.text.paste.fitting import HASHES, Span, bare_reason, covered, frames_in, is_whole, reason
+from ev3proto.text.paste.head import Head, head_before
+from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_TEXT, Pasted, short
+from ev3proto.text.paste.values import Run, Style, Value, character_cells, reading, readings, runs
+
+_MAY_HAVE = re.compile(r"[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
+# What `check` prints under a finding: the frame itself stands above it.
+_EXCERPT = re.compile(r"\s*\+\d+ \| ")
+_DIGITS = re.compile(r"[0-9]+|0x[0-9a-fA-F]+")
+
+
+@dataclass(slots=True)
+class Stretch:
+    """A part of a run that one reading gives bytes for.
+
+    data     the bytes
+    places   the value that each of them belongs to
+    name     the reading
+    """
+
+    name: str
+    data: bytes
+    places: list[int]
+
+
+@dataclass(slots=True)
+class Reading:
+    """A reading of a run and the frames that it gives."""
+
+    stretches: list[Stretch] = field(default_factory=list)
+    spans: list[tuple[Stretch, list[Span]]] = field(default_factory=list)
+
+    @property
+    def covered(self) -> int:
+        """How many bytes its frames have."""
+        return sum(covered(spans) for _, spans in self.spans)
+
+    @property
+    def worth(self) -> tuple[int, int]:
+        """By which of two readings the likelier one is known: bytes of frames with natural boundaries, and of all."""
+        natural = sum(span.end - span.start for _, spans in self.spans for span in spans if span.is_natural)
+        return natural, self.covered
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether its frames are all there is."""
+        return len(self.spans) == 1 and is_whole(self.spans[0][0].data, self.spans[0][1])
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A line, the part of it that may belong to a frame over several lines, and why it looks like one if it is none."""
+
+    number: int
+    line: str
+    run: Run | None
+    looks: Pasted | None = None
+
+
+@dataclass(slots=True)
+class Pending:
+    """Rows that may go on in the next line.
+
+    data  their bytes by reading; a reading that does not fit a value is no more among them
+    """
+
+    rows: list[Row]
+    data: dict[str, bytearray]
+    depth: int
+    was_opened: bool
+    size: int
+    in_comment: bool = False
+    index: int = 0
+
+    def is_complete(self) -> bool:
+        """Whether some reading has as many bytes as its length field says."""
+        return any(len(data) >= 2 and frame_size(data) == len(data) for data in self.data.values())
+
+
+def stretches(run: Run, name: str) -> list[Stretch]:
+    """The parts of a run that a reading gives bytes for."""
+    found: list[Stretch] = []
+    data = bytearray()
+    places: list[int] = []
+    if name == "base64":
+        joined = replace_text(run.values[0], "".join(value.text for value in run.values))
+        content = reading(name, joined) or b""
+        return [Stretch(name, content, [min(at, len(run.values) - 1) for at in range(len(content))])]
+    for index, value in enumerate(run.values):
+        part = reading(name, value)
+        if part is None:
+            if data:
+                found.append(Stretch(name, bytes(data), places))
+            data, places = bytearray(), []
+            continue
+        data += part
+        places += [index] * len(part)
+    if data:
+        found.append(Stretch(name, bytes(data), places))
+    return found
+
+
+def replace_text(value: Value, text: str) -> Value:
+    """The value with another text."""
+    return replace(value, text=text)
+
+
+def boundaries(run: Run, stretch: Stretch) -> tuple[set[int], set[int], set[int]]:
+    """Where frames may naturally start and end in a stretch, and which of its bytes were not written."""
+    places, values, gaps = stretch.places, run.values, run.gaps
+    changes = _changes(run)
+    # Where a value has no bytes in this reading, the stretch has no natural boundary.
+    starts = {0} if places and (places[0] == 0 or places[0] in changes) else set[int]()
+    ends = {len(places)} if places and (places[-1] + 1 == len(values) or places[-1] + 1 in changes) else set[int]()
+    unknown = set[int]()
+    for offset, place in enumerate(places):
+        if values[place].style is Style.UNKNOWN:
+            unknown.add(offset)
+        if offset and place != places[offset - 1] and (gaps[place] == "\n" or place in changes):
+            starts.add(offset)
+            ends.add(offset)
+    if stretch.name in ("string", "decimal string") and run.values[0].text[:1] not in ("\\", ""):
+        starts.add(1)
+    if stretch.name in ("words", "octal words"):
+        # A dump in words has an even number of bytes.
+        ends.add(len(places) - 1)
+    return starts, ends, unknown
+
+
+def _changes(run: Run) -> frozenset[int]:
+    """The values in front of which the way of separating or writing values changes."""
+    if run.changes is None:
+        run.changes = frozenset(_found_changes(run))
+    return run.changes
+
+
+def _found_changes(run: Run) -> set[int]:
+    values, gaps = run.values, run.gaps
+    found: set[int] = set()
+    for place in range(1, len(values)):
+        gap = gaps[place]
+        before = gaps[place - 1] if place > 1 else None
+        after = gaps[place + 1] if place + 1 < len(gaps) else None
+        kinds = (values[place - 1].style, values[place].style)
+        if place > 1 and gaps[place - 2] == gap and before == after:
+            # Gaps that take turns, as between keys and values, are no change.
+            continue
+        if before is None:
+            is_change = after is not None and after != gap
+        else:
+            # After a single gap of another kind it goes on as before.
+            is_back = place - 1 in found and (gap == gaps[place - 2] if place > 2 else gap == after)
+            is_change = gap != before and not is_back
+        if is_change or (kinds[0] is not kinds[1] and Style.UNKNOWN not in kinds):
+            found.add(place)
+    return found
+
+
+def best_reading(run: Run) -> tuple[Reading, list[Reading]]:
+    """The reading of a run whose frames have the most bytes, and all that were tried."""
+    tried: list[Reading] = []
+    best: Reading | None = None
+    for name in readings(run):
+        one = Reading(stretches(run, name))
+        for stretch in one.stretches:
+            spans = frames_in(
+                stretch.data, *boundaries(run, stretch), is_hid=name != "base64" and stretch.data[:1] == b"\0"
+            )
+            if name == "base64" and not is_whole(stretch.data, spans):
+                spans = []
+            if spans:
+                one.spans.append((stretch, spans))
+        tried.append(one)
+        if one.is_whole:
+            return one, tried
+        if best is None or one.worth > best.worth:
+            best = one
+    assert best is not None
+    return best, tried
+
+
+class Scanner:
+    """Finds frames in lines of text, and what looks like one."""
+
+    def __init__(self) -> None:
+        self._pending: Pending | None = None
+        self._index = 0
+
+    def feed(self, line: str, number: int) -> Iterator[Pasted | Row]:
+        """Takes a line.
+
+        Returns:
+            An iterator over frames, over what looks like one (`unread`), and over lines that have neither.
+        """
+        if self._pending is not None:
+            if self._goes_on(line, number):
+                yield from self._finished()
+                return
+            yield from self.close()
+        if _MAY_HAVE.search(line) is None or _EXCERPT.match(line):
+            yield Row(number, line, None)
+            return
+        whole = clean(line)
+        row, index, in_comment = self._row(line, number, whole, 0, is_inside=False)
+        plain = self._plain(line)
+        found = list(self._frames(line, number, plain))
+        is_other = row.run is not None and not any(run.values == row.run.values for run in plain)
+        if is_other and row.run is not None and not any(piece.data for piece in found):
+            # Comments and offsets among the values hide a frame from the plain reading.
+            stripped = list(self._frames(line, number, [row.run]))
+            if any(piece.data for piece in stripped):
+                found = stripped
+        if any(piece.data for piece in found):
+            yield from found
+        elif row.run is not None and row.run.is_tail and self._may_go_on(row.run):
+            self._pending = Pending([row], {}, row.run.depth, row.run.opened > 0, len(line), in_comment, index)
+            self._take(row.run)
+        else:
+            yield Row(number, line, None, found[0] if found else None)
+
+    def close(self) -> Iterator[Pasted | Row]:
+        """Ends what was kept."""
+        pending, self._pending = self._pending, None
+        if pending is None:
+            return
+        rows = [row for row in pending.rows if row.run is not None]
+        if pending.size > MAX_COLLECTED:
+            problem = f"the bytes that start here go on after {MAX_COLLECTED // 1024} KiB of text, which is too much"
+            yield Pasted(b"", rows[0].number, short(rows[0].line, MAX_TEXT), problem=problem)
+            return
+        found: list[Pasted | Row] = []
+        if len(rows) > 1:
+            joined = _joined(rows)
+            found += self._pieces(pending.rows, joined)
+            if found:
+                yield from found
+                return
+        for row in pending.rows:
+            pieces = [] if row.run is None else list(self._frames(row.line, row.number, self._plain(row.line)))
+            if any(piece.data for piece in pieces):
+                found += pieces
+            else:
+                found.append(replace(row, looks=pieces[0] if pieces else None))
+        if len(rows) > 1 and all(isinstance(one, Row) and one.looks is None for one in found):
+            looks = self._looks(pending.rows, joined)
+            found[0] = replace(pending.rows[0], looks=looks)
+        yield from found
+
+    def _plain(self, line: str) -> list[Run]:
+        """The runs of a line, whatever else stands in it."""
+        whole = clean(line)
+        listed, count = without_indexes(whole, 0)
+        return runs(without_columns(listed if count >= LEAST else whole))
+
+    # Lines that belong together
+
+    def _row(self, line: str, number: int, whole: str, index: int, *, is_inside: bool) -> tuple[Row, int, bool]:
+        """A line as a part of a frame over several lines."""
+        bare, in_comment = without_remarks(without_marks(whole) if not is_inside else whole, is_inside=is_inside)
+        bare, index = without_indexes(bare, index)
+        bare = without_columns(bare, self._counts())
+        goes_on = self._pending is not None and character_cells(self._pending.rows[0].line) is not None
+        cells = character_cells(line, goes_on=goes_on)
+        found = runs(bare, is_text=self._is_text()) if cells is None else [cells]
+        if not found and not bare.strip():
+            return Row(number, line, None), index, in_comment
+        run = _without_prefix(found[-1], bare) if found else None
+        return Row(number, line, run), index, in_comment
+
+    def _counts(self) -> set[int]:
+        """How many bytes were kept, in each reading."""
+        return set() if self._pending is None else {len(data) for data in self._pending.data.values()}
+
+    def _is_text(self) -> bool:
+        """Whether string literals were kept."""
+        first = None if self._pending is None else self._pending.rows[0].run
+        return first is not None and first.is_text
+
+    def _may_go_on(self, run: Run) -> bool:
+        """Whether the next line may go on with a run."""
+        if run.opened > 0 and run.depth <= 0:
+            return False
+        return run.values[0].style is not Style.BASE64 or len(run.values[0].text) % 4 == 0
+
+    def _take(self, run: Run) -> None:
+        """Adds the bytes of a run to every reading that still fits."""
+        pending = self._pending
+        assert pending is not None
+        names = readings(run)
+        if not pending.data:
+            pending.data = {name: bytearray() for name in names}
+        for name in list(pending.data):
+            parts = stretches(run, name)
+            if len(parts) == 1 and len({*parts[0].places}) == len(run.values):
+                pending.data[name] += parts[0].data
+            elif name == "base64":
+                pending.data[name] += parts[0].data if parts else b""
+            else:
+                del pending.data[name]
+
+    def _goes_on(self, line: str, number: int) -> bool:
+        """Takes a line that goes on with the rows; tells whether it did."""
+        pending = self._pending
+        assert pending is not None
+        last = next(row for row in reversed(pending.rows) if row.run is not None)
+        assert last.run is not None
+        whole = clean(line)
+        row, index, in_comment = self._row(line, number, whole, pending.index, is_inside=pending.in_comment)
+        if row.run is None:
+            # Only a list with commas goes on after a comment or an empty line.
+            if not pending.in_comment and not last.run.has_comma:
+                return False
+            bare = without_remarks(without_marks(whole), is_inside=pending.in_comment)[0]
+            if bare.strip():
+                return False
+        elif not self._follows(last, row) or not pending.data or self._stands_alone(row.run):
+            return False
+        pending.size += len(line) + 1
+        if pending.size > MAX_COLLECTED:
+            # What goes on and on is read to its end all the same: its rows are no frames of their own.
+            return True
+        pending.rows.append(row)
+        pending.in_comment, pending.index = in_comment, index
+        if row.run is not None:
+            self._take(row.run)
+            pending.depth += row.run.depth
+        return True
+
+    def _follows(self, last: Row, row: Row) -> bool:
+        """Whether a row is written as the one before it, and goes on where that ended."""
+        assert last.run is not None
+        assert row.run is not None
+        if last.run.is_text != row.run.is_text or (Style.BASE64 in _styles(last.run)) != (
+            Style.BASE64 in _styles(row.run)
+        ):
+            return False
+        if row.run.is_head:
+            return True
+        before, after = last.line[: last.run.start], row.line[: row.run.start]
+        return _shape(before) == _shape(after)
+
+    def _stands_alone(self, run: Run) -> bool:
+        """Whether a row is a frame of its own, which does not end the frame in front of it."""
+        pending = self._pending
+        assert pending is not None
+        own = best_reading(run)[0]
+        if not own.is_whole:
+            return False
+        for name, data in pending.data.items():
+            part = b"".join(stretch.data for stretch in stretches(run, name))
+            if len(data) >= 2 and frame_size(data) == len(data) + len(part):
+                return False
+        return True
+
+    def _finished(self) -> Iterator[Pasted | Row]:
+        """The frame that the rows make, when the last of them ended it."""
+        pending = self._pending
+        assert pending is not None
+        last = pending.rows[-1].run
+        if last is None:
+            return
+        if pending.is_complete():
+            joined = _joined([row for row in pending.rows if row.run is not None])
+            best = best_reading(joined)[0]
+            if best.is_whole:
+                self._pending = None
+                yield from self._pieces(pending.rows, joined)
+                return
+        if not last.is_tail or (pending.was_opened and pending.depth <= 0):
+            yield from self.close()
+
+    # Frames and what looks like one
+
+    def _frames(self, line: str, number: int, found: list[Run]) -> Iterator[Pasted]:
+        """The frames in the runs of a line, and what looks like one."""
+        position = 0
+        for run in found:
+            row = Row(number, line, run)
+            pieces = list(self._pieces([row], run, position))
+            yield from pieces
+            if any(piece.data for piece in pieces):
+                position = run.end
+                continue
+            looks = self._looks([row], run)
+            if looks is not None:
+                yield looks
+
+    def _pieces(self, rows: list[Row], run: Run, position: int = 0) -> Iterator[Pasted]:
+        """The frames in a run."""
+        first = next(row for row in rows if row.run is not None)
+        assert first.run is not None
+        best, _ = best_reading(run)
+        shown = "\n".join(row.line for row in rows[:_MOST_SHOWN])
+        head: Head | None = None
+        for stretch, spans in best.spans:
+            # Padding belongs to the frame in front of it, which is how it is reported.
+            is_padded = len(spans) == 1 and not any(stretch.data[spans[0].end :])
+            for start, end, _ in spans:
+                value, last = run.values[stretch.places[start]], run.values[stretch.places[end - 1]]
+                row = _row_of(rows, run, stretch.places[start])
+                if head is None:
+                    head = head_before(first.line, position, first.run.start if len(rows) > 1 else value.start)
+                yield Pasted(
+                    stretch.data[start:] if is_padded else stretch.data[start:end],
+                    row.number,
+                    short(first.line[value.start : last.end] if len(rows) == 1 else shown, MAX_TEXT),
+                    head.direction,
+                    head.time,
+                    column=value.start + 1,
+                )
+
+    def _looks(self, rows: list[Row], run: Run | None) -> Pasted | None:
+        """What a run that is no frame is reported as; None where it does not look like one."""
+        if (
+            run is None
+            or run.values[0].style is Style.NAME
+            or (len(run.values) < 2 and run.values[0].style not in (Style.BARE, Style.LONG, Style.STRING))
+        ):
+            return None
+        _, tried = best_reading(run)
+        for one in tried:
+            for stretch in one.stretches:
+                if stretch.name not in ("hex", "decimal", "string", "number", "octal"):
+                    continue
+                starts = sorted(boundaries(run, stretch)[0])
+                for start in starts[:_MOST_STARTS]:
+                    is_alone = start == 0 and run.is_head and run.is_tail and stretch.name == "hex"
+                    bare = self._bare(run, stretch) if is_alone else None
+                    problem = bare or self._why(run, stretch, start)
+                    if problem is None:
+                        continue
+                    value = run.values[stretch.places[start]]
+                    first = next(row for row in rows if row.run is not None)
+                    row = _row_of(rows, run, stretch.places[start])
+                    head = head_before(first.line, 0, first.run.start if first.run else 0)
+                    return Pasted(
+                        b"",
+                        row.number,
+                        short(row.line[value.start :], MAX_TEXT),
+                        head.direction,
+                        head.time,
+                        problem=problem,
+                        column=value.start + 1,
+                        unread=True,
+                    )
+        return None
+
+    def _bare(self, run: Run, stretch: Stretch) -> str | None:
+        """What a whole line of bytes is that are no frame, if the header of one is all that is missing."""
+        is_hash = stretch.name == "hex" and len(run.values) == 1 and len(stretch.data) in HASHES
+        is_address = len(stretch.data) == 6 and {*run.gaps[1:]} <= {":", "-"}
+        is_padded = all(len(value.text) != 1 for value in run.values)
+        if is_hash or is_address or not is_padded or len({*stretch.data}) < LEAST - 1:
+            return None
+        return bare_reason(stretch.data)
+
+    def _why(self, run: Run, stretch: Stretch, start: int) -> str | None:
+        """Why the bytes from there on look like a frame: up to where the way of writing changes."""
+        places = stretch.places
+        changes = _changes(run)
+        end = start + 1
+        while end < len(places) and (places[end] == places[end - 1] or places[end] not in changes):
+            end += 1
+        classes = {run.gaps[place] for place in places[start + 1 : end]} - {""}
+        data = stretch.data[start:end]
+        if len(data) == 6 and classes <= {":", "-"}:
+            return None
+        is_dense = not classes or classes <= {":", "-"}
+        is_decimal = stretch.name == "decimal" and all(
+            run.values[place].style is Style.BARE for place in places[start:end]
+        )
+        return reason(data, is_dense=is_dense, is_decimal=is_decimal)
+
+
+_MOST_STARTS = 8
+_MOST_SHOWN = 20
+_MOST_PREFIX = 3
+_PREFIX_ENDS = re.compile(r"(?:[)\]>]+:?|:)\s+")
+
+
+def _without_prefix(run: Run, line: str) -> Run:
+    """The run without the numbers of a log line in front of it, as in `D/EV3 ( 1234): 0f 00`."""
+    for place in range(min(_MOST_PREFIX, len(run.values) - 1), 0, -1):
+        gap = line[run.values[place - 1].end : run.values[place].start]
+        if _PREFIX_ENDS.fullmatch(gap) and run.gaps[place] != [*run.gaps, ""][place + 1]:
+            depth = run.depth - run.opened
+            return replace(
+                run,
+                values=run.values[place:],
+                gaps=["", *run.gaps[place + 1 :]],
+                changes=None,
+                is_head=False,
+                opened=0,
+                depth=depth,
+            )
+    return run
+
+
+def _styles(run: Run) -> set[Style]:
+    return {run.values[0].style}
+
+
+def _shape(text: str) -> str:
+    """What stands in front of a row, whatever numbers it has."""
+    return _DIGITS.sub("0", text).strip()
+
+
+def _joined(rows: list[Row]) -> Run:
+    """Rows as one run."""
+    values: list[Value] = []
+    gaps: list[str] = []
+    lines: list[int] = []
+    for row in rows:
+        assert row.run is not None
+        values += row.run.values
+        gaps += ["\n", *row.run.gaps[1:]]
+        lines += [row.number] * len(row.run.values)
+    gaps[0] = ""
+    return Run(values, gaps, lines=lines)
+
+
+def _row_of(rows: list[Row], run: Run, place: int) -> Row:
+    """The row in which a value of a joined run stands."""
+    if not run.lines:
+        return rows[0]
+    return next(row for row in rows if row.number == run.lines[place])
+
+
+def bytes_in(line: str) -> bytes:
+    """The bytes of the longest run in a line, in its likeliest reading, whether they are a frame or not."""
+    bare, _ = without_remarks(without_marks(clean(line)))
+    found = runs(without_columns(bare))
+    longest = b""
+    for run in found:
+        for name in readings(run):
+            parts = stretches(run, name)
+            if len(parts) == 1 and len({*parts[0].places}) == len(run.values):
+                longest = max(longest, parts[0].data, key=len)
+                break
+    return longest

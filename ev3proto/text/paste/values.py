@@ -1,0 +1,423 @@
+"""The byte values in a line and the runs that they form, whatever notation they are written in.
+
+A value knows how it is written; what it is worth depends on the reading of the whole run: `10` is sixteen or ten.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from ev3proto.text.paste.blanking import OTHER
+from ev3proto.text.paste.constants import constant_bytes
+from ev3proto.text.paste.literals import literal
+
+
+class Style(StrEnum):
+    """How a value is written.
+
+    BARE     digits without a mark, whose base nobody knows yet
+    MARKED   digits with a mark of their base, such as 0x0F, $0F, 0Fh
+    LONG     many hex digits with one mark in front: 0x0f000000
+    STRING   a string literal, or the escapes of one
+    NAME     a name of the tables
+    UNKNOWN  `xx`, which stands for any byte
+    BASE64   a word that may be base64
+    """
+
+    BARE = "bare"
+    MARKED = "marked"
+    LONG = "long"
+    STRING = "string"
+    NAME = "name"
+    UNKNOWN = "unknown"
+    BASE64 = "base64"
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """A value in a line.
+
+    start, end  its columns
+    text        what its reading needs: the digits, or the body of a string
+    data        its bytes, where every reading gives the same
+    """
+
+    start: int
+    end: int
+    style: Style
+    text: str
+    data: bytes | None = None
+
+
+@dataclass(slots=True)
+class Run:
+    """Values in a row.
+
+    values    the values
+    gaps      what stands between a value and the one in front of it, as a class of its own; empty for the first
+    is_head   nothing but brackets and the like stands in front of them in their line
+    is_tail   nothing but these follows them
+    opened    brackets that were opened and not closed: by what stands in front, and between and after them
+    is_cut    an ellipsis follows
+    has_comma a comma follows
+    lines     the line of each value, where the run has several
+    changes   the values in front of which the way of writing changes, once somebody asked
+    """
+
+    values: list[Value]
+    gaps: list[str]
+    is_head: bool = False
+    is_tail: bool = False
+    opened: int = 0
+    depth: int = 0
+    is_cut: bool = False
+    has_comma: bool = False
+    lines: list[int] = field(default_factory=list)
+    changes: frozenset[int] | None = None
+
+    @property
+    def start(self) -> int:
+        """The column of its first value."""
+        return self.values[0].start
+
+    @property
+    def end(self) -> int:
+        """The column after its last value."""
+        return self.values[-1].end
+
+    @property
+    def is_text(self) -> bool:
+        """Whether its values are string literals."""
+        return self.values[0].style is Style.STRING
+
+
+_HEX = "0-9a-fA-F"
+_PREFIXES = r"(?:&[hH]|\#?\$|\#?[xX](?=[0-9a-fA-F])|\#|16r|16\#|\\?0[xX]|['][hH]|[xXH]')"
+_TOKEN = re.compile(
+    rf"""
+      (?P<lesson>0[xX]\|)
+    | (?P<quote>(?<![\w\\])(?P<prefix>(?:b|B|rb|br|u8|u|U|L|@|\$|c)?)(?P<mark>["'`]))
+    | (?P<binary>(?<![\w.])(?:0[bB]|\#b|%)(?P<bits>[01](?:_?[01]){{1,8}})(?!\w))
+    | (?P<long>(?<![\w.])0[xX](?P<glued>(?:[{_HEX}]{{2}}){{2,}})(?![\w]))
+    | (?P<marked>(?<![\w.$])(?:&[hH]|\#?\$|\#[xX]|\#(?=[{_HEX}]{{2}}(?!\w))|16r|16\#|\\?0[xX]|'[hH]|[xXH](?='))
+        '?(?P<hex>[{_HEX}]{{1,2}}|[fF]{{6}}[{_HEX}]{{2}})['\#]?
+        (?:_?(?:u8|i8|u32|i32|usize|uy|y|UL|ul|u|U|L|l))?&?(?!\w))
+    | (?P<suffixed>(?<![\w.])(?P<digits>0?[{_HEX}]{{2}}|\d)[hH](?!\w))
+    | (?P<percent>%(?P<code>[{_HEX}]{{2}}))
+    | (?P<unknown>(?<![\w.])(?P<placeholder>[xX]{{4}}|[xX]{{2}})(?!\w))
+    | (?P<templated>(?<![\w.])[{_HEX}]{{4}}[xX]{{4}}[{_HEX}]{{2,}}(?!\w))
+    | (?P<joined>(?<![\w.])[{_HEX}]{{2}}(?:[_.][{_HEX}]{{2}}){{4,}}(?![\w]))
+    | (?P<base64>(?<![\w+/=.-])(?=[\w+/-]*[G-Zg-z+/])(?=[\w+/-]*[A-Z])[A-Za-z0-9+/_-]{{8,}}+={{0,2}}+(?![\w+/=.]))
+    | (?P<negative>(?<![\w)\]])[-\u2212]\s?(?P<number>\d{{1,3}})(?![\w.]))
+    | (?P<typed>(?<![\w.])(?P<decimal>\d{{1,3}})_?(?:u8|i8|uy|u|U|UL|L)(?!\w))
+    | (?P<bare>(?<![\w.])[{_HEX}]+(?!\w)(?!\.\d))
+    | (?P<escapes>\\(?:x\{{?[{_HEX}]{{1,2}}|u00[{_HEX}]{{2}}|[0-3][0-7]{{2}}))
+    | (?P<word>[^\W\d]\w*+)
+    """,
+    re.VERBOSE,
+)
+_BODY = {mark: re.compile(rf"(?:[^{mark}\\]|\\.)*+") for mark in "\"'`"}
+_UNQUOTED = re.compile(
+    rf"(?:\\(?:[xX]\{{?[{_HEX}]{{1,2}}\}}?|u00[{_HEX}]{{2}}|\d{{1,3}}|[abtnvfre\\\"' #])|[!#-&(-\[\]-~])*+"
+)
+_GAP = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013_-]*+")
+_JOINER = re.compile(r"[\s+&()\\]*+|\s*\.\.?\s*")
+_HEAD = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}*=\u2013_-]*+")
+_TAIL = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013._!?$-]*+(?:[uU]?8?[;\s]*)$")
+_ELLIPSIS = re.compile(r"[\s,;:|\"'-]*+(?:\.{3}|\u2026)")
+_HEX_ONLY = re.compile(rf"[\s,:{_HEX}-]*")
+_NAMED = re.compile(r"(?P<name>[A-Za-z_]\w*)(?P<call>\s?\([^()]{0,80}\))?")
+_AFTER_NAME = re.compile(r"\s*(?:[,}\])]|$)")
+_BEFORE_NAME = re.compile(r"(?:[,{(\[]|^)\s*$")
+_MOST_GAP = 160
+
+
+def runs(line: str, *, is_text: bool = False) -> list[Run]:
+    """The runs of values in a line that was cleaned.
+
+    Args:
+        line: The line.
+        is_text: What stands between quotes is a string literal, because one stands in the line before.
+    """
+    found: list[Run] = []
+    last = 0
+    for value in values(line, is_text=is_text):
+        gap = line[last : value.start]
+        previous = found[-1] if found else None
+        if previous is not None and _joins(previous.values[-1], value, gap):
+            previous.values.append(value)
+            previous.gaps.append(_gap_class(gap))
+        else:
+            before = line[:0] if previous is None and _HEAD.fullmatch(gap) is None else gap
+            is_head = previous is None and _HEAD.fullmatch(line, 0, value.start) is not None
+            run = Run([value], [""], is_head=is_head)
+            run.opened = _opening(before if before else gap)
+            found.append(run)
+        last = value.end
+    for index, run in enumerate(found):
+        following = found[index + 1].start if index + 1 < len(found) else len(line)
+        run.is_tail = index + 1 == len(found) and _TAIL.match(line, run.end) is not None
+        rest = line[run.end : following]
+        run.is_cut = _ELLIPSIS.match(rest) is not None
+        run.has_comma = rest.lstrip("'\" )").startswith(",")
+        inside = _between(line, run)
+        run.depth = run.opened + inside + _balance(rest if run.is_tail else "")
+    return found
+
+
+def _between(line: str, run: Run) -> int:
+    depth = 0
+    for left, right in zip(run.values, run.values[1:], strict=False):
+        depth += _balance(line[left.end : right.start])
+    return depth
+
+
+_CELLS = re.compile(r"\s*[0-7]{7}(?P<cells>(?: (?: {2}[ \S]| \\[0abtnvfr]|[0-7]{3}))+)\s*")
+_CELL_NAMES = {"\\0": 0, "\\a": 7, "\\b": 8, "\\t": 9, "\\n": 10, "\\v": 11, "\\f": 12, "\\r": 13}
+
+
+def character_cells(line: str, *, goes_on: bool = False) -> Run | None:
+    """The row of `od -c`, whose cells are characters, escapes and octal numbers; None where it is none.
+
+    Args:
+        line: A line.
+        goes_on: The line before is such a row; otherwise it must have an escape.
+    """
+    row = _CELLS.fullmatch(line)
+    if row is None or not (goes_on or "\\" in line):
+        return None
+    start = row.start("cells")
+    values = []
+    for column in range(start, row.end("cells"), 4):
+        text = line[column : column + 4].strip() or " "
+        code = _CELL_NAMES.get(text)
+        if code is None:
+            code = ord(text) if len(text) == 1 else int(text, 8)
+        if code > 255:
+            return None
+        values.append(Value(column + 1, column + 4, Style.MARKED, text, bytes((code,))))
+    return Run(values, ["", *[" "] * (len(values) - 1)], is_head=True, is_tail=True)
+
+
+def _opening(gap: str) -> int:
+    """The brackets that are opened right in front of a run."""
+    return sum(gap[len(gap.rstrip("[{( \t\"'b")) :].count(mark) for mark in "[{(")
+
+
+def _balance(text: str) -> int:
+    return sum(text.count(mark) for mark in "[{(") - sum(text.count(mark) for mark in "]})")
+
+
+def _gap_class(gap: str) -> str:
+    """What a gap has in common with others of its kind: its characters, but for blanks beside them."""
+    marks = gap.replace("0x", "").replace("0X", "").split()
+    if not marks:
+        return " " if gap else ""
+    return "".join(marks).replace("|", ":")
+
+
+def _joins(left: Value, right: Value, gap: str) -> bool:
+    """Whether two values may belong to one run."""
+    if Style.BASE64 in (left.style, right.style):
+        return left.style is right.style and not gap.strip()
+    if len(gap) > _MOST_GAP:
+        return False
+    if Style.STRING in (left.style, right.style):
+        if left.style is not right.style:
+            return False
+        return _JOINER.fullmatch(gap) is not None or (
+            len(left.text) <= 6 and _GAP.fullmatch(gap) is not None and "\n" not in gap
+        )
+    return gap == "." or _GAP.fullmatch(gap.replace("0x|", "|")) is not None
+
+
+def values(line: str, *, is_text: bool = False) -> Iterator[Value]:
+    """The values in a line that was cleaned."""
+    position = 0
+    string_end = -1
+    closers: set[int] = set()
+    while token := _TOKEN.search(line, position):
+        start, position = token.span()
+        kind = token.lastgroup
+        match kind:
+            case "lesson":
+                position = start + 2
+            case "binary":
+                yield Value(
+                    start, position, Style.MARKED, token["bits"], bytes((int(token["bits"].replace("_", ""), 2) & 255,))
+                )
+            case "long":
+                yield Value(start, position, Style.LONG, token["glued"])
+            case "marked":
+                number = int(token["hex"], 16) & 0xFF
+                yield Value(start, position, Style.MARKED, token["hex"], bytes((number,)))
+            case "suffixed":
+                number = int(token["digits"], 16)
+                if number <= 255:
+                    yield Value(start, position, Style.MARKED, token["digits"], bytes((number,)))
+            case "percent":
+                yield Value(start, position, Style.MARKED, token["code"], bytes.fromhex(token["code"]))
+            case "unknown":
+                text = token["placeholder"]
+                yield Value(start, position, Style.UNKNOWN, text, bytes(len(text) // 2))
+            case "templated":
+                text = token[0].lower()
+                yield Value(start, start + 4, Style.BARE, text[:4])
+                yield Value(start + 4, start + 8, Style.UNKNOWN, "xxxx", bytes(2))
+                if len(text) % 2 == 0:
+                    yield Value(start + 8, position, Style.BARE, text[8:])
+            case "joined":
+                for offset in range(start, position, 3):
+                    yield Value(offset, offset + 2, Style.BARE, line[offset : offset + 2])
+            case "negative":
+                number = int(token["number"])
+                if number <= 128:
+                    yield Value(start, position, Style.MARKED, token[0], bytes(((-number) & 255,)))
+            case "typed":
+                number = int(token["decimal"])
+                if number <= 255:
+                    yield Value(start, position, Style.MARKED, token[0], bytes((number,)))
+            case "bare":
+                yield Value(start, position, Style.BARE, token[0])
+            case "escapes":
+                start, position = _escapes(line, start, string_end)
+                yield Value(start, position, Style.STRING, line[start:position])
+                string_end = position
+            case "quote":
+                mark_at = token.start("mark")
+                if mark_at in closers:
+                    continue
+                body = _BODY[token["mark"]].match(line, position)
+                assert body is not None
+                text = body[0]
+                if body.end() >= len(line):
+                    continue
+                is_string = (
+                    is_text
+                    or "\\" in text
+                    or (
+                        (token["prefix"] in ("b", "B") and _HEX_ONLY.fullmatch(text) is None)
+                        or (string_end >= 0 and _JOINER.fullmatch(line, string_end, start) is not None)
+                    )
+                )
+                if is_string and OTHER not in text:
+                    position = string_end = body.end() + 1
+                    yield Value(start, position, Style.STRING, text)
+                else:
+                    closers.add(body.end())
+            case "base64" | "word":
+                named = _named(line, start)
+                if named is not None:
+                    position = named.end
+                    yield named
+                elif kind == "base64":
+                    yield Value(start, position, Style.BASE64, token[0])
+
+
+def _escapes(line: str, start: int, least: int) -> tuple[int, int]:
+    """Where escapes without quotes begin and end; a character may stand in front of the first."""
+    body = _UNQUOTED.match(line, start)
+    assert body is not None
+    end = body.end()
+    # A full stop or a bracket after the last escape is no byte of it, nor is a quote.
+    text = line[start:end]
+    trimmed = text.rstrip(".,;)]}>")
+    if not text.endswith("...") and trimmed:
+        end = start + len(trimmed)
+    if start > least and start > 0 and line[start - 1] in "!#%&()*+-./:;<>?@^_{}~" and line[start - 1] != "=":
+        is_alone = start == 1 or line[start - 2].isspace()
+        if is_alone:
+            start -= 1
+    return start, max(end, start + 1)
+
+
+def _named(line: str, start: int) -> Value | None:
+    """The name at that column, if it stands in an array and the tables have it."""
+    found = _NAMED.match(line, start)
+    if found is None or _BEFORE_NAME.search(line, max(0, start - 40), start) is None:
+        return None
+    if _AFTER_NAME.match(line, found.end()) is None:
+        return None
+    data = constant_bytes(found[0].replace(" (", "("))
+    return None if data is None else Value(start, found.end(), Style.NAME, found[0], data)
+
+
+# Readings
+
+
+def reading(name: str, value: Value) -> bytes | None:
+    """The bytes of a value in a reading; None where it has none."""
+    if value.data is not None:
+        return value.data
+    text = value.text
+    match name:
+        case "string":
+            return literal(text, is_decimal=False) if value.style is Style.STRING else None
+        case "decimal string":
+            return literal(text, is_decimal=True) if value.style is Style.STRING else None
+        case "hex":
+            if len(text) == 1:
+                return bytes((int(text, 16),))
+            return None if len(text) % 2 else bytes.fromhex(text)
+        case "decimal":
+            number = int(text) if len(text) <= 3 and text.isdecimal() else 256
+            return bytes((number,)) if number <= 255 else None
+        case "octal":
+            number = int(text, 8) if len(text) <= 3 and set(text) <= _OCTAL else 256
+            return bytes((number,)) if number <= 255 else None
+        case "number":
+            number = int(text, 16) if len(text) <= 8 else 256
+            return bytes((number & 0xFF,)) if number <= 255 or number >= 0xFFFFFF80 else None
+        case "words":
+            return bytes.fromhex(text)[::-1] if len(text) in (4, 8) else None
+        case "octal words":
+            number = int(text, 8) if len(text) == 6 and set(text) <= _OCTAL else 1 << 16
+            return number.to_bytes(2, "little") if number < 1 << 16 else None
+        case "base64":
+            return _base64(text)
+        case "bits":
+            return bytes((int(text, 2),)) if len(text) == 8 and set(text) <= {"0", "1"} else None
+    return None
+
+
+def _base64(text: str) -> bytes | None:
+    """What base64 stands for, with either alphabet, padded or not."""
+    digits = text.rstrip("=").replace("-", "+").replace("_", "/")
+    try:
+        return base64.b64decode(digits + "=" * (-len(digits) % 4), validate=True)
+    except binascii.Error:
+        return None
+
+
+_OCTAL = frozenset("01234567")
+
+
+def readings(run: Run) -> list[str]:
+    """The readings that a run may have, the likeliest first."""
+    if run.values[0].style is Style.BASE64:
+        return ["base64"]
+    if run.is_text:
+        has_digits = any("\\" in value.text for value in run.values)
+        return ["string", "decimal string"] if has_digits else ["string"]
+    widths = {len(value.text) for value in run.values if value.style in (Style.BARE, Style.LONG)}
+    if not widths:
+        return ["hex"]
+    if widths == {8} and all(set(value.text) <= {"0", "1"} for value in run.values if value.style is Style.BARE):
+        return ["bits"] if len(run.values) > 2 else ["bits", "hex"]
+    has_marks = any(value.style is Style.MARKED for value in run.values)
+    is_padded = widths <= {2} or (max(widths) >= 4)
+    found = ["decimal", "hex"] if has_marks or not is_padded else ["hex", "decimal"]
+    if 3 in widths:
+        found.append("octal")
+    if 8 in widths or 1 in widths:
+        found += ["number", "bits"]
+    if 4 in widths or 8 in widths:
+        found.append("words")
+    if 6 in widths:
+        found.append("octal words")
+    return found

@@ -96,6 +96,12 @@ def test_encode_without_a_name_for_the_image_says_how_to_make_one(source: Path) 
     assert "give -o FILE.rbf" in result.stderr
 
 
+def test_decode_of_a_source_says_how_to_make_the_image(source: Path) -> None:
+    result = run_ev3proto_text("decode", source)
+    assert result.returncode == 1
+    assert "`ev3proto encode -o FILE.rbf` makes its image" in result.stderr
+
+
 def test_a_direct_command_written_as_a_thread_is_still_a_frame(source: Path) -> None:
     source.write_text("vmthread MAIN\n{\n  UI_DRAW(UPDATE)\n}\n")
     assert run_ev3proto_text("encode", source).stdout == "0x|07:00|00:00|80|00:00|84:00|\n"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from support.programs import IMAGE, SHORTEST, SOURCE
 
@@ -10,6 +12,8 @@ from ev3proto.program import assemble
 from ev3proto.text.assembly import AssemblyError
 
 BOTH = ("strict", "lego")
+SOURCES = Path(__file__).with_name("support") / "sources"
+"""Sources in LEGO's dialect, and the images that they become, in hex."""
 
 
 def _code(body: str, *, dialect: str | None = None, before: str = "", number: int = 1, shortest: bool = False) -> str:
@@ -569,6 +573,17 @@ def test_what_is_no_program_is_refused_with_a_reason(source: str, words: str) ->
 def test_files_of_old_editors_end_in_control_z() -> None:
     for dialect in BOTH:
         assert assemble(b"\xef\xbb\xbf" + SOURCE.encode() + b"\x1a", dialect=dialect).image == IMAGE
+
+
+@pytest.mark.parametrize("name", ["menu", "sensors", "sloppy", "memory"])
+def test_whole_programs_as_legos_sources_are_written(name: str) -> None:
+    """The images were made with another assembler, which was written from the description of the format alone."""
+    made = assemble((SOURCES / f"{name}.lms").read_bytes())
+    assert made.dialect == "lego"
+    assert made.image == bytes.fromhex((SOURCES / f"{name}.hex").read_text())
+    program = programs.parse(made.image)
+    assert program.build() == made.image
+    assert assemble(programs.source_of(program)).image == made.image
 
 
 def test_a_source_in_latin_1() -> None:

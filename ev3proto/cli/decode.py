@@ -12,7 +12,7 @@ import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain
-from ev3proto.cli.programs import PROGRAM_FORMATS, is_image, read_program
+from ev3proto.cli.programs import PROGRAM_FORMATS, SOURCE_SUFFIX, is_image, read_program
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
@@ -168,6 +168,13 @@ def decode(
         decoding.read(source)
     if not show.count:
         if not decoding.at_fault:
-            complain("there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01")
+            complain(_nothing(names))
         decoding.at_fault = True
     sys.exit(1 if decoding.at_fault else 0)
+
+
+def _nothing(names: tuple[str, ...]) -> str:
+    """What to say of an input without frames."""
+    if any(name.lower().endswith(SOURCE_SUFFIX) for name in names):
+        return "a program's source has no frames: `ev3proto encode -o FILE.rbf` makes its image, which decode shows"
+    return "there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01"

@@ -13,7 +13,8 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from support.server import beacon_port, served
+from support.announcing import Announcing, free_udp_port
+from support.server import served
 
 import ev3proto
 from ev3proto import EV3
@@ -22,7 +23,6 @@ from ev3proto.link.carriers import open_wire, wifi
 from ev3proto.link.carriers.usb import UDEV_RULE
 from ev3proto.link.targets import Target, Way
 
-BEACON = b"Serial-Number: %s\r\nPort: %d\r\nName: robot\r\nProtocol: EV3\r\n"
 SERIAL = "0016533f0c1e"
 
 
@@ -60,44 +60,19 @@ def test_no_targets(text: str) -> None:
 
 
 def test_a_brick_is_found_by_its_beacon(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with beacon_port(), served(tmp_path, Options(port=0, beacon=False)) as brick:
-        announcing = Announcing(SERIAL, brick.port)
-        with announcing, EV3(protocol=ev3proto.WIFI, host="00:16:53:3F:0C:1E") as my_ev3:
-            assert my_ev3.volume == 100
-
-
-class Announcing:
-    """Sends beacons to loopback, as a brick broadcasts them."""
-
-    def __init__(self, serial_number: str, port: int, to: int = 3015) -> None:
-        self.over = threading.Event()
-        self.thread = threading.Thread(target=self.run, args=(serial_number, port, to))
-
-    def run(self, serial_number: str, port: int, to: int) -> None:
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
-            while not self.over.wait(0.02):
-                sender.sendto(b"no beacon", ("127.0.0.1", to))
-                sender.sendto(BEACON % (serial_number.encode(), port), ("127.0.0.1", to))
-
-    def __enter__(self) -> Announcing:
-        self.thread.start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.over.set()
-        self.thread.join()
-
-
-def free_udp_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
-        return port
+    port = free_udp_port()
+    monkeypatch.setitem(wifi.discover.__kwdefaults__, "port", port)  # type: ignore[arg-type]
+    with (
+        served(tmp_path, Options(port=0, beacon=False)) as brick,
+        Announcing(SERIAL, brick.port, port),
+        EV3(protocol=ev3proto.WIFI, host="00:16:53:3F:0C:1E") as my_ev3,
+    ):
+        assert my_ev3.volume == 100
 
 
 def test_the_beacon_of_another_brick_is_passed_over() -> None:
     port = free_udp_port()
-    with Announcing(SERIAL.upper(), 5555, port):
+    with Announcing(SERIAL.upper(), 5555, port, b"no beacon"):
         found = wifi.discover(None, 5.0, interface="127.0.0.1", port=port)
         assert found == wifi.Found("127.0.0.1", 5555, SERIAL, "robot")
         with pytest.raises(ev3proto.NoBrickError, match=f"001653000001 was heard .* {SERIAL} is at 127.0.0.1"):

@@ -1,0 +1,57 @@
+"""A program of ev3_dc's lower layer, run by ev3_dc and by this project against the same brick: they print the same.
+
+What differs on purpose is in docs/ev3_dc.md.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from support.announcing import Announcing, free_udp_port
+from support.server import free_port, served
+
+from ev3proto.brick.servers.server import Options
+
+PROGRAM = Path(__file__).parent / "lower_layer" / "direct_commands.py"
+OTHER_PORT = """
+import socket
+bind = socket.socket.bind
+socket.socket.bind = lambda self, place: bind(self, ("127.0.0.1", {}) if place[1] == 3015 else place)
+"""
+"""Lets ev3_dc wait for beacons at a port of the test's own."""
+
+TIME = re.compile(r"^\d\d:\d\d:\d\d\.\d{6} ", re.MULTILINE)
+
+
+def printed(program: str, **environment: str) -> list[str]:
+    """What a program prints, without its times."""
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert done.stderr == ""
+    return TIME.sub("", done.stdout).splitlines()
+
+
+def test_both_print_the_same(tmp_path: Path) -> None:
+    program = PROGRAM.read_text()
+    beacons = free_udp_port()
+    with (
+        served(tmp_path / "one", Options(port=free_port(), beacon=False)) as brick,
+        Announcing("0016530f0c1e", brick.port, beacons),
+    ):
+        brick.now.brick.plug("A", 7, count=90)
+        by_ev3_dc = printed(f"{OTHER_PORT.format(beacons)}\n{program}")
+    with served(tmp_path / "two") as brick:
+        brick.now.brick.plug("A", 7, count=90)
+        ours = program.replace("import ev3_dc as ev3", "import ev3proto as ev3")
+        by_ev3proto = printed(ours, EV3PROTO_TARGET=f"wifi:127.0.0.1:{brick.port}")
+    assert by_ev3proto == by_ev3_dc

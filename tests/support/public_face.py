@@ -288,8 +288,11 @@ def _commands(command: click.Command, path: str) -> Iterator[str]:
     for parameter in sorted(command.params, key=lambda each: (isinstance(each, click.Option), each.opts[-1])):
         yield f"  {_cli_parameter(parameter)}"
     if isinstance(command, click.Group):
-        for name in sorted(command.commands):
-            yield from _commands(command.commands[name], f"{path} {name}")
+        context = click.Context(command)
+        for name in sorted(command.list_commands(context)):
+            found = command.get_command(context, name)
+            assert found is not None
+            yield from _commands(found, f"{path} {name}")
 
 
 def _cli_parameter(parameter: click.Parameter) -> str:

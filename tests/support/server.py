@@ -8,6 +8,7 @@ import fcntl
 import socket
 import tempfile
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,6 +19,10 @@ from ev3proto.text.assembly import assemble
 
 UNLOCK = b"GET /target?sn=0016530f0c1e VMTP1.0\r\nProtocol: EV3\r\n\r\n"
 ACCEPT = b"Accept:EV340\r\n\r\n"
+
+
+MOST_WAITING = 60
+"""Seconds for which the tests of another process may keep the beacon's port."""
 
 
 class Served(NamedTuple):
@@ -51,7 +56,7 @@ def served(root: Path, options: Options | None = None) -> Iterator[Served]:
             found.append(error)
             there.set()
 
-    thread = threading.Thread(target=lambda: loop.run_until_complete(serve()))
+    thread = threading.Thread(target=lambda: loop.run_until_complete(serve()), daemon=True)
     thread.start()
     try:
         assert there.wait(30)
@@ -126,8 +131,15 @@ def command(text: str, counter: int = 1) -> bytes:
 @contextmanager
 def beacon_port() -> Iterator[None]:
     """Has the UDP port of beacons to itself: the tests run in several processes, and it is one for all of them."""
+    until = time.monotonic() + MOST_WAITING
     with (Path(tempfile.gettempdir()) / "ev3proto-tests-beacon.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+        while True:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                break
+            except BlockingIOError:
+                assert time.monotonic() < until, "another test run keeps the beacon's port"
+                time.sleep(0.02)
         yield
 
 

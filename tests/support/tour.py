@@ -55,11 +55,14 @@ def connected(root: Path, port: int | None = None) -> Iterator[tuple[Served, Any
 
 def _used(brick: Served, client: Any) -> Iterator[tuple[Served, Any]]:
     """Lends both, and lets go of the client."""
+    # Its objects talk to the brick when they are deleted: that must not happen in the thread that is the brick.
+    gc.disable()
+    client._physical_ev3._socket.settimeout(30)
     try:
         yield brick, client
     finally:
-        # Its objects talk to the brick when they are deleted, so they go before it does.
         gc.collect()
+        gc.enable()
         client._physical_ev3._socket.close()
         type(client._physical_ev3)._devices.clear()
 

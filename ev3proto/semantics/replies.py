@@ -56,6 +56,13 @@ class Value(NamedTuple):
     length: int = 0
 
     @property
+    def number(self) -> float:
+        """The value where it is a number. Raises TypeError for a text, bytes or a list: `value` has those."""
+        if isinstance(self.value, int | float):
+            return self.value
+        raise TypeError(f"{self.name} is no number: its value is {self.value!r}")
+
+    @property
     def is_nan(self) -> bool:
         """True for the value by which the firmware says that there is none."""
         if isinstance(self.value, float):

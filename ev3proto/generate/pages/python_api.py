@@ -17,7 +17,6 @@ MODULES = ("ev3proto", "ev3proto.capture", "ev3proto.program", "ev3proto.system"
 """The modules that people import; each names what it offers in `__all__`."""
 
 _WIDTH = 100
-_PLACE_IN_MEMORY = re.compile(r"<(?:function |class ')?([\w.]+)[^>]*>")
 _SECTIONS = ("Args", "Returns", "Raises", "Yields", "Attributes")
 
 
@@ -90,12 +89,12 @@ def _class(name: str, value: type) -> Iterator[str]:
 def _signature(head: str, function: Any) -> Iterator[str]:
     """`def name(first: type = default) -> type`, in one line or with a parameter a line."""
     signature = inspect.signature(function)
-    parameters = [str(each) for each in signature.parameters.values() if each.name not in ("self", "cls")]
-    kinds = [each.kind for each in signature.parameters.values() if each.name not in ("self", "cls")]
+    own = [each for each in signature.parameters.values() if each.name not in ("self", "cls")]
+    parameters = list(map(_parameter, own))
+    kinds = [each.kind for each in own]
     if inspect.Parameter.KEYWORD_ONLY in kinds and inspect.Parameter.VAR_POSITIONAL not in kinds:
         parameters.insert(kinds.index(inspect.Parameter.KEYWORD_ONLY), "*")
     end = "" if signature.return_annotation is inspect.Signature.empty else f" -> {_type(signature.return_annotation)}"
-    parameters = [_PLACE_IN_MEMORY.sub(r"\1", each) for each in parameters]
     line = f"{head}({', '.join(parameters)}){end}"
     if len(line) <= _WIDTH:
         yield line
@@ -103,6 +102,21 @@ def _signature(head: str, function: Any) -> Iterator[str]:
         yield f"{head}("
         yield from (f"    {each}," for each in parameters)
         yield f"){end}"
+
+
+_STARS = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "**"}
+
+
+def _parameter(parameter: inspect.Parameter) -> str:
+    """A parameter as it stands in a signature. A default that is a class or function is named."""
+    text = _STARS.get(parameter.kind, "") + parameter.name
+    has_type = parameter.annotation is not inspect.Parameter.empty
+    if has_type:
+        text += f": {_type(parameter.annotation)}"
+    if parameter.default is not inspect.Parameter.empty:
+        text += " = " if has_type else "="
+        text += str(getattr(parameter.default, "__name__", repr(parameter.default)))
+    return text
 
 
 def _type(annotation: Any) -> str:

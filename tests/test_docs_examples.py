@@ -1,0 +1,142 @@
+"""What the documentation shows works: console blocks are run, programs are run and type-checked, C is compiled."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PAGES = sorted([ROOT / "README.md", *(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "howto").glob("*.md")])
+NAMES = [page.relative_to(ROOT).as_posix() for page in PAGES]
+PORT = 5555
+"""Where a brick listens in the texts; the tests take a free port."""
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+
+
+def has(language: str) -> list[Path]:
+    return [page for page in PAGES if blocks(page, language)]
+
+
+@pytest.fixture
+def clone(tmp_path: Path) -> Path:
+    """A folder that looks like a clone, in which commands may write."""
+    for name in ("bin", "captures", "dissector", "exports", "tests"):
+        (tmp_path / name).symlink_to(ROOT / name)
+    return tmp_path
+
+
+class Session:
+    """Commands one after the other, as in a terminal. A virtual brick goes on until the end, at a free port."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._port = PORT
+        self._bricks: list[subprocess.Popen[str]] = []
+        path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+        self._environment = {**os.environ, "PATH": path}
+
+    def run(self, command: str) -> str:
+        """What a command prints on standard output."""
+        command = re.sub(r"127\.0\.0\.1(?!:)", f"127.0.0.1:{self._port}", command.replace("bin/ev3proto", "ev3proto"))
+        if command.startswith("ev3proto brick"):
+            return self._brick(command)
+        done = subprocess.run(
+            ["bash", "-c", command],
+            cwd=self._folder,
+            env=self._environment,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=120,
+        )
+        return done.stdout.replace(f"127.0.0.1:{self._port}", f"127.0.0.1:{PORT}")
+
+    def _brick(self, command: str) -> str:
+        words = [*command.split(), "--port", "0", "--no-beacon", "--root", str(self._folder / "root")]
+        brick = subprocess.Popen(words, env=self._environment, stdout=subprocess.PIPE, text=True)
+        self._bricks.append(brick)
+        assert brick.stdout is not None
+        line = brick.stdout.readline()
+        self._port = int(line.rpartition(":")[2])
+        return line.replace(str(self._port), str(PORT))
+
+    def end(self) -> None:
+        """Switches the bricks off."""
+        for brick in self._bricks:
+            brick.terminate()
+            brick.communicate(timeout=30)
+
+
+@pytest.fixture
+def session(clone: Path) -> Iterator[Session]:
+    found = Session(clone)
+    yield found
+    found.end()
+
+
+@pytest.mark.parametrize("page", has("console"), ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_the_commands_print_what_is_shown(page: Path, session: Session) -> None:
+    for block in blocks(page, "console"):
+        command, _, output = block.removeprefix("$ ").partition("\n")
+        assert session.run(command) == output, command
+
+
+@pytest.mark.parametrize("page", has("python"), ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_the_programs_run_one_after_the_other(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    names: dict[str, object] = {}
+    for program in blocks(page, "python"):
+        exec(compile(program, page.name, "exec"), names)
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the programs of each page in one file."""
+    folder = tmp_path_factory.mktemp("programs")
+    for page, name in zip(PAGES, NAMES, strict=True):
+        if blocks(page, "python"):
+            file = folder / f"{re.sub(r'[^a-z]', '_', name.lower())}.py"
+            file.write_text("\n".join(blocks(page, "python")))
+    return folder
+
+
+def test_mypy_finds_nothing_in_the_programs(programs: Path) -> None:
+    command = [sys.executable, "-m", "mypy", "--strict", "--config-file", str(ROOT / "pyproject.toml")]
+    done = subprocess.run(
+        [*command, *map(str, sorted(programs.glob("*.py")))], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout
+
+
+def test_pyright_finds_nothing_in_the_programs(programs: Path) -> None:
+    settings = {"extraPaths": [str(ROOT)], "include": ["*.py"], "reportMissingModuleSource": False}
+    (programs / "pyrightconfig.json").write_text(json.dumps(settings))
+    command = [sys.executable, "-m", "pyright", "--pythonpath", sys.executable, "--project", str(programs)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+
+
+def test_the_c_program_prints_the_frames(tmp_path: Path) -> None:
+    (program,) = blocks(ROOT / "docs" / "howto" / "c.md", "c")
+    source = tmp_path / "frames.c"
+    source.write_text(program)
+    made = tmp_path / "frames"
+    words = ["cc", "-std=c99", "-Wall", "-Werror", f"-I{ROOT / 'exports'}", str(source), "-o", str(made)]
+    subprocess.run(words, check=True)
+    said = subprocess.run([str(made)], capture_output=True, text=True, check=True).stdout.split()
+    assert said == ["0e002a0080000094010182b80182e803", "08002a00000400810160"]
+
+
+def test_there_are_commands_and_programs() -> None:
+    assert sum(len(blocks(page, "console")) for page in PAGES) > 20
+    assert sum(len(blocks(page, "python")) for page in PAGES) > 12

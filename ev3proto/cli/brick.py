@@ -35,10 +35,13 @@ class _WithDifferences(click.Command):
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         from ev3proto.brick.deviations import DEVIATIONS
-        from ev3proto.brick.servers.limits import PATIENCE
+        from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
 
-        limit = f"A direct command that has taken {PATIENCE:g} s is ended when another client waits."
-        differences = "\n\n".join(f"- {sentence}" for sentence in (limit, *DEVIATIONS))
+        limits = (
+            f"A direct command that has taken {PATIENCE:g} s is ended when another client waits.",
+            f"A client that has not sent the unlock text after {UNLOCK_TIME:g} s is disconnected.",
+        )
+        differences = "\n\n".join(f"- {sentence}" for sentence in (*limits, *DEVIATIONS))
         about = self.help
         self.help = f"{cleandoc(about or '')}\n\nWhere it differs from a real brick on purpose:\n\n{differences}"
         super().format_help_text(ctx, formatter)

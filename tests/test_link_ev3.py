@@ -64,7 +64,7 @@ def test_async_waits_when_it_is_asked_to(my_ev3: EV3) -> None:
     first = my_ev3.send_direct_cmd(echo(1), global_mem=4)
     second = my_ev3.send_direct_cmd(echo(2), global_mem=4)
     assert isinstance(first, bytes)
-    assert my_ev3.wait_for_reply(second) == b"\x02\0\0\0"  # type: ignore[arg-type]
+    assert my_ev3.wait_for_reply(second) == b"\x02\0\0\0"
     assert my_ev3.wait_for_reply(first) == b"\x01\0\0\0"
     with pytest.raises(ev3proto.LinkError, match="no command with the counter 42 waits for its reply"):
         my_ev3.wait_for_reply(first)
@@ -79,7 +79,7 @@ def test_system_commands_in_bytes(my_ev3: EV3) -> None:
 
 def test_operations_give_named_values(my_ev3: EV3) -> None:
     values = my_ev3.send_direct_cmd([ops.info.get_volume(), ops.ui_read.get_fw_vers(16)])
-    assert [(value.command, value.name, value.value) for value in values] == [  # type: ignore[union-attr]
+    assert [(value.command, value.name, value.value) for value in values] == [
         ("GET_VOLUME", "VALUE", 100),
         ("GET_FW_VERS", "DESTINATION", "V1.04H"),
     ]
@@ -91,14 +91,14 @@ def test_operations_can_be_waited_for(my_ev3: EV3) -> None:
     counter = my_ev3.send_direct_cmd(ops.info.get_volume(), sync_mode=ev3proto.ASYNC)
     assert isinstance(counter, bytes)
     (value,) = my_ev3.wait_for_reply(counter)
-    assert value.value == 100  # type: ignore[union-attr]
+    assert value.value == 100
 
 
 def test_messages_give_named_values(my_ev3: EV3) -> None:
     (value,) = my_ev3.send_direct_cmd(ev3proto.command(ops.info.get_volume()))
-    assert value.value == 100  # type: ignore[union-attr]
+    assert value.value == 100
     values = my_ev3.send_system_cmd(system.begin_download("../prjs/a.txt", 3))
-    assert [(value.name, value.value) for value in values] == [("handle", 0)]  # type: ignore[union-attr]
+    assert [(value.name, value.value) for value in values] == [("handle", 0)]
 
 
 def test_frames_are_printed_as_the_lessons_show_them(my_ev3: EV3, capsys: pytest.CaptureFixture[str]) -> None:
@@ -162,9 +162,10 @@ def test_no_frame_can_carry_too_much(my_ev3: EV3) -> None:
             my_ev3.send_direct_cmd(NOP, **arguments)
     with pytest.raises(ev3proto.BuildError, match="1024"):
         my_ev3.send_direct_cmd(NOP * 1018)
-    for nothing in (b"", "opNop", 7, [7]):
+    nothings: Any = (b"", "opNop", 7, [7])
+    for nothing in nothings:
         with pytest.raises(ev3proto.BuildError):
-            my_ev3.send_direct_cmd(nothing)  # type: ignore[arg-type]
+            my_ev3.send_direct_cmd(nothing)
 
 
 # What the brick is and has

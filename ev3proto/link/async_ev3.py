@@ -7,12 +7,13 @@ that reads and are handed to the event loop: any number of them can be waited fo
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Coroutine, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import TracebackType
-from typing import Any, TypeVar
+from typing import Any, TypeVar, overload
 
+from ev3proto.compose import Draft
 from ev3proto.link import file_moves, questions
 from ev3proto.link.channel import Ticket
 from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
@@ -21,7 +22,7 @@ from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_move
 from ev3proto.link.modes import SyncMode
 from ev3proto.link.printing import RECEIVED, SENT
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
-from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.messages import DirectCommand, Operation, SystemCommand, SystemReply
 
 T = TypeVar("T")
 
@@ -76,6 +77,30 @@ class AsyncEV3:
             raise RuntimeError("there is no connection yet: `await connect()`, or `async with AsyncEV3(...)`")
         return self._ev3
 
+    @overload
+    async def send_direct_cmd(
+        self,
+        ops: bytes | bytearray,
+        *,
+        local_mem: int = 0,
+        global_mem: int = 0,
+        sync_mode: str | None = None,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> bytes: ...
+
+    @overload
+    async def send_direct_cmd(
+        self,
+        ops: Draft | Operation | DirectCommand | Iterable[Draft | Operation],
+        *,
+        local_mem: int = 0,
+        global_mem: int = 0,
+        sync_mode: str | None = None,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Any: ...
+
     async def send_direct_cmd(
         self,
         ops: Operations,
@@ -91,9 +116,29 @@ class AsyncEV3:
         mode = SyncMode.of(ev3.sync_mode if sync_mode is None else sync_mode)
         return await self._send(direct(ops, local_mem, global_mem, mode, ev3.dialect), verbosity, timeout)
 
+    @overload
     async def send_system_cmd(
         self,
-        cmd: bytes | SystemCommand,
+        cmd: bytes | bytearray,
+        *,
+        reply: bool = True,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> bytes: ...
+
+    @overload
+    async def send_system_cmd(
+        self,
+        cmd: SystemCommand,
+        *,
+        reply: bool = True,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Any: ...
+
+    async def send_system_cmd(
+        self,
+        cmd: bytes | bytearray | SystemCommand,
         *,
         reply: bool = True,
         verbosity: int | None = None,
@@ -104,7 +149,7 @@ class AsyncEV3:
 
     async def wait_for_reply(
         self, msg_cnt: bytes | int, *, verbosity: int | None = None, timeout: float | None = None
-    ) -> Result:
+    ) -> Any:
         """Waits for the reply to a command sent with ASYNC; see `EV3.wait_for_reply`."""
         ticket = self.connected.channel.ticket(counter_of(msg_cnt))
         frame = await self._reply(ticket, verbosity, timeout, keep=True)
@@ -196,7 +241,6 @@ class AsyncEV3:
 
     async def _ask(self, question: Question[T]) -> T:
         values = await self.send_direct_cmd(question.operations, sync_mode=SyncMode.SYNC)
-        assert not isinstance(values, bytes)
         return question.read(values)
 
     # Files

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import tempfile
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from types import TracebackType
-from typing import Any, TypeVar
+from typing import Any, TypeVar, overload
 
+from ev3proto.compose import Draft
 from ev3proto.link import file_moves, questions
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.carriers.opening import CONNECT_TIMEOUT
@@ -20,7 +21,7 @@ from ev3proto.link.printing import RECEIVED, SENT, frame_line, meaning_line
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.sharing import Shared
 from ev3proto.link.targets import Target, chosen_target
-from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.messages import DirectCommand, Operation, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
 
 T = TypeVar("T")
@@ -153,6 +154,30 @@ class EV3:
 
     # Commands
 
+    @overload
+    def send_direct_cmd(
+        self,
+        ops: bytes | bytearray,
+        *,
+        local_mem: int = 0,
+        global_mem: int = 0,
+        sync_mode: str | None = None,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> bytes: ...
+
+    @overload
+    def send_direct_cmd(
+        self,
+        ops: Draft | Operation | DirectCommand | Iterable[Draft | Operation],
+        *,
+        local_mem: int = 0,
+        global_mem: int = 0,
+        sync_mode: str | None = None,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Any: ...
+
     def send_direct_cmd(
         self,
         ops: Operations,
@@ -186,9 +211,29 @@ class EV3:
         mode = self._sync_mode if sync_mode is None else SyncMode.of(sync_mode)
         return self._send(direct(ops, local_mem, global_mem, mode, self.dialect), verbosity, timeout)
 
+    @overload
     def send_system_cmd(
         self,
-        cmd: bytes | SystemCommand,
+        cmd: bytes | bytearray,
+        *,
+        reply: bool = True,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> bytes: ...
+
+    @overload
+    def send_system_cmd(
+        self,
+        cmd: SystemCommand,
+        *,
+        reply: bool = True,
+        verbosity: int | None = None,
+        timeout: float | None = None,
+    ) -> Any: ...
+
+    def send_system_cmd(
+        self,
+        cmd: bytes | bytearray | SystemCommand,
         *,
         reply: bool = True,
         verbosity: int | None = None,
@@ -216,7 +261,7 @@ class EV3:
 
     def wait_for_reply(
         self, msg_cnt: bytes | int, *, verbosity: int | None = None, timeout: float | None = None
-    ) -> Result:
+    ) -> Any:
         """Waits for the reply to a command that was sent with ASYNC. One that did not come can be waited for again.
 
         Args:
@@ -317,7 +362,6 @@ class EV3:
 
     def _ask(self, question: Question[T]) -> T:
         values = self.send_direct_cmd(question.operations, sync_mode=SyncMode.SYNC)
-        assert not isinstance(values, bytes)
         return question.read(values)
 
     def _tell(self, operations: Any) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from support.notations import EVERY
+from support.notations import EVERY, LINE
 
 from ev3proto.text.paste import Pasted, read_text
 
@@ -42,3 +42,108 @@ def test_every_notation_among_prose(name: str) -> None:
         f"I tried it like this on 2024-01-31 at 12:30:\n\n{text}\n\nand my EV3 (00:16:53:42:2B:99) was silent.\n"
     )
     assert [(frame_of(piece), piece.problem) for piece in found] == [(TONE, None)], text
+
+
+PREFIXES = {
+    "robot send: {}": "sent",
+    "EV3 <- {}": "received",
+    "D/EV3 ( 1234): send {}": "sent",
+    "Value: {}": None,
+    "[EV3] {}": None,
+    "msg={}": None,
+    "brick >> {}": "sent",
+    "DEBUG:ev3: {}": None,
+    "frame 12: {}": None,
+    "Sent to EV3: {}": "sent",
+    "<- {}": "received",
+    "{}.": None,
+    "{},": None,
+    "It was {}, I think.": None,
+    "12:30:45.123 -> {}": "sent",
+    "2024-01-31T12:30:45 ev3[1234]: recv {}": "received",
+    "to 00:16:53:42:2B:99: {}": None,
+    "({})": None,
+    "len=17 data={} ok": None,
+    "#12 {}": None,
+    "17 bytes: {}": None,
+    "{} (17 bytes)": None,
+    "| {} |": None,
+    "    {}  // start": None,
+    "\x1b[32mINFO\x1b[0m {}": None,
+    "- {}": None,
+    '{{"t": 12, "data": "{}"}}': None,
+}
+
+PLAIN = (
+    "blanks",
+    "colons",
+    "HEX",
+    "0x and commas",
+    "dashes (BitConverter)",
+    "lesson",
+    "decimals, commas",
+    "Go",
+    "repr",
+)
+
+
+@pytest.mark.parametrize("prefix", PREFIXES)
+@pytest.mark.parametrize("name", PLAIN)
+def test_whatever_stands_around_a_frame(prefix: str, name: str) -> None:
+    for frame in (TONE, REPLY, NAME):
+        text = prefix.format(LINE[name](frame))
+        found = pieces(f"once\n{text}\nagain\n")
+        assert [(piece.data, piece.problem, piece.line) for piece in found] == [(frame, None, 2)], text
+        if PREFIXES[prefix] is not None:
+            assert found[0].direction == PREFIXES[prefix], text
+
+
+@pytest.mark.parametrize("name", LINE)
+def test_lines_that_hold_a_whole_frame_each_stay_apart(name: str) -> None:
+    text = "\n".join(f"x: {LINE[name](frame)}" for frame in (TONE, NAME, TONE))
+    assert [(frame_of(piece), piece.line) for piece in pieces(text)] == [(TONE, 1), (NAME, 2), (TONE, 3)], text
+
+
+NAMES = {
+    "{0x0f, 0, 0, 0, DIRECT_COMMAND_NO_REPLY, 0, 0, opSOUND, LC0(TONE), LC1(2), LC2(1000), LC2(1000)}": TONE,
+    "cmd = [15, 0, 0, 0, 0x80, 0, 0,\n  opSOUND, LC0(1),  # the tone\n  LC1(2), LC2(1000),\n  LC2(1000)]": TONE,
+    'byte[] x = { 0x0e, 0, 0x2a, 0, 0, 0, 0, opCOM_SET, LC0(SET_BRICKNAME), LCS("myEV3") };': NAME,
+    "{\n 0x0D, 0, 1, 0, 0x80, 0, 0,\n opOUTPUT_POWER, LC0(0), LC0(1), LC1(50),\n opOUTPUT_START, LC0(0), LC0(1)\n}": (
+        bytes.fromhex("0d 00 01 00 80 00 00 a4 00 01 81 32 a6 00 01")
+    ),
+}
+
+
+@pytest.mark.parametrize("text", NAMES)
+def test_names_of_constants_in_arrays(text: str) -> None:
+    assert [piece.data for piece in pieces(text)] == [NAMES[text]]
+
+
+def test_a_counter_that_is_not_written() -> None:
+    frame = TONE[:2] + b"\0\0" + TONE[4:]
+    rest = TONE[4:].hex()
+    for text in (
+        f"0F00xxxx{rest}",
+        f"0F 00 xx xx {TONE[4:].hex(' ')}",
+        f"0F00 XXXX {rest}",
+        f"0F:00:xxxx:{TONE[4:].hex(':')}",
+    ):
+        assert [piece.data for piece in pieces(f"Start: {text}")] == [frame], text
+
+
+LOOKS = {
+    "x 0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8": "16 bytes begin a frame of 17",
+    "x 0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03 00 11": "19 bytes stand here",
+    "// 0f 00 00 00 80 00 00 94": "8 bytes begin a frame of 17",
+    "say 0x0f, 0x00, 0x00, 0x00, 0x80, 0x00, 0x00": "7 bytes begin a frame of 17",
+    "say [15, 0, 0, 0, 128, 0, 0, 148] to it": "8 bytes begin a frame of 17",
+    "00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03": "--no-length",
+    "94 01 81 02 82 e8 03 82 e8 03": "--operations",
+}
+
+
+@pytest.mark.parametrize("text", LOOKS)
+def test_what_looks_like_a_frame_and_is_none(text: str) -> None:
+    (piece,) = pieces(f"first\n{text}\nlast\n")
+    assert (piece.data, piece.unread, piece.line) == (b"", True, 2)
+    assert LOOKS[text] in (piece.problem or "")

@@ -10,10 +10,20 @@ from collections.abc import Callable, Set
 from itertools import pairwise
 from typing import NamedTuple
 
-from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.messages import DirectCommand, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
-from ev3proto.tables.frame import LENGTH_FIELD, MessageType
+from ev3proto.schema.header import (
+    COMMAND_HEADER_SIZE,
+    HEADER_SIZE,
+    MEMORY,
+    MEMORY_SIZE,
+    build_frame,
+    frame_size,
+    is_frame_size,
+)
+from ev3proto.semantics.footprint import footprints
+from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_GLOBALS, MAX_LOCALS, MessageType
 
 _TYPES = frozenset(int(member) for member in MessageType)
 _COMMANDS = frozenset(int(member) for member in MessageType if member.is_command)
@@ -168,14 +178,22 @@ def with_length(data: bytes) -> bytes | None:
 
 
 def with_header(data: bytes) -> bytes | None:
-    """The bytes as the operations of a direct command that wants no reply."""
-    from ev3proto.schema.constructors import direct_command
-
-    size = len(data) + HEADER_SIZE - LENGTH_FIELD + 2
-    if not data or not is_frame_size(size + LENGTH_FIELD):
+    """The bytes as the operations of a direct command with the memory that they use for sure."""
+    if not data or not is_frame_size(COMMAND_HEADER_SIZE + len(data)):
         return None
-    head = direct_command(reply=False).build()
-    return size.to_bytes(LENGTH_FIELD, "little") + head[LENGTH_FIELD:] + data
+    plain = build_frame(MessageType.DIRECT_COMMAND_NO_REPLY, 0, bytes(MEMORY_SIZE) + data)
+    message = parse(plain, strict=False)
+    if not isinstance(message, DirectCommand):
+        return None
+    used = {GLOBAL: 0, LOCAL: 0}
+    for operation in message.operations:
+        for found in footprints(operation):
+            scope = found.argument.kind
+            used[scope] = max(used[scope], found.start + (found.room or found.size))
+    if not any(used.values()) or used[GLOBAL] > MAX_GLOBALS or used[LOCAL] > MAX_LOCALS:
+        return plain
+    code = MessageType.DIRECT_COMMAND_REPLY if used[GLOBAL] else MessageType.DIRECT_COMMAND_NO_REPLY
+    return build_frame(code, 0, MEMORY.build({"globals": used[GLOBAL], "locals": used[LOCAL]}) + data)
 
 
 _BARE: tuple[tuple[str, Callable[[bytes], bytes | None]], ...] = (

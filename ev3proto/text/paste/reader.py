@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from ev3proto.text.paste.fitting import reason
+from ev3proto.text.paste.fitting import bare_reason, reason
 from ev3proto.text.paste.forms import Forms
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, Pasted, Wants, short
 from ev3proto.text.paste.scanner import Row, Scanner
@@ -50,7 +50,8 @@ class Reader:
     def _kept(self, pieces: Iterator[Pasted]) -> Iterator[Pasted]:
         """The pieces that are worth reporting, and what looks like a frame where there is none of them."""
         for piece in pieces:
-            if _is_worth(piece):
+            is_bare = any(looks.line == piece.line for looks in self._held) and bare_reason(piece.data) is not None
+            if _is_worth(piece) and not is_bare:
                 self._held = [looks for looks in self._held if looks.line < piece.line]
                 yield piece
         if not self._forms.is_open:

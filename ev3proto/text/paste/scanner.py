@@ -92,6 +92,11 @@ class Pending:
     in_comment: bool = False
     index: int = 0
 
+    @property
+    def is_array(self) -> bool:
+        """Whether the rows are one list in brackets, separated by commas."""
+        return self.was_opened and all(row.run is None or row.run.has_comma for row in self.rows[:-1])
+
     def is_complete(self) -> bool:
         """Whether some reading has as many bytes as its length field says."""
         return any(len(data) >= 2 and frame_size(data) == len(data) for data in self.data.values())
@@ -136,7 +141,8 @@ def boundaries(run: Run, stretch: Stretch) -> tuple[set[int], set[int], set[int]
     for offset, place in enumerate(places):
         if values[place].style is Style.UNKNOWN:
             unknown.add(offset)
-        if offset and place != places[offset - 1] and (gaps[place] == "\n" or place in changes):
+        is_line = gaps[place] == "\n" and not run.is_array
+        if offset and place != places[offset - 1] and (is_line or place in changes):
             starts.add(offset)
             ends.add(offset)
     if stretch.name in ("string", "decimal string") and run.values[0].text[:1] not in ("\\", ""):
@@ -171,6 +177,10 @@ def _found_changes(run: Run) -> set[int]:
             # After a single gap of another kind it goes on as before.
             is_back = place - 1 in found and (gap == gaps[place - 2] if place > 2 else gap == after)
             is_change = gap != before and not is_back
+        if "\n" in (gap, before) and run.is_array:
+            continue
+        widths = sorted((len(values[place - 1].text), len(values[place].text)))
+        is_change = is_change or (kinds == (Style.BARE, Style.BARE) and widths[0] < LEAST <= widths[1] // 2)
         if is_change or (kinds[0] is not kinds[1] and Style.UNKNOWN not in kinds):
             found.add(place)
     return found
@@ -204,7 +214,7 @@ class Scanner:
 
     def __init__(self) -> None:
         self._pending: Pending | None = None
-        self._index = 0
+        self._opens = self._was_opened = False
 
     def feed(self, line: str, number: int) -> Iterator[Pasted | Row]:
         """Takes a line.
@@ -217,6 +227,7 @@ class Scanner:
                 yield from self._finished()
                 return
             yield from self.close()
+        self._was_opened, self._opens = self._opens, line.rstrip().endswith(("[", "{", "("))
         if _MAY_HAVE.search(line) is None or _EXCERPT.match(line):
             yield Row(number, line, None)
             return
@@ -233,7 +244,9 @@ class Scanner:
         if any(piece.data for piece in found):
             yield from found
         elif row.run is not None and row.run.is_tail and self._may_go_on(row.run):
-            self._pending = Pending([row], {}, row.run.depth, row.run.opened > 0, len(line), in_comment, index)
+            depth = row.run.depth + self._was_opened
+            is_opened = row.run.opened > 0 or self._was_opened
+            self._pending = Pending([row], {}, depth, is_opened, len(line), in_comment, index)
             self._take(row.run)
         else:
             yield Row(number, line, None, found[0] if found else None)
@@ -250,7 +263,7 @@ class Scanner:
             return
         found: list[Pasted | Row] = []
         if len(rows) > 1:
-            joined = _joined(rows)
+            joined = _joined(rows, is_array=pending.is_array)
             found += self._pieces(pending.rows, joined)
             if found:
                 yield from found
@@ -379,8 +392,9 @@ class Scanner:
         last = pending.rows[-1].run
         if last is None:
             return
-        if pending.is_complete():
-            joined = _joined([row for row in pending.rows if row.run is not None])
+        is_array = pending.is_array
+        if pending.is_complete() and not (is_array and pending.depth > 0):
+            joined = _joined([row for row in pending.rows if row.run is not None], is_array=is_array)
             best = best_reading(joined)[0]
             if best.is_whole:
                 self._pending = None
@@ -525,7 +539,7 @@ def _shape(text: str) -> str:
     return _DIGITS.sub("0", text).strip()
 
 
-def _joined(rows: list[Row]) -> Run:
+def _joined(rows: list[Row], *, is_array: bool) -> Run:
     """Rows as one run."""
     values: list[Value] = []
     gaps: list[str] = []
@@ -536,7 +550,7 @@ def _joined(rows: list[Row]) -> Run:
         gaps += ["\n", *row.run.gaps[1:]]
         lines += [row.number] * len(row.run.values)
     gaps[0] = ""
-    return Run(values, gaps, lines=lines)
+    return Run(values, gaps, lines=lines, is_array=is_array)
 
 
 def _row_of(rows: list[Row], run: Run, place: int) -> Row:

@@ -66,6 +66,7 @@ class Run:
     is_cut    an ellipsis follows
     has_comma a comma follows
     lines     the line of each value, where the run has several
+    is_array  they are one list in brackets, in which the end of a line means nothing
     changes   the values in front of which the way of writing changes, once somebody asked
     """
 
@@ -79,6 +80,7 @@ class Run:
     has_comma: bool = False
     lines: list[int] = field(default_factory=list)
     changes: frozenset[int] | None = None
+    is_array: bool = False
 
     @property
     def start(self) -> int:
@@ -113,7 +115,7 @@ _TOKEN = re.compile(
     | (?P<templated>(?<![\w.])[{_HEX}]{{4}}[xX]{{4}}[{_HEX}]{{2,}}(?!\w))
     | (?P<joined>(?<![\w.])[{_HEX}]{{2}}(?:[_.][{_HEX}]{{2}}){{4,}}(?![\w]))
     | (?P<base64>(?<![\w+/=.-])(?=[\w+/-]*[G-Zg-z+/])(?=[\w+/-]*[A-Z])[A-Za-z0-9+/_-]{{8,}}+={{0,2}}+(?![\w+/=.]))
-    | (?P<negative>(?<![\w)\]])[-\u2212]\s?(?P<number>\d{{1,3}})(?![\w.]))
+    | (?P<negative>(?<![\w)\]<>=-])[-\u2212](?P<number>\d{{1,3}})(?![\w.]))
     | (?P<typed>(?<![\w.])(?P<decimal>\d{{1,3}})_?(?:u8|i8|uy|u|U|UL|L)(?!\w))
     | (?P<bare>(?<![\w.])[{_HEX}]+(?!\w)(?!\.\d))
     | (?P<escapes>\\(?:x\{{?[{_HEX}]{{1,2}}|u00[{_HEX}]{{2}}|[0-3][0-7]{{2}}))

@@ -11,7 +11,7 @@ from ev3proto.program.parameters import ProgramParameter, table_bytes
 from ev3proto.tables.program import DEFAULT_VERSION, ObjectKind, aligned, kind_of
 
 
-class Place(NamedTuple):
+class ParameterPlace(NamedTuple):
     """Where a parameter lies: its offset in local memory, and its bytes."""
 
     offset: int
@@ -67,13 +67,13 @@ class CodeObject:
         return table + b"".join([operation.raw for operation in self.operations]) + self.flaw.rest
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[ParameterPlace, ...]:
         """Where its parameters lie in local memory: they are its first locals."""
         found = []
         end = 0
         for parameter in self.parameters:
             start = aligned(end, parameter.bytes)
-            found.append(Place(start, parameter.bytes))
+            found.append(ParameterPlace(start, parameter.bytes))
             end = start + parameter.bytes
         return tuple(found)
 

@@ -22,26 +22,26 @@ from ev3proto.program.source.encoding import (
 )
 from ev3proto.program.source.errors import SourceError
 from ev3proto.program.source.jumps import shrink, starts
-from ev3proto.program.source.names import Callee, Goal, LocalNames, Meaning, Names, Place, builtin_names
+from ev3proto.program.source.names import Callee, Goal, LocalNames, Meaning, Names, ProgramVariable, builtin_names
 from ev3proto.program.source.numbers import single_of, wrapped
 from ev3proto.program.source.settings import ObjectSettings, SettingsReader
 from ev3proto.program.source.statements import (
-    Declaration,
-    Define,
+    DefineStatement,
+    EncodedValue,
     Float,
-    Form,
     Item,
-    Label,
-    Marked,
+    LabelStatement,
+    MarkedName,
     Name,
     Number,
     ObjectSource,
+    OperationStatement,
     RawArgument,
     Statement,
-    Step,
     Text,
     Unchecked,
     Value,
+    VariableStatement,
 )
 from ev3proto.schema.argument import encode_as, encode_float, encode_label, with_bits
 from ev3proto.tables import OPCODES
@@ -86,13 +86,13 @@ class Memory:
         self.scope = scope
         self.size = 0
 
-    def place(self, at: int, size: int, kind: Type, is_array: bool) -> Place:
+    def place(self, at: int, size: int, kind: Type, is_array: bool) -> ProgramVariable:
         """The next variable. Raises SourceError where no header can ask for so much."""
         index = aligned(self.size, size)
         self.size = index + size
         if self.size > MAX_MEMORY:
             raise SourceError(at, f"a program has at most {MAX_MEMORY} bytes of {self.scope} memory")
-        return Place(at, self.scope, index, size, kind, is_array)
+        return ProgramVariable(at, self.scope, index, size, kind, is_array)
 
 
 @dataclass
@@ -170,17 +170,17 @@ class Assembler:
         for item in self._items:
             try:
                 match item:
-                    case Define():
+                    case DefineStatement():
                         self._define(item)
                     case ObjectSource():
                         self._object(item)
-                    case Declaration():
+                    case VariableStatement():
                         pass
             except SourceError as error:
                 self._keep(error)
         self._call_shared()
         for item in self._items:
-            if isinstance(item, Declaration):
+            if isinstance(item, VariableStatement):
                 try:
                     self._global(item)
                 except SourceError as error:
@@ -204,7 +204,7 @@ class Assembler:
             raise SourceError(at, reason)
         self.warnings.append((at, f"{reason}: the last one counts"))
 
-    def _define(self, item: Define) -> None:
+    def _define(self, item: DefineStatement) -> None:
         self._check_new(item.at, item.name)
         self._names.defines[item.name] = item
 
@@ -216,7 +216,7 @@ class Assembler:
         self._of_objects.append(self._settings.before(item.at))
         parameters = None
         if item.kind == _SUBCALL:
-            declared = (it.word for it in item.body if isinstance(it, Declaration))
+            declared = (it.word for it in item.body if isinstance(it, VariableStatement))
             parameters = [PARAMETER_WORDS[word] for word in declared if word in PARAMETER_WORDS]
             if len(parameters) > MAX_PARAMETERS:
                 raise SourceError(item.at, f"a subcall has at most {MAX_PARAMETERS} parameters, not {len(parameters)}")
@@ -230,12 +230,12 @@ class Assembler:
                 other = self._names.objects[self._objects[shared - 1].name]
                 self._names.objects[source.name].parameters = other.parameters or []
 
-    def _global(self, item: Declaration) -> None:
+    def _global(self, item: VariableStatement) -> None:
         self._check_new(item.at, item.name)
         place = self._place(item, self._globals, LocalNames())
         self._names.globals.setdefault(item.name, []).append(place)
 
-    def _place(self, item: Declaration, memory: Memory, local: LocalNames) -> Place:
+    def _place(self, item: VariableStatement, memory: Memory, local: LocalNames) -> ProgramVariable:
         """The memory of a declaration."""
         kind = VARIABLE_WORDS.get(item.word, Type.DATA8)
         if item.word in PARAMETER_WORDS:
@@ -264,7 +264,7 @@ class Assembler:
     def _body(self, source: ObjectSource, settings: ObjectSettings) -> Body:
         body = Body(source, settings)
         for statement in source.body:
-            if isinstance(statement, Label):
+            if isinstance(statement, LabelStatement):
                 if statement.name in body.names.labels:
                     try:
                         self._check_twice(statement.at, f"the label {statement.name[:40]} is set already")
@@ -292,16 +292,16 @@ class Assembler:
 
     def _statement(self, statement: Statement, body: Body) -> None:
         match statement:
-            case Step():
+            case OperationStatement():
                 self._step(statement, body)
-            case Label(at, name):
+            case LabelStatement(at, name):
                 if name in builtin_names():
                     what = "jumps to it mean that" if self._is_strict else "in this object it means the label"
                     self.warnings.append((at, f"{name} is a name of the firmware: {what}"))
                 body.labels[name] = len(body.parts)
-            case Declaration():
+            case VariableStatement():
                 self._local(statement, body)
-            case Define():
+            case DefineStatement():
                 if statement.name in body.names.places or statement.name in body.names.defines:
                     raise SourceError(statement.at, f"{statement.name[:40]} is declared already")
                 body.names.defines[statement.name] = statement
@@ -309,7 +309,7 @@ class Assembler:
                 body.parts.append(data)
                 body.last = ""
 
-    def _local(self, item: Declaration, body: Body) -> None:
+    def _local(self, item: VariableStatement, body: Body) -> None:
         if item.name in body.names.places or item.name in body.names.defines:
             self._check_twice(item.at, f"{item.name[:40]} is declared already")
         if item.word in PARAMETER_WORDS:
@@ -326,7 +326,7 @@ class Assembler:
 
     # Operations
 
-    def _step(self, step: Step, body: Body) -> None:
+    def _step(self, step: OperationStatement, body: Body) -> None:
         code = _OPCODES.get(step.name)
         if code is None:
             raise SourceError(step.at, f"there is no operation {step.name[:40]}{suggestion(step.name, _OPCODES)}")
@@ -343,7 +343,7 @@ class Assembler:
             self._checks.operation(step, values)
         body.last = step.name
 
-    def _call(self, step: Step, body: Body) -> None:
+    def _call(self, step: OperationStatement, body: Body) -> None:
         """A CALL. Of a subcall by name, the number of its parameters is written too."""
         if not step.arguments:
             self.warnings.append((step.at, "CALL needs the name of the subcall, and then its arguments"))
@@ -385,16 +385,16 @@ class Assembler:
         match value:
             case Unchecked(_, inner):
                 return self._argument(inner, body)[0], None
-            case Marked(at, sign, name):
+            case MarkedName(at, sign, name):
                 place_of = self._names.meaning(name.text, name.at, body.names)
-                if not isinstance(place_of, Place):
+                if not isinstance(place_of, ProgramVariable):
                     raise SourceError(at, f"{name.text[:40]} is no variable, and only one can stand after {sign}")
                 if sign == "@" and place_of.type is not Type.HANDLE:
                     self.warnings.append((at, f"{name.text[:40]} is a {place_of.type}, and @ stands before a HANDLE"))
                 return marked(place_of, sign), None
             case RawArgument(_, data):
                 return data, None
-            case Form():
+            case EncodedValue():
                 return self._form(value, body), None
         meaning = self._names.value(value, body.names)
         return self._encoded(meaning, value.at), meaning
@@ -402,7 +402,7 @@ class Assembler:
     def _encoded(self, meaning: Meaning, at: int) -> bytes | Jump:
         if isinstance(meaning, int):
             return integer(meaning)
-        if isinstance(meaning, Place):
+        if isinstance(meaning, ProgramVariable):
             return variable(meaning.scope, meaning.index)
         if isinstance(meaning, Goal):
             return Jump(at, meaning.name, None)
@@ -417,7 +417,7 @@ class Assembler:
         assert isinstance(meaning, Fraction)
         return integer(wrapped(int(meaning)))
 
-    def _form(self, form: Form, body: Body) -> bytes | Jump:
+    def _form(self, form: EncodedValue, body: Body) -> bytes | Jump:
         """A value in the encoding that is named."""
         name = form.name
         if name in _MARKS:
@@ -430,7 +430,7 @@ class Assembler:
             if name not in JUMP_SIZES:
                 raise SourceError(form.at, f"{name} cannot hold the distance to a label")
             return Jump(form.at, meaning.name, name)
-        if isinstance(meaning, Place):
+        if isinstance(meaning, ProgramVariable):
             if name[0] != ("G" if meaning.scope == GLOBAL else "L"):
                 raise SourceError(form.at, f"{name} is not for {meaning.scope} variables")
             return encode_as(name, meaning.index)
@@ -548,7 +548,7 @@ def _is_free(part: bytes | Jump) -> bool:
 
 def _triggered(statement: Statement) -> str | None:
     """The name of the object that a statement triggers."""
-    if not isinstance(statement, Step) or statement.name != _OBJECT_TRIG or not statement.arguments:
+    if not isinstance(statement, OperationStatement) or statement.name != _OBJECT_TRIG or not statement.arguments:
         return None
     first = statement.arguments[0]
     return first.text if isinstance(first, Name) else None

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ev3proto.errors import counted
-from ev3proto.program.source.names import Callee, Meaning, Place
-from ev3proto.program.source.statements import Float, Name, Step, Text, Value
+from ev3proto.program.source.names import Callee, Meaning, ProgramVariable
+from ev3proto.program.source.statements import Float, Name, OperationStatement, Text, Value
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import FamilySchema, OperationSchema
 from ev3proto.tables import OPCODES
@@ -31,7 +31,7 @@ class Checks:
         self._is_strict = is_strict
         self._sets = [instruction_set(dialect) for dialect in DIALECTS]
 
-    def operation(self, step: Step, values: Sequence[Meaning | None]) -> None:
+    def operation(self, step: OperationStatement, values: Sequence[Meaning | None]) -> None:
         """The arguments of an operation, CMD included; None for one that nobody is to look at."""
         number = _NUMBERS[step.name]
         schema, family = self._schemas(number)
@@ -64,7 +64,11 @@ class Checks:
         return None, None
 
     def _parameters(
-        self, step: Step, schema: OperationSchema, arguments: Sequence[Value], values: Sequence[Meaning | None]
+        self,
+        step: OperationStatement,
+        schema: OperationSchema,
+        arguments: Sequence[Value],
+        values: Sequence[Meaning | None],
     ) -> None:
         name, fixed = schema.declaration.name, schema.fixed
         wanted: int | None = len(fixed)
@@ -76,7 +80,7 @@ class Checks:
         for one, argument, value in zip(fixed, arguments, values, strict=False):
             self._one(name, one.parameter, argument, value)
 
-    def call(self, step: Step, values: Sequence[Meaning | None], callee: Callee) -> None:
+    def call(self, step: OperationStatement, values: Sequence[Meaning | None], callee: Callee) -> None:
         """What a CALL hands over."""
         for place, ((direction, kind), argument, value) in enumerate(
             zip(callee.parameters or (), step.arguments[1:], values, strict=False), 1
@@ -87,7 +91,7 @@ class Checks:
     def _one(self, operation: str, parameter: Parameter, argument: Value, value: Meaning | None) -> None:
         """One argument for one parameter."""
         kind = type(value)
-        if kind is Place:
+        if kind is ProgramVariable:
             if value.type is parameter.type:  # type: ignore[union-attr]
                 return
             reason = _place(parameter, value)  # type: ignore[arg-type]
@@ -125,7 +129,7 @@ def _constant(parameter: Parameter, value: int | Float | Text) -> str | None:
     return None
 
 
-def _place(parameter: Parameter, place: Place) -> str | None:
+def _place(parameter: Parameter, place: ProgramVariable) -> str | None:
     """What is wrong with a variable."""
     kind = parameter.type
     if kind in _UNTYPED or kind is Type.HANDLE:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from ev3proto.program.source.names import Place
+from ev3proto.program.source.names import ProgramVariable
 from ev3proto.program.source.numbers import wrapped
 from ev3proto.schema.argument import encode_as, encode_integer, with_bits
 from ev3proto.tables.encoding import GLOBAL
@@ -52,7 +52,7 @@ def variable(scope: str, index: int) -> bytes:
     return encode_as(f"{letter}V{step}", index)
 
 
-def marked(place: Place, sign: str) -> bytes:
+def marked(place: ProgramVariable, sign: str) -> bytes:
     """A variable that holds a handle (`@`) or an address (`&`): never in one byte."""
     letter = "G" if place.scope == GLOBAL else "L"
     step = next((name for name, limit in _INDEX_STEPS[1:] if place.index < limit), "4")

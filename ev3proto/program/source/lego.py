@@ -12,19 +12,19 @@ from typing import NamedTuple
 from ev3proto.program.source.errors import SourceError
 from ev3proto.program.source.numbers import lego_text, pattern, single_bits
 from ev3proto.program.source.statements import (
-    Declaration,
-    Define,
+    DefineStatement,
     Float,
     Item,
-    Label,
-    Marked,
+    LabelStatement,
+    MarkedName,
     Name,
     Number,
     ObjectSource,
-    Step,
+    OperationStatement,
     Sum,
     Text,
     Value,
+    VariableStatement,
 )
 from ev3proto.tables.source import (
     DEFINE,
@@ -161,7 +161,7 @@ class LegoParser:
         elif word.endswith(":") and _NAME.fullmatch(word[:-1]):
             if len(words) > 1:
                 self.warnings.append((words[1].at, f"what stands after the label {word[:40]} on its line is left out"))
-            self._inside(first, "a label").body.append(Label(first.at, word[:-1]))
+            self._inside(first, "a label").body.append(LabelStatement(first.at, word[:-1]))
         elif word == DEFINE:
             self._define(words)
         elif word in _OBJECTS:
@@ -174,7 +174,7 @@ class LegoParser:
             )
         else:
             arguments = tuple(self._value(it) for it in words[1:])
-            self._inside(first, "an operation").body.append(Step(first.at, word, arguments))
+            self._inside(first, "an operation").body.append(OperationStatement(first.at, word, arguments))
 
     def _inside(self, word: _Word, what: str) -> ObjectSource:
         if self._object is None:
@@ -196,13 +196,13 @@ class LegoParser:
         name = self._name(words, 1, "the name to define")
         if self._object is not None:
             self.warnings.append((words[0].at, "a define inside an object is known in the whole file"))
-        self.items.append(Define(words[1].at, name, self._expression(words, 2, f"what {name} stands for")))
+        self.items.append(DefineStatement(words[1].at, name, self._expression(words, 2, f"what {name} stands for")))
 
     def _declare(self, words: list[_Word]) -> None:
         first = words[0]
         name = self._name(words, 1, "the name of the variable")
         size = self._expression(words, 2, f"the size of {name}") if first.text in _SIZED else None
-        declaration = Declaration(words[1].at, first.text, name, size)
+        declaration = VariableStatement(words[1].at, first.text, name, size)
         if self._object is None or first.text == "global":
             self.items.append(declaration)
         else:
@@ -243,7 +243,7 @@ class LegoParser:
         if _NAME.fullmatch(text):
             return Name(at, text)
         if text[0] in "@&" and _NAME.fullmatch(text, 1):
-            return Marked(at, text[0], Name(at + 1, text[1:]))
+            return MarkedName(at, text[0], Name(at + 1, text[1:]))
         number = self._number(at, text)
         if number is None:
             raise SourceError(at, f"{text[:40]} is no number, no name and no string")

@@ -26,7 +26,7 @@ _BYTES, _STRING, _ONE = "ARRAY8", "DATAS", "DATA8"
 
 
 @dataclass(frozen=True, slots=True)
-class Variable:
+class DeclaredVariable:
     """A declaration: where it lies, its word, how many bytes of an array."""
 
     index: int
@@ -34,14 +34,14 @@ class Variable:
     count: int | None
 
 
-def declared(start: int, end: int, uses: Mapping[int, Type]) -> list[Variable]:
+def declared(start: int, end: int, uses: Mapping[int, Type]) -> list[DeclaredVariable]:
     """Variables for the memory from `start` to `end`, one at every place that is used there.
 
     uses  the type as which the place is used; STRING for a buffer, whose size nobody knows
     """
     end = max(start, min(end, MOST_DECLARED))
     places = sorted(index for index in uses if start <= index < end)
-    found: list[Variable] = []
+    found: list[DeclaredVariable] = []
     at = start
     for index, following in pairwise((*places, end)):
         found += _filled(at, index)
@@ -50,24 +50,24 @@ def declared(start: int, end: int, uses: Mapping[int, Type]) -> list[Variable]:
     return [*found, *_filled(at, end)]
 
 
-def _at(index: int, following: int, kind: Type) -> tuple[Variable, int]:
+def _at(index: int, following: int, kind: Type) -> tuple[DeclaredVariable, int]:
     """The variable at a place, and where the next one may start."""
     room = following - index
     width = kind.size
     if kind in _WORDS and 1 < width <= room and index % width == 0:
-        return Variable(index, _WORDS[kind], None), index + width
+        return DeclaredVariable(index, _WORDS[kind], None), index + width
     if kind is Type.STRING and room > 1 and not (room in ALIGNED_SIZES and index % room):
-        return Variable(index, _STRING, room), following
-    return Variable(index, _ONE, None), index + 1
+        return DeclaredVariable(index, _STRING, room), following
+    return DeclaredVariable(index, _ONE, None), index + 1
 
 
-def _filled(start: int, end: int) -> Iterator[Variable]:
+def _filled(start: int, end: int) -> Iterator[DeclaredVariable]:
     """Variables for memory that nothing names."""
     size = end - start
     if size > 1 and size in ALIGNED_SIZES and start % size:
-        yield Variable(start, _ONE, None)
+        yield DeclaredVariable(start, _ONE, None)
         start, size = start + 1, size - 1
     if size == 1:
-        yield Variable(start, _ONE, None)
+        yield DeclaredVariable(start, _ONE, None)
     elif size:
-        yield Variable(start, _BYTES, size)
+        yield DeclaredVariable(start, _BYTES, size)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from ev3proto.program.source.errors import SourceError
 from ev3proto.program.source.numbers import fits, wrapped
-from ev3proto.program.source.statements import Define, Float, Name, Number, Sum, Text, Unchecked, Value
+from ev3proto.program.source.statements import DefineStatement, Float, Name, Number, Sum, Text, Unchecked, Value
 from ev3proto.tables import OPCODES, enumerations
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Direction, Enumeration, Type
@@ -31,7 +31,7 @@ MAX_DEPTH = 100
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class ProgramVariable:
     """A variable.
 
     at        where it is declared in the source
@@ -72,7 +72,7 @@ class Goal(NamedTuple):
     name: str
 
 
-Meaning = int | Fraction | Float | Text | Place | Callee | Goal
+Meaning = int | Fraction | Float | Text | ProgramVariable | Callee | Goal
 
 
 @cache
@@ -95,8 +95,8 @@ def builtin_names() -> dict[str, int | Text]:
 class LocalNames:
     """The names of one object: variables and defines so far, and all its labels."""
 
-    places: dict[str, Place] = field(default_factory=dict)
-    defines: dict[str, Define] = field(default_factory=dict)
+    places: dict[str, ProgramVariable] = field(default_factory=dict)
+    defines: dict[str, DefineStatement] = field(default_factory=dict)
     labels: dict[str, int] = field(default_factory=dict)
 
 
@@ -110,9 +110,9 @@ class Names:
     def __init__(self, is_strict: bool, warnings: list[tuple[int, str]]) -> None:
         self.is_strict = is_strict
         self._warnings = warnings
-        self.globals: dict[str, list[Place]] = {}
+        self.globals: dict[str, list[ProgramVariable]] = {}
         self.objects: dict[str, Callee] = {}
-        self.defines: dict[str, Define] = {}
+        self.defines: dict[str, DefineStatement] = {}
         self._worked_out: dict[int, Meaning] = {}
         self._depth = 0
 
@@ -179,7 +179,7 @@ class Names:
         yield from self.objects
         yield from self.defines
 
-    def defined(self, define: Define, local: LocalNames) -> Meaning:
+    def defined(self, define: DefineStatement, local: LocalNames) -> Meaning:
         """What a define stands for."""
         key = id(define)
         if key not in self._worked_out:

@@ -34,7 +34,7 @@ class Name(NamedTuple):
     text: str
 
 
-class Marked(NamedTuple):
+class MarkedName(NamedTuple):
     """`@x`, the array that the variable is a handle to; `&x`, what is at the address in it."""
 
     at: int
@@ -54,7 +54,7 @@ class Sum(NamedTuple):
     is_usual: bool = False
 
 
-class Form(NamedTuple):
+class EncodedValue(NamedTuple):
     """`LC2(5)`: a value in the encoding that is named."""
 
     at: int
@@ -76,11 +76,11 @@ class Unchecked(NamedTuple):
     value: Value
 
 
-Value = Number | Float | Text | Name | Marked | Sum | Form | RawArgument | Unchecked
+Value = Number | Float | Text | Name | MarkedName | Sum | EncodedValue | RawArgument | Unchecked
 Constant = int | Fraction
 
 
-class Define(NamedTuple):
+class DefineStatement(NamedTuple):
     """`define NAME value`."""
 
     at: int
@@ -88,7 +88,7 @@ class Define(NamedTuple):
     value: Value
 
 
-class Declaration(NamedTuple):
+class VariableStatement(NamedTuple):
     """`DATA8 x`, `IN_S text 20`: a variable or a parameter.
 
     word  the type as it was written
@@ -101,14 +101,14 @@ class Declaration(NamedTuple):
     size: Value | None = None
 
 
-class Label(NamedTuple):
+class LabelStatement(NamedTuple):
     """`again:`."""
 
     at: int
     name: str
 
 
-class Step(NamedTuple):
+class OperationStatement(NamedTuple):
     """An operation with its arguments."""
 
     at: int
@@ -125,5 +125,5 @@ class ObjectSource(NamedTuple):
     body: list[Statement]
 
 
-Statement = Define | Declaration | Label | Step | RawArgument
-Item = Define | Declaration | ObjectSource
+Statement = DefineStatement | VariableStatement | LabelStatement | OperationStatement | RawArgument
+Item = DefineStatement | VariableStatement | ObjectSource

@@ -12,23 +12,23 @@ import re
 from ev3proto.program.source.errors import SourceError
 from ev3proto.program.source.numbers import fits, single_bits, strict_text, wrapped
 from ev3proto.program.source.statements import (
-    Declaration,
-    Define,
+    DefineStatement,
+    EncodedValue,
     Float,
-    Form,
     Item,
-    Label,
-    Marked,
+    LabelStatement,
+    MarkedName,
     Name,
     Number,
     ObjectSource,
+    OperationStatement,
     RawArgument,
     Statement,
-    Step,
     Sum,
     Text,
     Unchecked,
     Value,
+    VariableStatement,
 )
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.source import (
@@ -219,18 +219,18 @@ class StrictParser:
         self._at = min(self._at + 1, len(self._kinds) - 1)
         return ObjectSource(at, kind, name, body)
 
-    def _define(self) -> Define:
+    def _define(self) -> DefineStatement:
         at = self._ats[self._at]
         self._at += 1
         name = self._name("the name to define")
-        return Define(at, name, self._value())
+        return DefineStatement(at, name, self._value())
 
-    def _declaration(self) -> Declaration:
+    def _declaration(self) -> VariableStatement:
         word = self._texts[self._at]
         self._at += 1
         at = self._ats[self._at]
         name = self._name("the name of the variable")
-        return Declaration(at, word, name, self._value() if word in _SIZED else None)
+        return VariableStatement(at, word, name, self._value() if word in _SIZED else None)
 
     # Statements
 
@@ -241,10 +241,10 @@ class StrictParser:
             following = self._texts[i + 1]
             if following == "(" and word not in _DECLARING:
                 self._at = i + 2
-                return Step(at, word, self._arguments(word))
+                return OperationStatement(at, word, self._arguments(word))
             if following == ":":
                 self._at = i + 2
-                return Label(at, word)
+                return LabelStatement(at, word)
             if word in _DECLARING:
                 return self._declaration()
             if word == DEFINE:
@@ -306,7 +306,7 @@ class StrictParser:
             if word == "(":
                 return self._sum(at)
             if word == "@":
-                return Marked(at, word, Name(self._ats[self._at], self._name("the variable that holds a handle")))
+                return MarkedName(at, word, Name(self._ats[self._at], self._name("the variable that holds a handle")))
             if word == "!":
                 self._deeper(at)
                 unchecked = Unchecked(at, self._value())
@@ -359,13 +359,13 @@ class StrictParser:
                 )
         return Text(at, strict_text(body, self._coding))
 
-    def _form(self, at: int, name: str) -> Form:
+    def _form(self, at: int, name: str) -> EncodedValue:
         self._at += 1
         self._deeper(at)
         value = self._value()
         self._depth -= 1
         self._expect(")", f"after the value of {name}")
-        return Form(at, name, value)
+        return EncodedValue(at, name, value)
 
     def _sum(self, at: int) -> Value:
         """An expression, whose ( is read."""

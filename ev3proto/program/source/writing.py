@@ -17,7 +17,7 @@ from ev3proto.program.objects import CodeObject, Program
 from ev3proto.program.parameters import ProgramParameter, code_of
 from ev3proto.program.source.encoding import JUMP_SIZES, LABEL, integer, shortest_jump, variable
 from ev3proto.program.source.jumps import shrink
-from ev3proto.program.source.memory import MOST_DECLARED, Variable, declared
+from ev3proto.program.source.memory import MOST_DECLARED, DeclaredVariable, declared
 from ev3proto.program.source.names import builtin_names
 from ev3proto.program.source.numbers import fits, is_finite, single_bits, single_of
 from ev3proto.program.source.settings import GAP, MARK, OPEN, OWN, SHORTEST
@@ -388,7 +388,7 @@ class Writer:
         return _encoded(argument, _index(index), index)
 
 
-def _declaration(variable: Variable, name: str) -> str:
+def _declaration(variable: DeclaredVariable, name: str) -> str:
     return f"{variable.word} {name}" if variable.count is None else f"{variable.word} {name} {variable.count}"
 
 

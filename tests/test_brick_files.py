@@ -413,6 +413,11 @@ def test_arrays_take_all_of_a_path(brick: Brick) -> None:
     assert run(brick, *code, globals=21, locals=2) == (OK, (17).to_bytes(4, "little") + b"../prjs/name.rtf\0")
 
 
+def test_a_pin_comes_back_with_the_address(brick: Brick) -> None:
+    expected = bytes((12, 13)) + b"0016530f0c1e\0" + bytes((5,)) + b"1234\0"
+    assert answer(brick, system.bluetoothpin("0016533f0c1e", "1234")) == (REPLY, expected)
+
+
 def test_a_download_leaves_room(brick: Brick) -> None:
     most = 5700 * 1024
     assert answer(brick, system.begin_download("../prjs/big.rtf", most))[1] == bytes((0, 0))

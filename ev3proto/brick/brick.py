@@ -362,8 +362,8 @@ class Brick:
         found = self._system.answer(channel, frame)
         if found is None or not wants_reply:
             return
-        status, contents = found
-        kind = MessageType.SYSTEM_REPLY_ERROR if status.is_failure else MessageType.SYSTEM_REPLY
+        is_error, contents = found
+        kind = MessageType.SYSTEM_REPLY_ERROR if is_error else MessageType.SYSTEM_REPLY
         self._reply(channel, counter, kind, contents)
 
     # Time and programs

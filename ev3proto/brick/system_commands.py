@@ -52,12 +52,14 @@ _ADDRESS_ROOM = int(CONSTANTS["BTADRSIZE"])
 class Answer(NamedTuple):
     """What a system command answers.
 
-    status  how it went
-    fields  the reply's other fields by name
+    status    how it went
+    fields    the reply's other fields by name
+    is_error  whether a status that is a failure makes it an error reply
     """
 
     status: SystemStatus
     fields: Mapping[str, Any]
+    is_error: bool = True
 
 
 class Request(NamedTuple):
@@ -125,11 +127,11 @@ class SystemCommands:
         self._brick = brick
         self._transfers: dict[int, Transfer] = {}
 
-    def answer(self, channel: Hashable, frame: bytes) -> tuple[SystemStatus, bytes] | None:
+    def answer(self, channel: Hashable, frame: bytes) -> tuple[bool, bytes] | None:
         """Does a system command.
 
-        Returns the status, and what follows the header in the reply; None for commands that have no reply and for
-        those that the firmware does not know.
+        Returns whether it is an error reply, and what follows the header in the reply; None for commands that have no
+        reply and for those that the firmware does not know.
         """
         if len(frame) <= HEADER_SIZE:
             return None
@@ -148,7 +150,8 @@ class SystemCommands:
         found = function(self, Request(channel, values, frame[at:]))
         if found is None:
             return None
-        return found.status, bytes((number, found.status)) + REPLIES[number].write_present(found.fields)
+        is_error = found.is_error and found.status.is_failure
+        return is_error, bytes((number, found.status)) + REPLIES[number].write_present(found.fields)
 
     def disconnect(self, channel: Hashable) -> None:
         """Frees the handles of a connection that has ended."""
@@ -352,11 +355,11 @@ class SystemCommands:
 
     @_answers("BLUETOOTHPIN")
     def bluetooth_pin(self, request: Request) -> Answer:
-        """Only by USB, which this brick has not. The PIN comes back."""
+        """Only by USB, which this brick has not; its status says so, the type of the reply does not."""
         address = self._brick.settings.bluetooth_address
         pin = request.text("pin").decode(STRING_CODING)
         fields = {"mac_length": _ADDRESS_ROOM, "mac": address, "pin_length": len(pin) + 1, "pin": pin}
-        return Answer(SystemStatus.ILLEGAL_CONNECTION, fields)
+        return Answer(SystemStatus.ILLEGAL_CONNECTION, fields, is_error=False)
 
     @_answers("SETBUNDLEID")
     def set_bundle_id(self, request: Request) -> Answer:

@@ -352,6 +352,14 @@ def test_what_came_instead_of_an_answer_is_told() -> None:
             my_ev3.send_direct_cmd(NOP, global_mem=1, timeout=0.2)
 
 
+def test_messages_of_the_bricks_programs_are_kept() -> None:
+    mail = ev3proto.system.writemailbox("abc", b"hello\0", counter=7, reply=False)
+    with stub_brick(lambda frame, send: send(mail.build() + reply(frame))) as port, stubbed(port) as my_ev3:
+        assert my_ev3.send_direct_cmd(NOP, sync_mode=ev3proto.SYNC) == b""
+        assert my_ev3.take_messages() == [mail]
+        assert my_ev3.take_messages() == []
+
+
 def test_an_error_comes_with_what_check_says(my_ev3: EV3) -> None:
     with pytest.raises(
         ev3proto.DirCmdError, match=r"DIRECT_REPLY_ERROR\. Check says: at offset 8: .* \(E\d+\)"

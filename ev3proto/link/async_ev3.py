@@ -22,7 +22,7 @@ from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_move
 from ev3proto.link.modes import SyncMode
 from ev3proto.link.printing import RECEIVED, SENT
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
-from ev3proto.messages import DirectCommand, Operation, SystemCommand, SystemReply
+from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
 
 T = TypeVar("T")
 
@@ -171,9 +171,10 @@ class AsyncEV3:
         ev3 = self.connected
         patience = ev3.timeout if timeout is None else timeout
         # Shielded: whoever gives up waiting must not cancel what the reading thread will fill in.
-        waiting = asyncio.shield(asyncio.wrap_future(ticket.reply))
+        waiting = asyncio.wrap_future(ticket.reply)
+        waiting.add_done_callback(_looked_at)
         try:
-            frame = await asyncio.wait_for(waiting, patience)
+            frame = await asyncio.wait_for(asyncio.shield(waiting), patience)
         except TimeoutError:
             raise ev3.channel.give_up(ticket, patience or 0.0, keep=keep) from None
         ev3.channel.fetched(ticket)
@@ -184,6 +185,10 @@ class AsyncEV3:
 
     async def _in_thread(self, call: Callable[[], T]) -> T:
         return await asyncio.get_running_loop().run_in_executor(self._sender, call)
+
+    def take_messages(self) -> list[Message]:
+        """What the brick has sent by itself since the last call; see `EV3.take_messages`."""
+        return self.connected.take_messages()
 
     # What the brick is and has
 
@@ -282,3 +287,9 @@ class AsyncEV3:
                     return result
                 ticket = await self._sent(system(command, True), None)
                 reply = system_reply(await self._reply(ticket, None, None, keep=False))
+
+
+def _looked_at(reply: asyncio.Future[bytes]) -> None:
+    """Asks for the error of a reply that nobody waits for any more: asyncio would complain that nobody has."""
+    if not reply.cancelled():
+        reply.exception()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
 from concurrent.futures import TimeoutError as FutureTimeoutError
@@ -13,7 +14,7 @@ from ev3proto.link.carriers.wire import Wire
 from ev3proto.link.commands import Prepared, Result
 from ev3proto.link.errors import ConnectionLostError, LinkError, NoAnswerError
 from ev3proto.link.reply_stream import Garbage
-from ev3proto.link.session import Answered, Event, Request, Session
+from ev3proto.link.session import Answered, Event, Oddity, Request, Session, Stray
 from ev3proto.schema.header import HEADER_SIZE, Header
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.frame import MessageType
@@ -23,6 +24,9 @@ TURN = 0.1
 
 MOST_UNFETCHED = 8192
 """Replies that are kept for whoever asks for them by their counter."""
+
+MOST_UNASKED = 256
+"""Frames that the brick has sent by itself which are kept until somebody takes them."""
 
 _MOST_SHOWN = 24
 _JOIN = 5.0
@@ -68,6 +72,7 @@ class Channel:
         self._is_closing = False
         self._lost: ConnectionLostError | None = None
         self._odd: Event | None = None
+        self._unasked: deque[bytes] = deque(maxlen=MOST_UNASKED)
         self._reader = threading.Thread(target=self._read, name=f"reads from {self.label}", daemon=True)
         self._reader.start()
 
@@ -195,6 +200,13 @@ class Channel:
         with self._state:
             self._forget(ticket)
 
+    def take_unasked(self) -> list[bytes]:
+        """The frames that the brick has sent by itself since the last call, oldest first."""
+        with self._state:
+            found = list(self._unasked)
+            self._unasked.clear()
+        return found
+
     @property
     def is_open(self) -> bool:
         """Whether the connection is there, as far as is known."""
@@ -231,6 +243,8 @@ class Channel:
                     done.append((self._by_request.pop(id(event.request)), event.frame))
                 else:
                     self._odd = event
+                    if isinstance(event, Stray) and event.oddity is Oddity.UNASKED:
+                        self._unasked.append(event.frame)
         for ticket, frame in done:
             ticket.reply.set_result(frame)
 

@@ -21,7 +21,7 @@ from ev3proto.link.printing import RECEIVED, SENT, frame_line, meaning_line
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.sharing import Shared
 from ev3proto.link.targets import Target, chosen_target
-from ev3proto.messages import DirectCommand, Operation, SystemCommand, SystemReply
+from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
 
 T = TypeVar("T")
@@ -305,6 +305,14 @@ class EV3:
         if not level:
             return None
         return lambda frame: print_frame(direction, frame, level, request, self.dialect)
+
+    def take_messages(self) -> list[Message]:
+        """What the brick has sent by itself since the last call: what its programs write to mailboxes.
+
+        Returns:
+            The messages, oldest first; the newest 256 where there are more.
+        """
+        return [parse(frame, strict=False, dialect=self.dialect) for frame in self.channel.take_unasked()]
 
     # What the brick is and has
 

@@ -7,6 +7,7 @@ import io
 import json
 import re
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -25,12 +26,14 @@ from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture import Record, read
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.generate.captures import write_pcapng
+from ev3proto.link.announcing import Announcement
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import ConnectionLostError, PortInUseError
 from ev3proto.link.masking import masked
 from ev3proto.link.proxy import Proxy, ProxyOptions
 from ev3proto.link.recording import Recording
 from ev3proto.link.targets import Target
+from ev3proto.schema.discovery import Beacon
 from ev3proto.text.dialogues import dialogue_line
 from ev3proto.text.spans import plain_text
 
@@ -294,7 +297,7 @@ def test_the_port_of_the_proxy_is_in_use() -> None:
 
 def test_the_proxy_as_a_program_records_into_a_pipe() -> None:
     port = free_port()
-    words = ["proxy", "--listen", f"wifi:127.0.0.1:{port}", "--to", "virtual", "--record", "-"]
+    words = ["proxy", "--listen", f"wifi:127.0.0.1:{port}", "--to", "virtual", "--no-beacon", "--record", "-"]
     with subprocess.Popen(
         [sys.executable, "-m", "ev3proto", *words], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE
     ) as process:
@@ -311,9 +314,19 @@ def test_the_proxy_as_a_program_records_into_a_pipe() -> None:
     assert records[1].values[0].value == 100
 
 
+def test_the_proxy_announces_itself() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
+        listener.bind(("127.0.0.1", 0))
+        listener.settimeout(5)
+        announcement = Announcement(Beacon("001653000001", "5556"), "127.0.0.1", listener.getsockname()[1])
+        datagram, _ = listener.recvfrom(1024)
+        announcement.stop()
+    assert datagram == b"Serial-Number: 001653000001\r\nPort: 5556\r\nName: EV3\r\nProtocol: EV3\r\n"
+
+
 def test_the_proxy_says_where_it_listens_and_who_may_come() -> None:
     port = free_port(7000)
-    words = ["proxy", "--listen", f"wifi:127.0.0.1:{port}", "--to", "virtual"]
+    words = ["proxy", "--listen", f"wifi:127.0.0.1:{port}", "--to", "virtual", "--no-beacon"]
     with subprocess.Popen([sys.executable, "-m", "ev3proto", *words], cwd=ROOT, stdout=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == f"listening on 127.0.0.1:{port}\n".encode()

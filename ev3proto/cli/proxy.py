@@ -16,7 +16,7 @@ from ev3proto.cli.output import complain
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType
 from ev3proto.tables.declaration import DIALECTS
-from ev3proto.tables.discovery import TCP_PORT
+from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
 
 if TYPE_CHECKING:
     from ev3proto.capture.dialogues import RequestReply
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from ev3proto.link.targets import Target
 
 _LOOPBACK = "127.0.0.1"
+_UNKNOWN_SERIAL = "0" * 12
 _SHARE = click.FloatRange(0, 1)
 _MOST_DELAY = 60
 
@@ -37,6 +38,7 @@ _MOST_DELAY = 60
     help="Where programs connect; only this computer and port 5555 unless another address is named.",
 )
 @click.option("--to", "target", type=TargetType(), required=True, help="The brick, as `ev3proto send` takes it.")
+@click.option("--beacon/--no-beacon", default=True, help="Whether it says by UDP that it is there, as a brick does.")
 @click.option("--record", metavar="FILE", help="Capture (pcapng) to write; - writes it to standard output.")
 @click.option("--read-only", is_flag=True, help="Let nothing through that changes the brick.")
 @click.option("--hide", is_flag=True, help="Write over names, addresses and PINs in what is recorded and shown.")
@@ -54,6 +56,7 @@ _MOST_DELAY = 60
 def proxy(
     listen: str,
     target: Target,
+    beacon: bool,
     record: str | None,
     read_only: bool,
     hide: bool,
@@ -101,6 +104,12 @@ def proxy(
         if not ipaddress.ip_address(address).is_loopback:
             complain(f"Everybody who reaches {address} can talk to the brick through this proxy (--from, --read-only).")
         say = complain if record == "-" else click.echo
+        if beacon:
+            from ev3proto.link.announcing import Announcement
+            from ev3proto.schema.discovery import Beacon
+
+            said = Beacon(target.serial_number or _UNKNOWN_SERIAL, str(standing.port))
+            stack.callback(Announcement(said, address, BEACON_PORT).stop)
         with _ended_by_signals(standing):
             say(f"listening on {f'[{address}]' if ':' in address else address}:{standing.port}")
             sys.stdout.flush()

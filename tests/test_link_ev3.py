@@ -379,11 +379,16 @@ def test_an_operation_that_failed_is_told_from_a_wrong_frame() -> None:
 
 
 @pytest.mark.parametrize(
-    ("accept", "sentence"),
-    [(b"HTTP/1.1 400 Bad\r\n", "is no brick: it answered b'HTTP/1.1 400"), (b"", "does not answer the unlock text")],
+    ("accept", "patience", "sentence"),
+    [
+        (b"HTTP/1.1 400 Bad\r\n", 5.0, "is no brick: it answered b'HTTP/1.1 400"),
+        (b"", 0.1, "does not answer the unlock text"),
+    ],
 )
-def test_what_listens_may_be_no_brick(accept: bytes, sentence: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ev3proto.link.ev3.CONNECT_TIMEOUT", 0.1)
+def test_what_listens_may_be_no_brick(
+    accept: bytes, patience: float, sentence: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("ev3proto.link.ev3.CONNECT_TIMEOUT", patience)
     with stub_brick(lambda *_: None, accept) as port, pytest.raises(ev3proto.NoBrickError, match=re.escape(sentence)):
         stubbed(port)
 

@@ -60,7 +60,7 @@ class SerialPorts:
             return
         key = found.key, serial.is_from_host
         if key not in self._streams:
-            conversation = self._conversations.setdefault(found.key, Conversation(self._context.schema))
+            conversation = self._conversations.setdefault(found.key, self._context.conversation())
             # Other programs use the same channel: the stream is ours when something like a frame starts in it.
             cutter = Cutter(self._context.schema, in_step=False, is_claimed=False)
             self._streams[key] = Stream(self._context, conversation, cutter, _route(packet, found, serial.is_from_host))

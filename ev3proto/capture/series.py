@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TypeAlias
@@ -72,7 +73,7 @@ def series_of(events: Iterable[Event]) -> Series:
 
 
 def _named(reply: Record) -> list[tuple[Value, str]]:
-    """The values of a reply with their columns: the operation, the port or other inputs that it was asked with, the name."""
+    """The values of a reply with their columns: the operation, what it was asked with, such as a port, the name."""
     request = None if reply.request is None else reply.request.message
     asked: dict[tuple[str, str | None], list[str]] = {}
     if isinstance(request, DirectCommand):
@@ -86,8 +87,8 @@ def _named(reply: Record) -> list[tuple[Value, str]]:
         number = used[key] = used.get(key, -1) + 1
         inputs = asked.get(key[:2], [])
         inside = inputs[number] if number < len(inputs) else ""
-        operation = f"{value.op}.{value.command}" if value.command else value.op
-        named.append((value, f"{operation}({inside}).{value.name}" if inside else f"{operation}.{value.name}"))
+        full_name = f"{value.op}.{value.command}" if value.command else value.op
+        named.append((value, f"{full_name}({inside}).{value.name}" if inside else f"{full_name}.{value.name}"))
     return named
 
 
@@ -95,5 +96,7 @@ def _cells(value: Value) -> list[tuple[str, Cell]]:
     if value.is_nan or isinstance(value.value, bytes):
         return []
     if isinstance(value.value, list):
-        return [(f"[{number}]", each) for number, each in enumerate(value.value)]
-    return [("", value.value)]
+        cells: list[tuple[str, Cell]] = [(f"[{number}]", each) for number, each in enumerate(value.value)]
+    else:
+        cells = [("", value.value)]
+    return [(name, cell) for name, cell in cells if isinstance(cell, str) or math.isfinite(cell)]

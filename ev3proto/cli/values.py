@@ -14,6 +14,7 @@ import click
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.tables import Tables
+from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture.series import Cell, Series
@@ -61,7 +62,9 @@ def _titles(found: Series) -> list[str]:
 
 
 def _text(cell: Cell | None) -> str:
-    return "" if cell is None else f"{cell:.7g}" if isinstance(cell, float) else str(cell)
+    if isinstance(cell, float):
+        return f"{cell:.7g}"
+    return "" if cell is None else visible(str(cell))
 
 
 def _print_table(found: Series) -> None:

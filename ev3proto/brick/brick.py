@@ -63,7 +63,7 @@ _DIRECT = {int(member): member.wants_reply for member in MessageType if member.k
 _SYSTEM = {int(member): member.wants_reply for member in MessageType if member.kind == "system-command"}
 
 BEHIND = bytes((_OBJECT_END,)) + bytes(8)
-"""What the firmware puts behind the operations of a direct command, and some of the zeros that follow."""
+"""What the firmware puts after the operations of a direct command, and some of the zeros that follow."""
 
 LOCALS = 64
 """Bytes of local memory that every direct command finds, however few it asks for: the most that it can ask for."""
@@ -189,7 +189,7 @@ class Brick:
     def receive(self, frame: bytes) -> list[bytes]:
         """Takes a frame and returns the replies that are due at once; none while a command is busy or wants none.
 
-        frame  one whole frame; bytes behind it are ignored, as those of a USB report are
+        frame  one whole frame; bytes after it are ignored, as those of a USB report are
         """
         return [reply.frame for reply in self.receive_from(None, frame)]
 

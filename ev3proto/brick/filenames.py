@@ -20,7 +20,7 @@ class FileName(NamedTuple):
     """A file's name in its parts.
 
     folder     with its closing slash; may be empty
-    name       up to the first point behind the last slash
+    name       up to the first point after the last slash
     extension  with its point; may be empty
     """
 

@@ -56,7 +56,7 @@ class OpenFile(Closable):
         return text
 
     def write(self, data: bytes) -> bool:
-        """Writes behind what was written before. False where there is no room."""
+        """Writes after what was written before. False where there is no room."""
         if not self._storage.reserve(len(data)):
             return False
         try:

@@ -22,7 +22,7 @@ MOST_IMAGES = 64
 """Images that are kept; the oldest is forgotten."""
 
 _ZEROS = bytes(8)
-"""What is read behind an image, by an operation that is cut short."""
+"""What is read after an image, by an operation that is cut short."""
 
 
 class Image(NamedTuple):
@@ -67,7 +67,7 @@ def _is_sound(part: CodeObject, dialect: str) -> bool:
 
 
 def _first_operation(part: CodeObject) -> int:
-    """Where an object's operations begin: behind the table of parameters that a subcall has."""
+    """Where an object's operations begin: after the table of parameters that a subcall has."""
     return part.offset + (len(table_bytes(part.parameters)) if part.kind is ObjectKind.SUBCALL else 0)
 
 

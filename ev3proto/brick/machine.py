@@ -197,7 +197,7 @@ class Machine:
         self.brick.program_ended(program)
 
     def jump(self, distance: int) -> None:
-        """Goes on so many bytes behind what was read last. WildAccess beyond the code."""
+        """Goes on so many bytes after what was read last. WildAccess beyond the code."""
         target = self.ip + distance
         if not 0 <= target <= self.program.end:
             raise WildAccess
@@ -260,7 +260,7 @@ class Machine:
         return self.place().read_text()
 
     def places(self) -> list[Place]:
-        """Reads a count and so many parameters behind it; none for a negative count."""
+        """Reads a count and so many parameters after it; none for a negative count."""
         return [self.place() for _ in range(self.int8())]
 
     def skip(self) -> None:

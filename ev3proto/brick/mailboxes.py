@@ -11,7 +11,7 @@ MOST_NAME = 49
 """Bytes of a name; longer ones are cut."""
 
 MOST_CONTENT = 250
-"""Bytes of a message; what is longer is cut, where the firmware writes over what lies behind."""
+"""Bytes of a message; what is longer is cut, where the firmware writes over what lies after."""
 
 
 @dataclass

@@ -80,7 +80,7 @@ class Program:
 
     slot           its number
     code           what offsets in it count from: for a direct command its operations, else the whole image
-    end            offset behind the code
+    end            offset after the code
     global_memory  its global variables
     global_size    bytes of them that its header asks for
     objects        by number, counted from 1
@@ -119,8 +119,8 @@ class Program:
     def _find_labels(self) -> dict[int, int]:
         found: dict[int, int] = {}
         starts = sorted({entry.start for entry in self.objects.values()})
-        for begin, behind in zip(starts, [*starts[1:], self.end], strict=True):
-            code = bytes(self.code[begin:behind])
+        for begin, stop in zip(starts, [*starts[1:], self.end], strict=True):
+            code = bytes(self.code[begin:stop])
             for offset in operation_offsets(code):
                 # The number is a short constant, 0 to 31: the validator lets no other constant pass but long ones.
                 if code[offset] == _LABEL and offset + 1 < len(code):

@@ -67,7 +67,7 @@ class Request(NamedTuple):
 
     channel  the connection
     fields   those that are there, by name; texts as bytes
-    rest     the bytes behind them
+    rest     the bytes after them
     """
 
     channel: Hashable

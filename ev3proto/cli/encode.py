@@ -285,7 +285,7 @@ def _is_assembly(line: str) -> bool:
 
 
 def _joined(lines: Iterable[str], between: str, most: int) -> str:
-    """The lines as one text, of which nothing is read behind so many characters."""
+    """The lines as one text, of which nothing is read after so many characters."""
     kept: list[str] = []
     size = 0
     for line in lines:

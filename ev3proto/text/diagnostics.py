@@ -234,13 +234,13 @@ class _Excerpt:
         self.margin = 2 + len(str(max(len(frame) - 1, 10)))
 
     def rows(self, finding: Finding, role: Role) -> Iterator[Line]:
-        """The rows that a span is in, each with a line under the span, behind the last of them what it says."""
+        """The rows that a span is in, each with a line under the span, after the last of them what it says."""
         if not self._frame:
             return
         yield self._gutter("")
         start = min(finding.offset, len(self._frame))
         end = min(max(start + finding.length, start + 1), max(len(self._frame), start + 1))
-        # A span behind the last byte is shown where the next byte would stand.
+        # A span after the last byte is shown where the next byte would stand.
         last_row = (end - 1) // ROW if end - 1 < len(self._frame) or start % ROW else (start - 1) // ROW
         numbers: list[int | None] = list(range(min(start // ROW, last_row), last_row + 1))
         if len(numbers) > MOST_ROWS:
@@ -274,7 +274,7 @@ class _Excerpt:
 
     def _underline(self, row: int, start: int, end: int, role: Role, label: str) -> Line:
         first, behind = max(start, row) - row, min(end, row + ROW) - row
-        # What is missing behind a full row is marked behind that row.
+        # What is missing after a full row is marked after that row.
         width = len(_BLANK) * max(behind - first, 1) - 1
         line = [*self._gutter(""), (" " + _BLANK * first, Role.PLAIN), ("^" * width, role)]
         return [*line, (f" {label}", Role.PLAIN)] if label else line

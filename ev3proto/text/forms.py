@@ -75,7 +75,7 @@ def _heading(message: Message) -> str:
 
 
 def _parts(message: Message) -> Iterator[tuple[bytes, str]]:
-    """The frame of a message in its parts, one behind the other."""
+    """The frame of a message in its parts, one after the other."""
     frame = message.build()
     if message.type is None:
         yield frame, "no EV3 message"
@@ -92,7 +92,7 @@ def _parts(message: Message) -> Iterator[tuple[bytes, str]]:
 
 
 def _body(message: Message) -> Iterator[tuple[int, str]]:
-    """What stands behind the message type, by its bytes and what they say; the last of it may be left out."""
+    """What stands after the message type, by its bytes and what they say; the last of it may be left out."""
     match message:
         case DirectCommand():
             memory = f"{message.global_size} bytes of global memory, {message.local_size} of local"

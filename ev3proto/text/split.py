@@ -1,4 +1,4 @@
-"""What was pasted, cut into frames: usually one, sometimes several, sometimes one with padding behind it."""
+"""What was pasted, cut into frames: usually one, sometimes several, sometimes one with padding after it."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ def _resize(vm: Machine, array: Array, elements: int) -> None:
 
 
 def _put(array: Array, offset: int, data: bytes) -> None:
-    """Writes what is within the array: the firmware writes over what lies behind it."""
+    """Writes what is within the array: the firmware writes over what lies after it."""
     data = data[: max(0, len(array.data) - offset)]
     array.data[offset : offset + len(data)] = data
 
@@ -132,7 +132,7 @@ def read_size(vm: Machine, slot: int, handle: int, size: Place) -> None:
 
 @handles("ARRAY.READ_CONTENT")
 def read_content(vm: Machine, slot: int, handle: int, index: int, count: int, destination: Place) -> None:
-    """Bytes from a byte on, zeros behind the end."""
+    """Bytes from a byte on, zeros after the end."""
     array = _program(vm, slot).handles.get(handle, Array)
     if array is None or index < 0 or (count >= 0 and not vm.resize(destination, count)):
         raise Failure

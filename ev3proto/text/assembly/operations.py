@@ -72,7 +72,7 @@ class Assembler:
         plain = self._set.opcodes[opcode.number]
         if plain is not None:
             if command:
-                raise error_at(call.token, f"{name} has no CMD, so none can stand behind its name")
+                raise error_at(call.token, f"{name} has no CMD, so none can stand after its name")
             return plain, head, call.arguments
         family = self._set.families[opcode.number]
         assert family is not None, "an opcode of a dialect is plain or has CMDs"
@@ -186,7 +186,7 @@ def _takes(schema: OperationSchema) -> str:
 
 
 def _bare(name: str) -> str:
-    """An operation's name without the `op` of the macro notation, in which any case will do behind it."""
+    """An operation's name without the `op` of the macro notation, after which any case will do."""
     return name[2:].upper() if is_operation_word(name) else name
 
 

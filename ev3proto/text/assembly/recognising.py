@@ -22,7 +22,7 @@ _NAMES = {opcode.name for opcode in OPCODES} | {entry.name for entry in SYSTEM}
 
 
 def is_assembly(line: str) -> bool:
-    """Whether a line can only be assembly, rightly spelled or nearly so. A comment may stand behind it."""
+    """Whether a line can only be assembly, rightly spelled or nearly so. A comment may stand after it."""
     code = line.partition("//")[0].strip()
     if _STATEMENT.match(code):
         return True

@@ -55,7 +55,7 @@ class Declared:
 
     @property
     def end(self) -> int:
-        """The offset behind it, in its memory."""
+        """The offset after it, in its memory."""
         return self.variable.index + self.type.size * self.count
 
 
@@ -82,7 +82,7 @@ class Names:
         self.constants[token.text] = value
 
     def declare(self, token: Token, kind: Type, count: int, scope: str) -> None:
-        """A variable behind those that are there, at a multiple of its element's size. Raises AssemblyError."""
+        """A variable after those that are there, at a multiple of its element's size. Raises AssemblyError."""
         self._check_new(token)
         start = -(-self.sizes[scope] // kind.size) * kind.size
         declared = Declared(Variable(scope, start), kind, count)

@@ -21,7 +21,7 @@ def find_command(name: str) -> SystemCommand | None:
 
 
 def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool) -> bytes:
-    """The bytes behind the message type. Raises AssemblyError.
+    """The bytes after the message type. Raises AssemblyError.
 
     may_fail  fields may be missing: the reply says that the command failed
     """

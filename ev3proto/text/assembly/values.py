@@ -241,7 +241,7 @@ class Encoder:
         return Variable(declared.variable.scope, index, handle=handle, address=address)
 
     def _check_room(self, token: Token, room: int, schema: ArgumentSchema) -> None:
-        """Raises AssemblyError where a parameter is larger than the variable: what stands behind it would be hit."""
+        """Raises AssemblyError where a parameter is larger than the variable: what stands after it would be hit."""
         parameter = schema.parameter
         if parameter.type.size > room:
             verb = "is read as" if parameter.direction is Direction.IN else "would be overwritten by"

@@ -100,7 +100,7 @@ def test_a_stream_is_cut_anywhere(size: int) -> None:
 
 
 def test_a_long_frame_in_many_segments() -> None:
-    frame = struct.pack("<HHB", 1022, 5, 0x02) + bytes(1019)
+    frame = struct.pack("<HHBH", 1022, 5, 0x80, 0) + b"\x01" * 1017
     events, _ = of(connected(*(bytes((byte,)) for byte in frame)))
     assert frames(events) == [(frame, tuple(range(2, 1026)))]
 
@@ -181,7 +181,7 @@ def test_a_text_that_never_ends_is_given_up() -> None:
     endless = b"GET /target?sn=" + b"1" * 100_000
     events, capture = of(connected(*(endless[at : at + 1000] for at in range(0, len(endless), 1000))))
     assert frames(events) == []
-    assert capture.account.skipped == len(endless)
+    assert capture.account.skipped + capture.account.other == len(endless)
 
 
 # What a capture does not have, has twice, or has in another order
@@ -485,9 +485,8 @@ def test_a_stream_of_nothing_but_garbage() -> None:
     pieces = [rng.randbytes(1000) for _ in range(200)]
     events, capture = of(connected(*pieces))
     account = capture.account
-    assert account.frames + account.skipped + account.texts == 200_000
-    assert account.skipped > 100_000
-    assert len(complaints(events)) < 1000
+    assert events == []
+    assert account.other == 200_000
 
 
 @pytest.mark.parametrize(
@@ -542,7 +541,9 @@ def test_a_frame_at_fault_is_a_frame_all_the_same() -> None:
 def test_a_million_bytes_that_never_fit() -> None:
     """Every other byte of a stream, each in a segment of its own."""
     count = effort(15_000, 500_000)
-    packets = [segment(True, 999, flags=SYN), *(segment(True, 1001 + 2 * at, b"\xff") for at in range(count))]
+    start = 1001 + len(UNLOCK)
+    packets = [segment(True, 999, flags=SYN), segment(True, 1000, UNLOCK)]
+    packets += [segment(True, start + 2 * at, b"\xff") for at in range(count)]
     data = pcap(RAW_IP, timed(packets))
     begin = time.process_time()
     tracemalloc.start()
@@ -703,7 +704,7 @@ def test_a_capture_may_begin_after_any_of_it(begun: str) -> None:
 @pytest.mark.parametrize("size", [1, 3, 4, 5, 27, 100])
 def test_acl_fragments_of_both_directions_interleaved(size: int) -> None:
     """Long frames with two bytes of length, cut by ACL; meanwhile the other direction does the same."""
-    frame = struct.pack("<HHB", 398, 5, 0x02) + bytes(395)
+    frame = struct.pack("<HHBH", 398, 5, 0x80, 0) + b"\x01" * 393
     there, back = Link(), Link()
     there.rfcomm(True, frame, pieces=max(size, 4), credits=7)
     back.rfcomm(False, frame, pieces=max(size, 4))
@@ -882,7 +883,8 @@ def directions() -> list[Any]:
 def test_streams_of_both_directions_do_not_mix(ways: tuple[bool, ...]) -> None:
     link = Link()
     link.ask()
-    expected = []
+    expected = [voltage(9)]
+    link.rfcomm(True, voltage(9))
     for number, from_host in enumerate(ways):
         link.rfcomm(from_host, voltage(number)[:3])
         link.rfcomm(not from_host, volts(number)[:3])

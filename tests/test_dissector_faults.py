@@ -452,18 +452,18 @@ def good(counter: int) -> bytes:
 
 
 @pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
-def test_an_impossible_length_loses_the_rest_of_its_packet_only(tshark: Tshark, carrier: str) -> None:
+def test_an_impossible_length_hides_none_of_the_frames_beside_it(tshark: Tshark, carrier: str) -> None:
     capture = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION)
     stream = Connection(capture) if carrier == "tcp" else SerialPort(capture)
     expected, lost = [], []
     for length in (0, 1, 2, 1023, 1024, 0x0A0A, 0x0A0D, 0x4547, 0x6341, 0xFFFF):
         stream.send(good(length))
-        wrong = with_length(good(3), length) + good(4)
+        wrong = with_length(good(3), length)
         for start in (good(2), b""):
-            number = stream.send(start + wrong)
+            number = stream.send(start + wrong + good(4))
             lost.append(f"{number} {wrong.hex()}")
         stream.send(good(5))
-        expected += [[length], [2], [5]]
+        expected += [[length], [2, 4], [4], [5]]
     assert [numbers for numbers in counters(tshark, capture) if numbers] == expected
     words = ("-Y", "ev3.expert.no_boundary", "-T", "fields", "-e", "frame.number", "-e", "ev3.rest")
     lines = tshark.run(tshark.folder / "boundaries.pcap", *words).splitlines()
@@ -550,8 +550,11 @@ def faulty(tshark: Tshark) -> dict[str, Any]:
     """All of these as tshark shows them, each in a segment of another connection."""
     capture = Capture(RAW_IP)
     for number, frame in enumerate(FAULTS):
-        Connection(capture, HOST_PORT + number).send(bytes.fromhex(frame))
-    packets = tshark.packets(tshark.place(capture.data(), "faults.pcap"), "-2")
+        connection = Connection(capture, HOST_PORT + number)
+        connection.send(UNLOCK)
+        connection.send(bytes.fromhex(frame))
+    path = tshark.place(capture.data(), "faults.pcap")
+    packets = tshark.packets(path, "-2", "-Y", "ev3 && !ev3.unlock")
     return {frame: packet.ev3 for frame, packet in zip(FAULTS, packets, strict=True)}
 
 
@@ -577,9 +580,11 @@ def test_what_could_not_be_read_is_there(faulty: dict[str, Any], frame: str) -> 
 
 
 def one_frame(tshark: Tshark, frame: str | bytes) -> Path:
-    """A capture of one segment."""
+    """A capture of one segment, after the unlock text by which the connection is known to be ours."""
     capture = Capture(RAW_IP)
-    Connection(capture).send(bytes.fromhex(frame) if isinstance(frame, str) else frame)
+    connection = Connection(capture)
+    connection.send(UNLOCK)
+    connection.send(bytes.fromhex(frame) if isinstance(frame, str) else frame)
     return tshark.place(capture.data(), "fault.pcap")
 
 
@@ -590,7 +595,7 @@ def test_one_pass_cannot_know_that_no_reply_comes(tshark: Tshark) -> None:
 
 
 def tree(tshark: Tshark, capture: Path, *words: str) -> str:
-    text = tshark.run(capture, "-V", *words)
+    text = tshark.run(capture, "-V", "-Y", "ev3 && !ev3.unlock", *words)
     return text[text.index("EV3: ") :].strip() + "\n"
 
 
@@ -662,7 +667,8 @@ def test_a_reply_shorter_than_what_was_asked_is_read_as_far_as_it_goes(tshark: T
     )
     connection.send(asked.build())
     connection.receive(reply(bytes.fromhex("A470FD40 0000"), counter=9))
-    text = tree(tshark, tshark.place(capture.data(), "short.pcap"), "-Y", "frame.number == 2")
+    text = tree(tshark, tshark.place(capture.data(), "short.pcap"))
+    text = text[text.index("EV3: reply") :]
     said, _ = text.split("    [Response time")
     assert (
         said
@@ -696,7 +702,7 @@ bytes after it]
 
 def test_no_text_cuts_the_line(tshark: Tshark) -> None:
     path = one_frame(tshark, command("D4 08 84", b"two\nlines\x7f\xe9\t\0"))
-    (line,) = tshark.run(path).splitlines()
+    *_, line = tshark.run(path).splitlines()
     assert line.endswith('COM_SET SET_BRICKNAME name="two\u240alines\u2421\u00e9\u2409"')
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator
 
-from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.carriers import CarrierReader, reader
 from ev3proto.capture.carriers.streams import Context
@@ -46,9 +45,7 @@ class _Readers(dict[int, Callable[[Packet], Iterable[Event]]]):
         return ()
 
 
-def events(
-    packets: Iterator[Packet], account: Account, *, dialect: str, ports: Collection[int], memory: int = DEFAULT_MEMORY
-) -> Iterator[Event]:
+def events(packets: Iterator[Packet], account: Account, *, dialect: str, ports: Collection[int]) -> Iterator[Event]:
     """Everything in the packets, in their order.
 
     Args:
@@ -56,7 +53,6 @@ def events(
         account: Counts all captured bytes.
         dialect: The firmware whose instruction set to read by.
         ports: TCP ports on which bricks listen.
-        memory: Bytes that all that waits may take together.
 
     Yields:
         Records, announcements and skipped bytes.
@@ -65,8 +61,7 @@ def events(
         CaptureError: After everything readable, where the packets raised it or have links that nothing here knows.
 
     """
-    budget = Budget(memory)
-    readers = _Readers(Context(frame_schema(dialect), account, frozenset(ports), budget))
+    readers = _Readers(Context(frame_schema(dialect), account, frozenset(ports)))
     trouble: CaptureError | None = None
     try:
         for packet in packets:
@@ -79,7 +74,6 @@ def events(
     except CaptureError as error:
         trouble = error
     yield from readers.end()
-    account.forgotten = budget.dropped
     if trouble is not None:
         raise trouble
     if readers.unknown:

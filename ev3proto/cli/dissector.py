@@ -7,11 +7,10 @@ from pathlib import Path
 
 import click
 
-from ev3proto.cli.groups import Group
 from ev3proto.cli.output import complain, say
 
 
-@click.group(cls=Group)
+@click.group()
 def dissector() -> None:
     """The dissector for Wireshark: one Lua file that lets Wireshark read frames."""
 

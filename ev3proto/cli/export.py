@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, BinaryIO, TypeVar
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
-from ev3proto.cli.groups import Group
 from ev3proto.cli.output import complain
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
@@ -30,7 +29,7 @@ _MOST_INTERVAL = 3_600_000.0
 _NANOSECONDS_EACH = 1_000_000
 
 
-@click.group(cls=Group)
+@click.group()
 def export() -> None:
     """Writes the protocol, or frames, for other tools.
 

@@ -19,6 +19,7 @@ RUNTIME = (
     "phrases",
     "message",
     "frames",
+    "claims",
     "carriers",
     "streams",
     *CARRIERS,

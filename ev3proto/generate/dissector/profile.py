@@ -103,8 +103,6 @@ def _preferences() -> str:
     return f"""\
 gui.column.format:
 {columns}
-# Frames that the network brought out of order are read all the same.
-tcp.reassemble_out_of_order: TRUE
 """
 
 

@@ -14,7 +14,7 @@ from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.frame import SENSOR_REPORT
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
-from ev3proto.tables import OPCODES, carriers, daisy, discovery, enumerations, frame
+from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame, operations
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, RANGES, TEXT, Encoding
 from ev3proto.tables.frame import MessageType
@@ -60,6 +60,7 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
         _system(),
     )
     yield "Daisy chain", "What bricks say to each other when they are joined by USB.", _daisy()
+    yield "Claims", "When traffic is taken for this protocol, and when it is left to others.", _claims()
     yield "USB and Bluetooth", "How a brick shows itself.", _carriers()
     yield "WiFi", "What goes back and forth before any frame does.", _wifi()
 
@@ -274,6 +275,13 @@ def _carriers() -> Iterator[str]:
     products = (carriers.USB_PRODUCT, carriers.USB_BOOTLOADER)
     yield _assign("USB_PRODUCTS", Table([Name(f"0x{carriers.USB_VENDOR:04X}{product:04X}") for product in products]))
     yield _assign("RFCOMM_CHANNEL", carriers.RFCOMM_CHANNEL)
+
+
+def _claims() -> Iterator[str]:
+    never_sent = {operations()[name].opcode.number: True for name in claims.NEVER_SENT}
+    yield _assign("NEVER_SENT", Table(named=never_sent))
+    yield _assign("STRANGE_PACKETS", claims.STRANGE_PACKETS)
+    yield _assign("FAULTS_IN_A_ROW", claims.FAULTS_IN_A_ROW)
 
 
 def _wifi() -> Iterator[str]:

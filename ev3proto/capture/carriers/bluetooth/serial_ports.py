@@ -4,13 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ev3proto.capture.byte_account import Account
 from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed
+from ev3proto.capture.carriers.claims import Claim, begins_a_serial_port
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Direction, Event, Route
 from ev3proto.tables.carriers import RFCOMM_CHANNEL, Carrier
+
+
+class _Port(Claim):
+    """Whether a serial port is ours."""
+
+    __slots__ = ("_is_from_host", "_turn")
+
+    def __init__(self, account: Account) -> None:
+        super().__init__(account, lambda event, _: begins_a_serial_port(event, self._turn), is_patient=True)
+        self._is_from_host: bool | None = None
+        self._turn = 0
+
+    def reach(self, is_from_host: bool, number: int) -> None:
+        """Says which side speaks in a packet."""
+        if is_from_host is not self._is_from_host:
+            self._is_from_host, self._turn = is_from_host, number
 
 
 class SerialPorts:
@@ -22,6 +40,7 @@ class SerialPorts:
         self._bluetooth = Bluetooth()
         self._streams: dict[tuple[object, bool], Stream] = {}
         self._conversations: dict[object, Conversation] = {}
+        self._claims: dict[object, _Port] = {}
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
@@ -31,6 +50,7 @@ class SerialPorts:
             elif isinstance(found, Closed):
                 self._conversations.pop(found.key, None)
                 yield from self._end(found.key)
+                self._claims.pop(found.key, None)
             elif found.serial is None or found.serial.channel != RFCOMM_CHANNEL:
                 self._account.other += found.weight
             else:
@@ -39,8 +59,8 @@ class SerialPorts:
     def end(self) -> Iterable[Event]:
         """What was waiting for more."""
         self._account.other += self._bluetooth.pending()
-        for stream in self._streams.values():
-            yield from stream.end()
+        for (connection, _), stream in self._streams.items():
+            yield from self._claims[connection].take(stream.end(), b"")
         self._streams.clear()
 
     def _end(self, connection: object) -> Iterable[Event]:
@@ -48,7 +68,7 @@ class SerialPorts:
         for way in (True, False):
             stream = self._streams.pop((connection, way), None)
             if stream is not None:
-                yield from stream.end()
+                yield from self._claims[connection].take(stream.end(), b"")
 
     def _serial(self, packet: Packet, found: Carried) -> Iterable[Event]:
         serial = found.serial
@@ -60,15 +80,19 @@ class SerialPorts:
             return
         key = found.key, serial.is_from_host
         if key not in self._streams:
-            conversation = self._conversations.setdefault(found.key, self._context.conversation())
-            # Other programs use the same channel: the stream is ours when something like a frame starts in it.
+            conversation = self._conversations.setdefault(found.key, Conversation(self._context.schema))
+            if found.key not in self._claims:
+                self._claims[found.key] = _Port(self._account)
+            # Other programs use the same channel: something like a frame must start with a packet.
             cutter = Cutter(self._context.schema, in_step=False, is_claimed=False)
             self._streams[key] = Stream(self._context, conversation, cutter, _route(packet, found, serial.is_from_host))
         stream = self._streams[key]
         stream.reach(packet)
-        yield from stream.feed(serial.data, packet.number, packet.time_ns)
+        claim = self._claims[found.key]
+        claim.reach(serial.is_from_host, packet.number)
+        yield from claim.take(stream.feed(serial.data, packet.number, packet.time_ns), serial.data)
         if serial.missing:
-            yield from stream.leave_hole(serial.missing)
+            yield from claim.take(stream.leave_hole(serial.missing), b"")
 
 
 def _route(packet: Packet, found: Carried, is_from_host: bool) -> Route:

@@ -5,27 +5,60 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ev3proto.bounded import Bounded
+from ev3proto.capture.carriers.claims import makes_sense
 from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.carriers.usb.requests import IN, INTERRUPT, Urb, urb
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped
-from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
-from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
-from ev3proto.tables import operations, system
+from ev3proto.schema.header import HEADER_SIZE, Header, frame_size, is_frame_size
+from ev3proto.tables import system
 from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
-from ev3proto.tables.daisy import MOST_LAYERS
+from ev3proto.tables.claims import FAULTS_IN_A_ROW
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES, MessageType
 
 MOST_DEVICES = 4096
 """Devices of which something is remembered: more than any computer has."""
 
 _BIG_REPORT = MAX_FRAME
-_NO_OPERATION = operations()["ERROR"].opcode.number
 _TYPES = {int(member): member for member in MessageType}
 _BOOTLOADER = frozenset(command.number for command in system.SYSTEM if command.bootloader)
 
+MOST_ASKED = 64
+"""Commands of a device nobody knows as a brick whose reply is awaited."""
+
 OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply with the request written over its start"
+
+
+class _Claim:
+    """What is known of a device that nobody knows as a brick, once a command went to it that wants a reply."""
+
+    __slots__ = ("_asked", "_faults", "_is_answered")
+
+    def __init__(self) -> None:
+        self._asked: dict[tuple[str, int], None] = {}
+        self._is_answered = False
+        self._faults = 0
+
+    def take(self, member: MessageType, counter: int) -> bool:
+        """Takes a flawless frame that goes the right way. A reply must answer a command."""
+        key = member.carries, counter
+        if not member.is_command:
+            is_answer = key in self._asked
+            self._asked.pop(key, None)
+            self._is_answered |= is_answer
+            return is_answer
+        if member.wants_reply:
+            self._asked[key] = None
+            if len(self._asked) > MOST_ASKED:
+                del self._asked[next(iter(self._asked))]
+        return True
+
+    def judge(self, is_flawless: bool) -> bool:
+        """Says whether a frame is ours that is known to be flawless or not: after a dialogue faults are, too."""
+        self._faults = 0 if is_flawless else self._faults + 1
+        self._is_answered &= self._faults < FAULTS_IN_A_ROW
+        return is_flawless or self._is_answered
 
 
 class Reports:
@@ -37,6 +70,7 @@ class Reports:
         self._products: Bounded[str, bool] = Bounded(MOST_DEVICES)
         self._conversations: Bounded[str, Conversation] = Bounded(MOST_DEVICES)
         self._routes: Bounded[tuple[str, bool, str | None], Route] = Bounded(MOST_DEVICES)
+        self._claims: Bounded[str, _Claim] = Bounded(MOST_DEVICES)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events in a packet: at most one."""
@@ -84,7 +118,7 @@ class Reports:
 
     def _conversation(self, device: str) -> Conversation:
         if device not in self._conversations:
-            self._conversations.add(device, self._context.conversation())
+            self._conversations.add(device, Conversation(self._context.schema))
         return self._conversations[device]
 
     def _route(self, device: str, is_from_host: bool, packet: Packet) -> Route:
@@ -108,11 +142,18 @@ class Reports:
             return False
         if _is_overwritten(frame, is_from_host):
             return self._context.schema.read_frame(frame, strict=False).fault is None
-        # Bricks in a chain send commands both ways.
-        if member.carries != "daisy" and member.is_command != is_from_host:
-            return False
         message = self._context.schema.read_frame(frame, strict=False)
-        return message.fault is None and _makes_sense(message)
+        is_taken = message.fault is None and makes_sense(message)
+        claim = self._claims.get(found.device)
+        # Bricks in a chain send commands both ways.
+        if member.carries != "daisy":
+            is_taken = is_taken and member.is_command == is_from_host
+            if is_taken and (member.wants_reply or claim is not None):
+                claim = claim or self._claims.use(found.device, _Claim)[0]
+                is_taken = claim.take(member, Header.read(frame).counter)
+            elif not member.is_command:
+                is_taken = False
+        return is_taken if claim is None else claim.judge(is_taken)
 
 
 def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:
@@ -121,13 +162,3 @@ def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:
     if member is None or is_from_host:
         return False
     return member.kind == "system-command" and frame[HEADER_SIZE] in _BOOTLOADER
-
-
-def _makes_sense(message: Message) -> bool:
-    """Whether a frame without a fault says something that somebody would say."""
-    if isinstance(message, DaisyCommand | DaisyReply):
-        return message.layer_from <= MOST_LAYERS and message.layer_to <= MOST_LAYERS
-    if isinstance(message, DirectCommand):
-        # The opcode that stands for a fault is never sent; its number is that of the bytes of an empty report.
-        return bool(message.operations) and message.operations[0].opcode != _NO_OPERATION
-    return True

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dpkt.tcp import TH_ACK, TH_RST, TH_SYN
 
 from ev3proto.bounded import Bounded
+from ev3proto.capture.carriers.claims import Claim, begins_a_connection
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.carriers.wifi.internet import Transport, place, transport
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
@@ -17,7 +18,7 @@ from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.carriers import Carrier
-from ev3proto.tables.discovery import BEACON_LINES, BEACON_PORT
+from ev3proto.tables.discovery import BEACON_LINES, BEACON_PORT, UNLOCK_REQUEST
 
 MOST_CONNECTIONS = 1024
 """Directions of connections that are followed at the same time; those unused for longest are given up."""
@@ -25,9 +26,7 @@ MOST_CONNECTIONS = 1024
 MOST_BRICKS = 1024
 """Bricks whose beacons are remembered."""
 
-_SHARE = 4
-"""The part of the memory for all that waits that segments may take: one in so many."""
-
+_UNLOCK_START = UNLOCK_REQUEST.encode()
 _BEACON_START = f"{next(iter(BEACON_LINES.values()))}: ".encode()
 
 Key = tuple[bytes, int, bytes, int]
@@ -37,10 +36,13 @@ Key = tuple[bytes, int, bytes, int]
 class _Half:
     """One direction of a TCP connection."""
 
-    __slots__ = ("interface", "is_from_host", "reassembly", "repeated", "start", "stream")
+    __slots__ = ("claim", "interface", "is_from_host", "reassembly", "repeated", "start", "stream")
 
-    def __init__(self, stream: Stream, interface: Interface, is_from_host: bool, start: int | None) -> None:
+    def __init__(
+        self, stream: Stream, claim: Claim, interface: Interface, is_from_host: bool, start: int | None
+    ) -> None:
         self.stream = stream
+        self.claim = claim
         self.interface = interface
         self.is_from_host = is_from_host
         self.reassembly = Reassembly(start)
@@ -55,10 +57,14 @@ class Connections:
         self._context = context
         self._account = context.account
         self._ports = context.ports
-        self._waiting = 0  # bytes in all reassemblies; too many where some were ended, which _relieve counts anew
         self._halves: Bounded[Key, _Half] = Bounded(MOST_CONNECTIONS)
         self._conversations: Bounded[frozenset[tuple[bytes, int]], Conversation] = Bounded(MOST_CONNECTIONS)
-        self._bricks: Bounded[tuple[bytes, int], None] = Bounded(MOST_BRICKS)
+        self._claims: Bounded[frozenset[tuple[bytes, int]], Claim] = Bounded(MOST_CONNECTIONS)
+        # Where answers to beacons go, where bricks listen as their beacons say, and which end of a connection on
+        # another port is the brick.
+        self._answered: Bounded[tuple[bytes, int], None] = Bounded(MOST_BRICKS)
+        self._named: Bounded[tuple[bytes, int], None] = Bounded(MOST_BRICKS)
+        self._elsewhere: Bounded[frozenset[tuple[bytes, int]], tuple[bytes, int]] = Bounded(MOST_CONNECTIONS)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
@@ -66,7 +72,7 @@ class Connections:
         if found is not None:
             if found.flags is None:
                 return self._datagram(packet, found)
-            if found.target_port in self._ports or found.source_port in self._ports:
+            if found.target_port in self._ports or found.source_port in self._ports or self._is_elsewhere(found):
                 return self._segment(packet, found)
         self._account.other += len(packet.data)
         return ()
@@ -75,9 +81,27 @@ class Connections:
         """What was waiting for more."""
         for half in self._halves.values():
             yield from self._end_half(half)
+        for claim in self._claims.values():
+            yield from claim.end()
         self._halves.clear()
 
     # TCP
+
+    def _is_elsewhere(self, segment: Transport) -> bool:
+        """Whether a connection on another port is a brick's: by the unlock text, or because a beacon named the port."""
+        target = segment.target, segment.target_port
+        ends = frozenset((target, (segment.source, segment.source_port)))
+        if ends in self._elsewhere:
+            return True
+        if not segment.data.startswith(_UNLOCK_START) and target not in self._named:
+            return False
+        self._elsewhere.add(ends, target)
+        return True
+
+    def _is_to_brick(self, key: Key) -> bool:
+        if key[3] in self._ports:
+            return True
+        return key[1] not in self._ports and self._elsewhere.get(_ends(key)) == key[2:]
 
     def _segment(self, packet: Packet, segment: Transport) -> list[Event]:
         source, target, source_port, target_port, data, sequence, acknowledged, flags = segment
@@ -85,20 +109,21 @@ class Connections:
         self._account.headers += len(packet.data) - len(data)
         key = source, source_port, target, target_port
         half = self._halves.get(key)
+        ended: list[Event] = []
         events: list[Event] = []
         if flags & TH_SYN:
             sequence = start = (sequence + 1) & 0xFFFFFFFF
             if half is None or half.start != start:
                 if half is not None:
-                    events += self._end_half(half)
+                    ended += self._end_half(half)
                     if not flags & TH_ACK:
                         # What was asked in the last connection is not answered in the new one.
                         self._conversations.pop(_ends(key), None)
-                half = self._open(packet, key, start, events)
+                half = self._open(packet, key, start, ended)
         elif half is None:
             if not data:
                 return self._acknowledge(key, acknowledged) if flags & TH_ACK else events
-            half = self._open(packet, key, None, events)
+            half = self._open(packet, key, None, ended)
         elif len(self._halves) > MOST_CONNECTIONS // 2:
             self._halves.move_to_end(key)
         stream = half.stream
@@ -107,34 +132,21 @@ class Connections:
             stream.route = self._route(packet, key, half.is_from_host)
         if data:
             stream.reach(packet)
-            before = half.reassembly.waiting
             events += self._given(half, half.reassembly.add(sequence, data, packet.number, packet.time_ns))
-            self._waiting += half.reassembly.waiting - before
-            if self._waiting > self._context.budget.most // _SHARE:
-                events += self._relieve()
+        if events:
+            events = half.claim.take(events, data)
         if flags & TH_ACK:
             events += self._acknowledge(key, acknowledged)
         if flags & TH_RST:
             events += self._end_half(half)
-        return events
-
-    def _relieve(self) -> list[Event]:
-        """Where too much waits in all connections together, those unused for longest wait no longer."""
-        events: list[Event] = []
-        self._waiting = sum(half.reassembly.waiting for half in self._halves.values())
-        for half in self._halves.values():
-            if self._waiting <= self._context.budget.most // _SHARE // 2:
-                break
-            self._waiting -= half.reassembly.waiting
-            events += self._given(half, half.reassembly.end())
-        return events
+        return ended + events if ended else events
 
     def _acknowledge(self, key: Key, acknowledged: int) -> list[Event]:
         """The sender has what the other side sent before this number."""
         source, source_port, target, target_port = key
         other = self._halves.get((target, target_port, source, source_port))
         pieces = [] if other is None else other.reassembly.acknowledge(acknowledged)
-        return self._given(other, pieces) if other is not None and pieces else []
+        return other.claim.take(self._given(other, pieces), b"") if other is not None and pieces else []
 
     def _given(self, half: _Half, pieces: list[Segment | Hole | Late]) -> list[Event]:
         """The events in what the reassembly gave; what it found to be repeated meanwhile stands in the account."""
@@ -156,18 +168,19 @@ class Connections:
     def _open(self, packet: Packet, key: Key, start: int | None, events: list[Event]) -> _Half:
         source, source_port, target, target_port = key
         back = self._halves.get((target, target_port, source, source_port))
-        is_from_host = target_port in self._ports if back is None else not back.is_from_host
-        conversation, _ = self._conversations.use(_ends(key), self._context.conversation)
+        is_from_host = self._is_to_brick(key) if back is None else not back.is_from_host
+        conversation, _ = self._conversations.use(_ends(key), lambda: Conversation(self._context.schema))
         cutter = Cutter(self._context.schema, in_step=start is not None)
         stream = Stream(self._context, conversation, cutter, self._route(packet, key, is_from_host))
-        half = _Half(stream, packet.interface, is_from_host, start)
+        claim, _ = self._claims.use(_ends(key), lambda: Claim(self._account, begins_a_connection, is_patient=False))
+        half = _Half(stream, claim, packet.interface, is_from_host, start)
         oldest = self._halves.add(key, half)
         if oldest is not None:
             events += self._end_half(oldest)
         return half
 
     def _end_half(self, half: _Half) -> list[Event]:
-        return self._given(half, half.reassembly.end()) + half.stream.end()
+        return half.claim.take(self._given(half, half.reassembly.end()) + half.stream.end(), b"")
 
     def _route(self, packet: Packet, key: Key, is_from_host: bool) -> Route:
         source, target = place(key[0], key[1]), place(key[2], key[3])
@@ -179,7 +192,7 @@ class Connections:
     def _datagram(self, packet: Packet, datagram: Transport) -> Iterable[Event]:
         source, target, source_port, target_port, data, *_ = datagram
         is_beacon = data.startswith(_BEACON_START) and BEACON_PORT in (source_port, target_port)
-        if not data or not (is_beacon or self._is_answer(source_port, target, target_port)):
+        if not data or not (is_beacon or (target, target_port) in self._answered):
             self._account.other += len(packet.data)
             return
         self._account.headers += len(packet.data) - len(data)
@@ -189,16 +202,21 @@ class Connections:
         if not is_beacon:
             yield Announcement(Said.ANSWER, data, None, (packet.number,), packet.time_ns, route)
             return
-        self._bricks.add((source, source_port), None)
         try:
             beacon = Beacon.parse(data)
         except DecodeError:
             beacon = None
+        self._remember_brick(source, source_port, beacon)
         yield Announcement(Said.BEACON, data, beacon, (packet.number,), packet.time_ns, route)
 
-    def _is_answer(self, source_port: int, target: bytes, target_port: int) -> bool:
-        """An answer goes to the port that a beacon came from, which is known by nothing else."""
-        return BEACON_PORT in (source_port, target_port) or (target, target_port) in self._bricks
+    def _remember_brick(self, address: bytes, port: int, beacon: Beacon | None) -> None:
+        """Remembers where answers to a beacon may go: to its source port, the one for beacons, or the one it names."""
+        self._answered.add((address, port), None)
+        self._answered.add((address, BEACON_PORT), None)
+        if beacon is not None:
+            port = int(beacon.port)
+            self._answered.add((address, port), None)
+            self._named.add((address, port), None)
 
 
 def _ends(key: Key) -> frozenset[tuple[bytes, int]]:

@@ -43,6 +43,7 @@ class _Half:
     """One direction of a TCP connection."""
 
     route: Route
+    key: object
     segments: Segments = field(default_factory=Segments)
 
 
@@ -52,6 +53,7 @@ class Rows:
     def __init__(self, common: Common) -> None:
         self._common = common
         self._halves: Bounded[Hashable, _Half] = Bounded(MOST_CONNECTIONS)
+        self._claimed: Bounded[object, None] = Bounded(MOST_CONNECTIONS)
 
     def events(self, row: Row) -> Iterator[Event]:
         """The events that are complete with a packet."""
@@ -76,7 +78,9 @@ class Rows:
             return
         is_from_host = target_port in self._common.ports
         key = row.number("tcp.stream"), source_port, row.text("ip.src") or row.text("ipv6.src")
-        half, oldest = self._halves.use(key, lambda: _Half(self._wifi_route(row, "tcp", is_from_host)))
+        half, oldest = self._halves.use(key, lambda: _Half(self._wifi_route(row, "tcp", is_from_host), key[0]))
+        if found:
+            self._claimed.add(key[0], None)
         if oldest is not None:
             yield from self._lost(oldest)
         if half.route.interface != row.interface:
@@ -92,7 +96,7 @@ class Rows:
     def _lost(self, half: _Half) -> Iterator[Event]:
         size, numbers, time_ns = half.segments.lost()
         half.segments.waiting.clear()
-        if not size:
+        if not size or half.key not in self._claimed:
             return
         self._common.move("skipped", size)
         named = ", ".join(map(str, numbers[:_MOST_NAMED])) + ", ..." * (len(numbers) > _MOST_NAMED)

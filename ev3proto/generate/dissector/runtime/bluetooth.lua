@@ -4,10 +4,14 @@
 -- waits here for its rest. The first pass remembers, packet by packet, what was waiting before it.
 
 do
-    local streams, packets
+    -- The packets that a frame came in are one list, which they all share; once the frame is whole, it has the packet
+    -- with the last piece as `complete_in`. By packet, of those that are ours: `continued` is the list of the frame
+    -- that goes on in it, of which `earlier` packets came before, `waiting` the bytes of those where the frame becomes
+    -- whole, and `begun` the list of the frame that begins in it and is not whole.
+    local streams, is_ours, continued, earlier, waiting, begun
 
     local function forget_streams()
-        streams, packets = {}, {}
+        streams, is_ours, continued, earlier, waiting, begun = {}, {}, {}, {}, {}, {}
     end
     forget_streams()
 
@@ -16,101 +20,149 @@ do
         return tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
     end
 
-    local function channel_key(pinfo)
+    -- What is known of a channel, and the direction in it that a packet has.
+    local function channel_of(pinfo)
         local from, to, channel = ends(pinfo)
-        return (from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel
-    end
-
-    -- One direction of one channel. `left` is what waits, `numbers` the packets that it came in.
-    local function stream_of(pinfo)
-        local from, to, channel = ends(pinfo)
+        local talk = talk_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
         -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
         local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
         if not stream then
-            stream = { left = "", numbers = {} }
+            stream = { left = "" }
             streams[key] = stream
         end
-        return stream
+        return talk, stream
     end
 
-    -- The first time that a packet is seen: what waits for it. nil for what is not this protocol, as other programs
-    -- use the same channels. Less than a header does not tell; whoever types a text sends it letter by letter.
-    local function open_packet(stream, piece, number)
-        if stream.is_ours then return { waiting = stream.left, numbers = stream.numbers } end
-        for _, waiting in ipairs({ stream.left, "" }) do
-            local text = waiting .. piece
-            if may_be_frame(text) then
-                stream.is_ours = #text >= HEADER_SIZE
-                if stream.is_ours then
-                    return { waiting = waiting, numbers = waiting ~= "" and stream.numbers or {} }
-                end
-                if waiting == "" then stream.numbers = {} end
-                stream.left = text
-                table.insert(stream.numbers, number)
-                return nil
-            end
-        end
-        stream.left, stream.numbers = "", {}
-        return nil
+    local function is_command(type)
+        return type.is_command
     end
 
-    -- The same packet when it is read: what waits now for the next one.
-    local function close_packet(stream, packet, number, rest, is_whole)
-        stream.left = rest
-        if is_whole then
-            for _, earlier in ipairs(packet.numbers) do
-                if packets[earlier] then packets[earlier].complete_in = number end
-            end
-        end
-        stream.numbers = {}
-        if rest == "" then return end
-        if not is_whole then
-            -- A frame in more than two pieces comes from all of them.
-            for index, earlier in ipairs(packet.numbers) do
-                stream.numbers[index] = earlier
-            end
-        end
-        table.insert(stream.numbers, number)
+    local function clear(stream)
+        stream.left, stream.list = "", nil
     end
 
-    local function add_joined(tree, tvb, packet)
-        local said = "EV3: joined with " .. plural(#packet.waiting, "byte") .. " of earlier packets"
+    -- A packet of a channel that is not known to be ours: whether it is. Other programs use the same channels. What may
+    -- still become a command is kept: whoever types a text sends it letter by letter.
+    local function claim(talk, stream, piece, number)
+        -- Nobody answers in the middle of a command.
+        if talk.waiting and talk.waiting ~= stream then clear(talk.waiting) end
+        talk.waiting = stream
+        local left = stream.left
+        local joined = left ~= "" and judge_frames(left .. piece, 0, is_command, is_sensible_command) or nil
+        if joined == OURS then
+            for index, before in ipairs(stream.list) do
+                is_ours[before] = true
+                if index == 1 then begun[before] = stream.list end
+                if index > 1 then continued[before], earlier[before] = stream.list, index - 1 end
+            end
+            return true
+        end
+        local alone = judge_frames(piece, 0, is_command, is_sensible_command)
+        if joined == PART and alone ~= OURS then
+            stream.left = left .. piece
+            table.insert(stream.list, number)
+            return false
+        end
+        clear(stream)
+        if alone == PART then stream.left, stream.list = piece, { number } end
+        return alone == OURS
+    end
+
+    -- Whether the frame that begins with this text is not whole with it.
+    local function is_part(text)
+        local low, high = byte(text, 1, 2)
+        return not high or is_length(low, high) and LENGTH_FIELD + low + high * 0x100 > #text
+    end
+
+    -- The first time that a packet is seen: joins it with what waits for it. Returns all of that, and whether some of
+    -- it may be whole.
+    local function join(stream, piece, number)
+        local left = stream.left
+        if left ~= "" and is_part(left .. piece) and find_frame(piece, 0, nil, 2) == 0 then
+            -- Where whole frames begin with the packet, what waits is none.
+            clear(stream)
+            left = ""
+        end
+        local text = left .. piece
+        if left == "" then return text, true end
+        continued[number], earlier[number] = stream.list, #stream.list
+        if is_part(text) then
+            stream.left = text
+            table.insert(stream.list, number)
+            return text, false
+        end
+        waiting[number] = left
+        stream.list.complete_in = number
+        clear(stream)
+        return text, true
+    end
+
+    local function add_joined(tree, tvb, before, number)
+        local said = "EV3: joined with " .. plural(#before, "byte") .. " of earlier packets"
         local item = tree:add(ev3, tvb(), said)
-        for _, earlier in ipairs(packet.numbers) do
-            item:add(field.fragments, earlier):set_generated()
+        for index = 1, earlier[number] do
+            item:add(field.fragments, continued[number][index]):set_generated()
         end
     end
 
-    local function add_part(tree, tvb, size, packet)
+    -- The part of a frame at the end of a packet.
+    local function add_part(tree, tvb, size, number)
         local range = tvb(math.max(tvb:len() - size, 0))
         local item = tree:add(ev3, range, "EV3: part of a frame")
         item:add(field.fragment, range)
-        if packet.complete_in then item:add(field.fragment_of, packet.complete_in):set_generated() end
+        local list = begun[number] or continued[number]
+        if not begun[number] and list then item:add(field.fragments, list[1]):set_generated() end
+        if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
     local function dissect_rfcomm(tvb, pinfo, tree)
-        if tvb:len() == 0 then return 0 end
-        local number, piece = pinfo.number, tvb:raw()
-        local is_cut = tvb:len() < tvb:reported_len()
-        local packet, stream = packets[number], nil
-        if not pinfo.visited then
-            stream = stream_of(pinfo)
-            packet = open_packet(stream, piece, number)
-            packets[number] = packet
+        local piece, number = tvb:raw(), pinfo.number
+        if piece == "" then return 0 end
+        local is_first = not pinfo.visited
+        local talk, stream, text, may_be_whole
+        if is_first then
+            talk, stream = channel_of(pinfo)
+            if not talk.is_claimed then talk.is_claimed = claim(talk, stream, piece, number) end
+            if not talk.is_claimed then return 0 end
+            is_ours[number] = true
+            text, may_be_whole = join(stream, piece, number)
+        elseif is_ours[number] then
+            text = (waiting[number] or "") .. piece
+            may_be_whole = waiting[number] or not continued[number]
+        else
+            return 0
         end
-        if not packet then return 0 end
-        local text, whole = packet.waiting .. piece, tvb
-        if packet.waiting ~= "" then whole = ByteArray.new(text, true):tvb("EV3 frames") end
-        if packet.waiting ~= "" and has_tree(tree) then add_joined(tree, tvb, packet) end
-        local behind, _, said = dissect_stream(whole, text, #text, channel_key, pinfo, tree, is_cut)
-        if stream then close_packet(stream, packet, number, sub(text, behind + 1), behind > 0) end
-        if behind < #text then
-            if has_tree(tree) then add_part(tree, tvb, #text - behind, packet) end
-            said = said and said .. "; part of a frame" or "part of a frame"
+        local is_shown, whole, size = has_tree(tree), tvb, #piece
+        start_line(number, tvb:offset())
+        if may_be_whole then
+            local before = waiting[number]
+            if before then
+                whole = ByteArray.new(text, true):tvb("EV3 frames")
+                if is_shown then add_joined(tree, tvb, before, number) end
+            end
+            local is_cut = #piece < tvb:reported_len()
+            local behind, _, has_ours =
+                dissect_stream(whole, text, #text, talk, number, pinfo, tree, is_shown, is_cut)
+            size = #text - behind
+            if is_first and size > 0 then
+                stream.left, stream.list = sub(text, behind + 1), { number }
+                begun[number] = stream.list
+            end
+            if is_first then
+                talk.faults = has_ours and 0 or (talk.faults or 0) + 1
+                if talk.faults >= FAULTS_IN_A_ROW then
+                    talk.is_claimed, talk.faults = false, 0
+                    clear(stream)
+                end
+            end
         end
-        show(pinfo, tvb, said)
-        return tvb:len()
+        if size > 0 then
+            if is_shown then add_part(tree, tvb, size, number) end
+            say("part of a frame")
+        end
+        show(pinfo)
+        return #piece
     end
 
     -- The channel of the serial port profile, whichever side opened it.

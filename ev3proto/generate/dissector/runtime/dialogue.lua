@@ -4,7 +4,7 @@
 -- and afterwards whichever one is looked at: what is found out the first time is kept, by the place of each message,
 -- and later passes only look it up.
 
-local forget_dialogues, place_of, take_note, request_of, reply_to, transfer_at
+local forget_dialogues, place_of, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at, answers_command
 do
     -- Commands with one counter that are remembered, for senders who never change it.
     local MOST_PER_COUNTER = 4
@@ -50,8 +50,8 @@ do
         return transfers[place]
     end
 
-    -- All that is known of the messages between one computer and one brick.
-    local function talk_of(key)
+    -- All that is known of the messages between one computer and one brick, who have that key.
+    function talk_of(key)
         local talk = talks[key]
         if not talk then
             talk = { pending = {}, begun = {}, open = {} }
@@ -63,6 +63,11 @@ do
     -- What a reply has in common with the command it answers.
     local function pending_key(message)
         return CARRIES[message.type.carries] + message.counter
+    end
+
+    -- The same, where anything is known of them.
+    function talk_if_any(key)
+        return talks[key]
     end
 
     -- Mostly one command waits under its counter: its place alone is kept then, else a list of them.
@@ -162,13 +167,19 @@ do
         return transfer
     end
 
-    -- What becomes known of a message when it is seen for the first time. `key` tells which conversation it belongs to.
-    function take_note(place, key, message, pinfo)
+    -- Whether a command waits for this reply.
+    function answers_command(talk, message)
+        local waiting = talk.pending[pending_key(message)]
+        if type(waiting) == "table" then waiting = waiting[#waiting] end
+        return waiting ~= nil and can_answer(message, frames[waiting])
+    end
+
+    -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
+    function take_note(place, talk, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
-        local talk = talk_of(key(pinfo))
         local transfer, request
         if type.is_command then
             if type.wants_reply then remember(talk, place, message, pinfo) end

@@ -3,6 +3,9 @@
 -- Every value in a frame is a field that one can filter for. Those of operations are named after what the firmware
 -- calls them: ev3.<opcode>.<cmd>.<parameter>, in lower case.
 
+local byte, find, format, gsub, sub = string.byte, string.find, string.format, string.gsub, string.sub
+local concat, floor = table.concat, math.floor
+
 local ev3 = Proto("EV3", "LEGO MINDSTORMS EV3")
 
 local fields = {}

@@ -4,34 +4,60 @@
 
 -- Whether anybody looks at the tree. In one-line output, and where filters, columns and colours are about other
 -- protocols, everything that is done for it would be done in vain.
-local this_dissector
+local has_tree
+do
+    local this_dissector
 
-local function has_tree(tree)
-    this_dissector = this_dissector or Dissector.get("ev3")
-    return tree:referenced(this_dissector)
-end
-
-local last_number, last_offset = 0, 0
-
--- Shows in the columns what a packet says. TCP hands a packet over in pieces when frames are split over several.
-local function show(pinfo, tvb, said)
-    local columns, offset = pinfo.cols, tvb:offset()
-    columns.protocol = "EV3"
-    if pinfo.number == last_number and offset > last_offset then
-        columns.info:append("; " .. said)
-    else
-        columns.info = said
+    function has_tree(tree)
+        this_dissector = this_dissector or Dissector.get("ev3")
+        return tree:referenced(this_dissector)
     end
-    last_number, last_offset = pinfo.number, offset
 end
 
--- A message in a buffer: `key` is the function that tells the conversation it belongs to, `said` what is said of it
+-- The columns of a packet. TCP hands a packet over in pieces when frames are split over several; what is said of each
+-- is collected piece by piece, and the info column has at most so many bytes of it, then how much is left out.
+local start_line, say, show
+do
+    local MOST_INFO = 4000
+    local pieces, count, shown, size, omitted = {}, 0, 0, 0, 0
+    local last_number, last_offset = 0, 0
+
+    -- A buffer of a packet is read: the first one, or a further one of the packet before.
+    function start_line(number, offset)
+        if number ~= last_number or offset <= last_offset then count, shown, size = 0, 0, 0 end
+        last_number, last_offset, omitted = number, offset, 0
+    end
+
+    function say(said)
+        local longer = size + #said + 2
+        if longer > MOST_INFO and count > 0 then
+            omitted = omitted + 1
+            return
+        end
+        count = count + 1
+        pieces[count], size = said, longer
+    end
+
+    function show(pinfo)
+        local columns = pinfo.cols
+        columns.protocol = "EV3"
+        if count == shown and omitted == 0 then return end
+        local text = concat(pieces, "; ", shown + 1, count)
+        if omitted > 0 then text = format("%s; and %d more", text, omitted) end
+        if shown > 0 then
+            columns.info:append("; " .. text)
+        else
+            columns.info = text
+        end
+        shown = count
+    end
+end
+
+-- A message in a buffer: `talk` is what is known of its conversation, needed the first time only; `said` is said of it
 -- instead of what it says itself. Returns the line for the info column and, if there is a tree, the message's item in
 -- it.
-local function dissect_message(tvb, at, message, key, pinfo, tree, said)
-    local place = place_of(pinfo.number, tvb:offset() + at)
-    if not pinfo.visited then take_note(place, key, message, pinfo) end
-    local is_shown = has_tree(tree)
+local function dissect_message(tvb, at, message, talk, place, pinfo, tree, is_shown, said)
+    if talk then take_note(place, talk, message, pinfo) end
     -- Before 4.6 the protocol alone does not count as looked at, yet the protocol hierarchy counts its items.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
     return show_message(message, place, tvb, at, pinfo, tree, is_shown, said)
@@ -42,14 +68,14 @@ local function is_length(low, high)
     return length >= MIN_LENGTH and length <= MAX_LENGTH
 end
 
--- Whether a frame may start with these bytes, as far as they go.
-local function may_be_frame(text)
-    local low, high, _, _, type = byte(text, 1, HEADER_SIZE)
+-- Whether a frame may start at an offset, as far as its header goes.
+local function may_start(text, at)
+    local low, high, _, _, type = byte(text, at + 1, at + HEADER_SIZE)
     if not high then return low ~= nil end
     return is_length(low, high) and (not type or MESSAGE_TYPES[type] ~= nil)
 end
 
--- Both directions of a connection have one key.
+-- Both ends of a connection, whichever sends, have one key.
 local function conversation_key(pinfo)
     local from = tostring(pinfo.src) .. " " .. pinfo.src_port
     local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port

@@ -4,7 +4,7 @@
 -- info column shows, and adds to the tree if there is one. `item` is the message's item in the tree, or nil; `part`
 -- gives the bytes between two offsets in the frame, for Wireshark to highlight.
 
-local read_message, show_message, complain
+local read_message, show_message, complain, forget_lines
 do
     -- Wireshark collects expert information also where it makes no tree: `item` is the root of it then, and nil where a
     -- frame is only tried.
@@ -40,6 +40,16 @@ do
         return added
     end
 
+    -- Where there is no tree, complaints are collected.
+    local function complain_in(view, item, kind, text)
+        local complaints = view.complaints
+        if complaints then
+            complaints[#complaints + 1] = { kind = kind, text = text }
+        else
+            complain(item, kind, text)
+        end
+    end
+
     -- What the brick refuses, or what lies beyond the memory that the command asks for.
     local function check_variable(added, view, parameter, encoding, index)
         local alignment = encoding.handle and SIZE_OF[HANDLE] or parameter.alignment
@@ -47,7 +57,7 @@ do
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
             local variable = variable_text(encoding, index)
-            complain(added, "misaligned", format(reason, parameter.name, sort, alignment, variable))
+            complain_in(view, added, "misaligned", format(reason, parameter.name, sort, alignment, variable))
         end
         local size = encoding.handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size or 1
         if parameter.length and parameter.is_output and not encoding.handle then
@@ -56,10 +66,11 @@ do
         local asked = encoding.kind == GLOBAL and view.globals or view.locals
         -- Without a tree one such variable stands for all: there is nothing to point at.
         if asked and index + size > asked and not view.is_told then
-            view.is_told = view.tells_once
+            view.is_told = view.complaints ~= nil
             local reason = "%s reaches up to byte %d of the %s memory, of which the command asks for %s"
             local scope = encoding.kind == GLOBAL and "global" or "local"
-            complain(added, "beyond_memory", format(reason, parameter.name, index + size, scope, plural(asked, "byte")))
+            reason = format(reason, parameter.name, index + size, scope, plural(asked, "byte"))
+            complain_in(view, added, "beyond_memory", reason)
         end
     end
 
@@ -115,7 +126,7 @@ do
 
     local function say_argument(view, parameter, encoding, value)
         if encoding.scope then
-            check_variable(view.target, view, parameter, encoding, value)
+            check_variable(nil, view, parameter, encoding, value)
         elseif tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
@@ -123,10 +134,10 @@ do
     end
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    local function say_operations(text, at, stop, target, globals, locals)
+    local function say_operations(text, at, stop, globals, locals)
         local line, count = nil, 0
-        local view = { "", count = 1, target = target, globals = globals, locals = locals, lengths = {} }
-        view.is_first, view.tells_once = true, true
+        local view = { "", count = 1, complaints = {}, globals = globals, locals = locals, lengths = {} }
+        view.is_first = true
         while at < stop do
             local operation, behind, offset, reason, kind = read_operation(text, at, stop, say_argument, view)
             if operation then
@@ -138,14 +149,45 @@ do
                 if next(view.lengths) then view.lengths = {} end
                 count = count + 1
             end
-            if reason then return line, count, behind, { at = offset, reason = reason, kind = kind } end
+            if reason then
+                return line, count, { at = offset, reason = reason, kind = kind }, view.complaints
+            end
             at = behind
         end
-        return line, count, at
+        return line, count, nil, view.complaints
     end
 
     local function operations_line(line, count)
         return count > 1 and line .. " (+" .. plural(count - 1, "operation") .. ")" or line
+    end
+
+    -- What was said of commands, by all that follows their headers: a dialogue says the same again and again. It is
+    -- just the line where there is nothing to complain about.
+    local MOST_REMEMBERED = 4096
+    local remembered, count_remembered = {}, 0
+
+    function forget_lines()
+        remembered, count_remembered = {}, 0
+    end
+
+    -- The line on a direct command without a tree; its fault and complaints go to the message.
+    local function say_command(message, globals, locals)
+        local text = message.text
+        local body = sub(text, HEADER_SIZE + 1)
+        local known = remembered[body]
+        if not known then
+            local line, count, fault, complaints = say_operations(text, COMMAND_HEADER_SIZE, #text, globals, locals)
+            known = line and operations_line(line, count) or not fault and "no operations" or nil
+            if fault or complaints[1] then known = { line = known, fault = fault, complaints = complaints } end
+            if count_remembered >= MOST_REMEMBERED then forget_lines() end
+            remembered[body], count_remembered = known, count_remembered + 1
+        end
+        if type(known) == "string" then return known end
+        message.fault = known.fault
+        for _, complaint in ipairs(known.complaints) do
+            complain(message.target, complaint.kind, complaint.text)
+        end
+        return known.line or message.type.name
     end
 
     local function direct_command(message, _, item, part)
@@ -158,18 +200,14 @@ do
         end
         local sizes = unsigned16(text, at)
         local globals, locals = sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
+        if not item then return say_command(message, globals, locals) end
         local line, count, behind
-        if item then
-            local range = part(at, at + 2)
-            local memory = item:add(field.memory_sizes, range, sizes)
-            memory:add_le(field.globals, range)
-            memory:add_le(field.locals, range)
-            line, count, behind, message.fault =
-                add_operations(item, part, message, COMMAND_HEADER_SIZE, stop, globals, locals)
-        else
-            line, count, behind, message.fault =
-                say_operations(text, COMMAND_HEADER_SIZE, stop, message.target, globals, locals)
-        end
+        local range = part(at, at + 2)
+        local memory = item:add(field.memory_sizes, range, sizes)
+        memory:add_le(field.globals, range)
+        memory:add_le(field.locals, range)
+        line, count, behind, message.fault =
+            add_operations(item, part, message, COMMAND_HEADER_SIZE, stop, globals, locals)
         if message.fault then add_rest(item, part, behind, stop) end
         return line and operations_line(line, count) or message.fault and message.type.name or "no operations"
     end

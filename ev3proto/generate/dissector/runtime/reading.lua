@@ -4,275 +4,280 @@
 -- protocol, so that the byte at offset 0 is byte(text, 1). What cannot be read comes back as the offset and the reason:
 -- nothing here raises an error.
 
-local byte, find, sub, gsub = string.byte, string.find, string.sub, string.gsub
-local concat, floor = table.concat, math.floor
-
--- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
-local ENCODINGS, SIZES = {}, {}
-local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
-for _, row in ipairs(ENCODING_ROWS) do
-    for first = row[1], row[2] do
-        local encoding = {
-            name = row[3], kind = row[4], width = row[5], handle = row.handle, address = row.address,
-            label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-            scope = SCOPES[row[4]],
-        }
-        if row.value then
-            encoding.value = row.value + first - row[1]
-            -- Made once: turning a number into a text takes longer than reading it.
-            encoding.text = encoding.scope and encoding.scope .. encoding.value .. ")" or tostring(encoding.value)
-        end
-        ENCODINGS[first] = encoding
-        -- Bytes of the whole argument; 0 for a string, which ends at its zero.
-        SIZES[first] = row[4] == CONSTANT_TEXT and 0 or 1 + row[5]
-    end
-end
-
-local function unsigned16(text, at)
-    local low, high = byte(text, at + 1, at + 2)
-    return low + high * 0x100
-end
-
-local function unsigned32(text, at)
-    local first, second, third, fourth = byte(text, at + 1, at + 4)
-    return first + second * 0x100 + third * 0x10000 + fourth * 0x1000000
-end
-
-local function signed8(text, at)
-    local value = byte(text, at + 1)
-    return value < 0x80 and value or value - 0x100
-end
-
-local function signed16(text, at)
-    local value = unsigned16(text, at)
-    return value < 0x8000 and value or value - 0x10000
-end
-
-local function signed32(text, at)
-    local value = unsigned32(text, at)
-    return value < 0x80000000 and value or value - 0x100000000
-end
-
--- An IEEE single. Lua 5.2 has no string.unpack.
-local function single(text, at)
-    local first, second, third, fourth = byte(text, at + 1, at + 4)
-    local sign = fourth < 0x80 and 1 or -1
-    local exponent = fourth % 0x80 * 2 + (third < 0x80 and 0 or 1)
-    local fraction = first + second * 0x100 + third % 0x80 * 0x10000
-    if exponent == 0xFF then
-        return fraction == 0 and sign / 0 or 0 / 0
-    elseif exponent == 0 then
-        return sign * fraction * 2 ^ -149
-    end
-    return sign * (1 + fraction * 2 ^ -23) * 2 ^ (exponent - 127)
-end
-
-local READ_UNSIGNED = { [1] = function(text, at) return byte(text, at + 1) end, [2] = unsigned16, [4] = unsigned32 }
-local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
-local READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
-
--- A zero would end the text there; it is shown as its symbol.
-local utf8_of = { ["\0"] = "\226\144\128" }
-for code = 0x80, 0xFF do
-    utf8_of[string.char(code)] = string.char(0xC0 + floor(code / 0x40), 0x80 + code % 0x40)
-end
-
--- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
-local function utf8_text(text)
-    return (gsub(text, "[\0\128-\255]", utf8_of))
-end
-
--- The offset behind the argument at an offset; else nil, the offset of the fault and the reason.
-local function measure(text, at, stop, name)
-    if at >= stop then
-        return nil, stop, "the frame ends where the argument " .. name .. " should start", "cut_off"
-    end
-    local size = SIZES[byte(text, at + 1)]
-    if not size then
-        local reason = "0x%02X is no identification byte that the firmware defines (argument %s)"
-        return nil, at, format(reason, byte(text, at + 1), name), "fault"
-    end
-    if size == 0 then
-        local zero = find(text, "\0", at + 2, true)
-        if not zero or zero > stop then
-            local reason = "the string %s runs past the end of the frame: the zero that ends it is missing"
-            return nil, at, format(reason, name), "cut_off"
-        end
-        return zero
-    end
-    if at + size > stop then
-        return nil, at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
-    end
-    return at + size
-end
-
--- What stands in the argument from one offset to another: a number, a text, or the index of a variable.
-local function value_of(text, at, stop, encoding, is_float)
-    if encoding.value then return encoding.value end
-    local kind, width = encoding.kind, encoding.width
-    if kind == CONSTANT_TEXT then return sub(text, at + 2, stop - 1) end
-    if encoding.scope then return READ_UNSIGNED[width](text, at + 1) end
-    if is_float and width == 4 then return single(text, at + 1) end
-    return READ_SIGNED[width](text, at + 1)
-end
-
--- The operation that an opcode and its CMD select, and the offset behind the two; else nil, offset and reason.
-local function select_operation(text, at, stop)
-    local entry = instructions[byte(text, at + 1)]
-    if not entry then
-        local reason = format("0x%02X is no opcode of the %s firmware", byte(text, at + 1), dialect)
-        return nil, at, reason, "unknown_opcode"
-    end
-    local commands = entry.commands
-    if not commands then return entry, at + 1 end
-    -- Nearly every CMD is one byte that is its number.
-    local encoding = ENCODINGS[byte(text, at + 2)]
-    local operation = encoding and encoding.kind == CONSTANT and commands[encoding.value]
-    if operation then return operation, at + 2 end
-    local behind, offset, reason, kind = measure(text, at + 1, stop, "CMD")
-    if not behind then return nil, offset, reason, kind end
-    if encoding.kind ~= CONSTANT then
-        reason = format("CMD of %s is %s: it must be a constant to say what follows", entry.name, encoding.name)
-        return nil, at + 1, reason, "unknown_cmd"
-    end
-    local value = value_of(text, at + 1, behind, encoding)
-    operation = commands[value]
-    if not operation then
-        return nil, at + 1, format("%s has no CMD %d", entry.name, value), "unknown_cmd"
-    end
-    return operation, behind
-end
-
--- How many elements a list has; else nil, offset and reason.
-local function count_elements(text, list, counter, at, behind, stop)
-    local encoding = ENCODINGS[byte(text, at + 1)]
-    local value = value_of(text, at, behind, encoding)
-    if encoding.kind ~= CONSTANT then
-        local reason = "%s must be a constant: without it nobody knows how many values follow"
-        return nil, at, format(reason, counter.name), "fault"
-    end
-    local room = stop - behind
-    if list.type == COUNT and room > MOST_COUNTED then room = MOST_COUNTED end
-    if value < 0 or value > room then
-        return nil, at, format("%s cannot be %d: there is room for 0 to %d values", counter.name, value, room), "fault"
-    end
-    return value
-end
-
--- One operation: what it is and the offset behind it. Each of its arguments is handed to `visit`, if that is given,
--- with its parameter, encoding, value, and the offsets of its first byte and behind its last; with `for_reply` only
--- those of operations that have outputs. At a fault the offset is the one behind what could be read, and the fault's
--- offset, reason and kind follow.
-local function read_operation(text, at, stop, visit, context, for_reply)
-    local operation, behind, reason, kind = select_operation(text, at, stop)
-    if not operation then return nil, at, behind, reason, kind end
-    if for_reply and not operation.has_outputs then visit = nil end
-    at = behind
-    local fixed, list, start, element_type = operation.fixed, operation.list, at, nil
-    for index = 1, #fixed do
-        local parameter = fixed[index]
-        local first = byte(text, at + 1)
-        local size = SIZES[first]
-        local offset
-        -- Most arguments are numbers and whole; the others go the long way.
-        if size and size > 0 and at + size <= stop then
-            behind = at + size
-        else
-            behind, offset, reason, kind = measure(text, at, stop, parameter.name)
-            if not behind then return operation, at, offset, reason, kind end
-        end
-        if visit then
-            local encoding = ENCODINGS[first]
-            local value = encoding.value or value_of(text, at, behind, encoding, parameter.is_float)
-            visit(context, parameter, encoding, value, at, behind)
-            if list and parameter.tells_type and encoding.kind == CONSTANT then element_type = FORMAT_TYPES[value] end
-        end
-        start, at = at, behind
-    end
-    if list then
-        local count, offset
-        count, offset, reason, kind = count_elements(text, list, fixed[#fixed], start, at, stop)
-        if not count then return operation, at, offset, reason, kind end
-        local elements = list.elements_of[element_type or list.element_type]
-        for index = 0, count - 1 do
-            local element = elements[index]
-            behind, offset, reason, kind = measure(text, at, stop, element.name)
-            if not behind then return operation, at, offset, reason, kind end
-            if visit then
-                local encoding = ENCODINGS[byte(text, at + 1)]
-                visit(context, element, encoding, value_of(text, at, behind, encoding, element.is_float), at, behind)
+local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_operation, count_operations, read_fields
+do
+    -- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
+    local SIZES = {}
+    ENCODINGS = {}
+    local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
+    for _, row in ipairs(ENCODING_ROWS) do
+        for first = row[1], row[2] do
+            local encoding = {
+                name = row[3], kind = row[4], width = row[5], handle = row.handle, address = row.address,
+                label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
+                scope = SCOPES[row[4]],
+            }
+            if row.value then
+                encoding.value = row.value + first - row[1]
+                -- Made once: turning a number into a text takes longer than reading it.
+                encoding.text = encoding.scope and encoding.scope .. encoding.value .. ")" or tostring(encoding.value)
             end
+            ENCODINGS[first] = encoding
+            -- Bytes of the whole argument; 0 for a string, which ends at its zero.
+            SIZES[first] = row[4] == CONSTANT_TEXT and 0 or 1 + row[5]
+        end
+    end
+
+    function unsigned16(text, at)
+        local low, high = byte(text, at + 1, at + 2)
+        return low + high * 0x100
+    end
+
+    local function unsigned32(text, at)
+        local first, second, third, fourth = byte(text, at + 1, at + 4)
+        return first + second * 0x100 + third * 0x10000 + fourth * 0x1000000
+    end
+
+    local function signed8(text, at)
+        local value = byte(text, at + 1)
+        return value < 0x80 and value or value - 0x100
+    end
+
+    local function signed16(text, at)
+        local value = unsigned16(text, at)
+        return value < 0x8000 and value or value - 0x10000
+    end
+
+    local function signed32(text, at)
+        local value = unsigned32(text, at)
+        return value < 0x80000000 and value or value - 0x100000000
+    end
+
+    -- An IEEE single. Lua 5.2 has no string.unpack.
+    local function single(text, at)
+        local first, second, third, fourth = byte(text, at + 1, at + 4)
+        local sign = fourth < 0x80 and 1 or -1
+        local exponent = fourth % 0x80 * 2 + (third < 0x80 and 0 or 1)
+        local fraction = first + second * 0x100 + third % 0x80 * 0x10000
+        if exponent == 0xFF then
+            return fraction == 0 and sign / 0 or 0 / 0
+        elseif exponent == 0 then
+            return sign * fraction * 2 ^ -149
+        end
+        return sign * (1 + fraction * 2 ^ -23) * 2 ^ (exponent - 127)
+    end
+
+    local READ_UNSIGNED = { [1] = function(text, at) return byte(text, at + 1) end, [2] = unsigned16, [4] = unsigned32 }
+    local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
+    READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
+
+    -- A zero would end the text there; it is shown as its symbol.
+    local utf8_of = { ["\0"] = "\226\144\128" }
+    for code = 0x80, 0xFF do
+        utf8_of[string.char(code)] = string.char(0xC0 + floor(code / 0x40), 0x80 + code % 0x40)
+    end
+
+    -- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
+    function utf8_text(text)
+        return (gsub(text, "[\0\128-\255]", utf8_of))
+    end
+
+    -- The offset behind the argument at an offset; else nil, the offset of the fault and the reason.
+    local function measure(text, at, stop, name)
+        if at >= stop then
+            return nil, stop, "the frame ends where the argument " .. name .. " should start", "cut_off"
+        end
+        local size = SIZES[byte(text, at + 1)]
+        if not size then
+            local reason = "0x%02X is no identification byte that the firmware defines (argument %s)"
+            return nil, at, format(reason, byte(text, at + 1), name), "fault"
+        end
+        if size == 0 then
+            local zero = find(text, "\0", at + 2, true)
+            if not zero or zero > stop then
+                local reason = "the string %s runs past the end of the frame: the zero that ends it is missing"
+                return nil, at, format(reason, name), "cut_off"
+            end
+            return zero
+        end
+        if at + size > stop then
+            return nil, at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
+        end
+        return at + size
+    end
+
+    -- What stands in the argument from one offset to another: a number, a text, or the index of a variable.
+    local function value_of(text, at, stop, encoding, is_float)
+        if encoding.value then return encoding.value end
+        local kind, width = encoding.kind, encoding.width
+        if kind == CONSTANT_TEXT then return sub(text, at + 2, stop - 1) end
+        if encoding.scope then return READ_UNSIGNED[width](text, at + 1) end
+        if is_float and width == 4 then return single(text, at + 1) end
+        return READ_SIGNED[width](text, at + 1)
+    end
+
+    -- The operation that an opcode and its CMD select, and the offset behind the two; else nil, offset and reason.
+    function select_operation(text, at, stop)
+        local entry = instructions[byte(text, at + 1)]
+        if not entry then
+            local reason = format("0x%02X is no opcode of the %s firmware", byte(text, at + 1), dialect)
+            return nil, at, reason, "unknown_opcode"
+        end
+        local commands = entry.commands
+        if not commands then return entry, at + 1 end
+        -- Nearly every CMD is one byte that is its number.
+        local encoding = ENCODINGS[byte(text, at + 2)]
+        local operation = encoding and encoding.kind == CONSTANT and commands[encoding.value]
+        if operation then return operation, at + 2 end
+        local behind, offset, reason, kind = measure(text, at + 1, stop, "CMD")
+        if not behind then return nil, offset, reason, kind end
+        if encoding.kind ~= CONSTANT then
+            reason = format("CMD of %s is %s: it must be a constant to say what follows", entry.name, encoding.name)
+            return nil, at + 1, reason, "unknown_cmd"
+        end
+        local value = value_of(text, at + 1, behind, encoding)
+        operation = commands[value]
+        if not operation then
+            return nil, at + 1, format("%s has no CMD %d", entry.name, value), "unknown_cmd"
+        end
+        return operation, behind
+    end
+
+    -- How many elements a list has; else nil, offset and reason.
+    local function count_elements(text, list, counter, at, behind, stop)
+        local encoding = ENCODINGS[byte(text, at + 1)]
+        local value = value_of(text, at, behind, encoding)
+        if encoding.kind ~= CONSTANT then
+            local reason = "%s must be a constant: without it nobody knows how many values follow"
+            return nil, at, format(reason, counter.name), "fault"
+        end
+        local room = stop - behind
+        if list.type == COUNT and room > MOST_COUNTED then room = MOST_COUNTED end
+        if value < 0 or value > room then
+            local reason = "%s cannot be %d: there is room for 0 to %d values"
+            return nil, at, format(reason, counter.name, value, room), "fault"
+        end
+        return value
+    end
+
+    -- One operation: what it is and the offset behind it. Each of its arguments is handed to `visit`, if that is given,
+    -- with its parameter, encoding, value, and the offsets of its first byte and behind its last; with `for_reply` only
+    -- those of operations that have outputs. At a fault the offset is the one behind what could be read, and the
+    -- fault's offset, reason and kind follow.
+    function read_operation(text, at, stop, visit, context, for_reply)
+        local operation, behind, reason, kind = select_operation(text, at, stop)
+        if not operation then return nil, at, behind, reason, kind end
+        if for_reply and not operation.has_outputs then visit = nil end
+        at = behind
+        local fixed, list, start, element_type = operation.fixed, operation.list, at, nil
+        for index = 1, #fixed do
+            local parameter = fixed[index]
+            local first = byte(text, at + 1)
+            local size = SIZES[first]
+            local offset
+            -- Most arguments are numbers and whole; the others go the long way.
+            if size and size > 0 and at + size <= stop then
+                behind = at + size
+            else
+                behind, offset, reason, kind = measure(text, at, stop, parameter.name)
+                if not behind then return operation, at, offset, reason, kind end
+            end
+            if visit then
+                local encoding = ENCODINGS[first]
+                local value = encoding.value or value_of(text, at, behind, encoding, parameter.is_float)
+                visit(context, parameter, encoding, value, at, behind)
+                if list and parameter.tells_type and encoding.kind == CONSTANT then
+                    element_type = FORMAT_TYPES[value]
+                end
+            end
+            start, at = at, behind
+        end
+        if list then
+            local count, offset
+            count, offset, reason, kind = count_elements(text, list, fixed[#fixed], start, at, stop)
+            if not count then return operation, at, offset, reason, kind end
+            local elements = list.elements_of[element_type or list.element_type]
+            for index = 0, count - 1 do
+                local element = elements[index]
+                behind, offset, reason, kind = measure(text, at, stop, element.name)
+                if not behind then return operation, at, offset, reason, kind end
+                if visit then
+                    local encoding = ENCODINGS[byte(text, at + 1)]
+                    local value = value_of(text, at, behind, encoding, element.is_float)
+                    visit(context, element, encoding, value, at, behind)
+                end
+                at = behind
+            end
+        end
+        return operation, at
+    end
+
+    -- How many operations stand between two offsets, and the fault where there is one.
+    function count_operations(text, at, stop)
+        local count = 0
+        while at < stop do
+            local _, behind, offset, reason, kind = read_operation(text, at, stop)
+            if reason then return count, { at = offset, reason = reason, kind = kind } end
+            count, at = count + 1, behind
+        end
+        return count
+    end
+
+    -- One field of a system message: its value and the offset behind it; else nil, offset and reason.
+    local function read_field(text, at, stop, declared, before)
+        local kind = declared.kind
+        local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
+        if size then
+            if at + size > stop then
+                return nil, at, "the frame ends where the field " .. declared.name .. " should stand"
+            end
+            return READ_UNSIGNED[size](text, at), at + size
+        elseif kind == TEXT then
+            local zero = find(text, "\0", at + 1, true)
+            if not zero or zero > stop then
+                local reason = "the text %s runs past the end of the frame: the zero that ends it is missing"
+                return nil, at, format(reason, declared.name)
+            end
+            return sub(text, at + 1, zero - 1), zero
+        elseif kind == COUNTED_TEXT then
+            local length = before[declared.name]
+            if at + length > stop then
+                return nil, at, format("a text of %d bytes runs past the end of the frame", length)
+            end
+            -- Some senders count the zero, some do not; it is always there.
+            if length > 0 and byte(text, at + length) == 0 then
+                return sub(text, at + 1, at + length - 1), at + length
+            elseif at + length >= stop then
+                return nil, at, "the zero that ends a text is missing"
+            elseif byte(text, at + length + 1) ~= 0 then
+                return nil, at + length, format("a text of %d bytes must end in a zero", length)
+            end
+            return sub(text, at + 1, at + length), at + length + 1
+        end
+        if before[declared.name] and before[declared.name] ~= stop - at then
+            local reason = "%d bytes should follow to the end of the frame, here are %d"
+            return nil, at, format(reason, before[declared.name], stop - at)
+        end
+        return sub(text, at + 1, stop), stop
+    end
+
+    -- The fields of a system message: { declared, value, at, stop }, the offset behind them, and the fault if there is
+    -- one. Replies to failed commands may end before any field: they are not `complete`.
+    function read_fields(text, at, stop, declarations, complete)
+        local found, counted = {}, {}
+        for _, declared in ipairs(declarations) do
+            if at == stop and (declared.optional or not complete) then break end
+            local value, behind, reason = read_field(text, at, stop, declared, counted)
+            if not value then return found, at, { at = behind, reason = reason, kind = "fault" } end
+            found[#found + 1] = { declared = declared, value = value, at = at, stop = behind }
+            found[declared.name] = value
+            if declared.counts then counted[declared.counts] = value end
             at = behind
         end
-    end
-    return operation, at
-end
-
--- How many operations stand between two offsets, and the fault where there is one.
-local function count_operations(text, at, stop)
-    local count = 0
-    while at < stop do
-        local _, behind, offset, reason, kind = read_operation(text, at, stop)
-        if reason then return count, { at = offset, reason = reason, kind = kind } end
-        count, at = count + 1, behind
-    end
-    return count
-end
-
--- One field of a system message: its value and the offset behind it; else nil, offset and reason.
-local function read_field(text, at, stop, declared, before)
-    local kind = declared.kind
-    local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
-    if size then
-        if at + size > stop then
-            return nil, at, "the frame ends where the field " .. declared.name .. " should stand"
+        if at < stop then
+            local reason = format("%d byte%s left over after the last field", stop - at, stop - at > 1 and "s" or "")
+            return found, at, { at = at, reason = reason, kind = "fault" }
         end
-        return READ_UNSIGNED[size](text, at), at + size
-    elseif kind == TEXT then
-        local zero = find(text, "\0", at + 1, true)
-        if not zero or zero > stop then
-            local reason = "the text %s runs past the end of the frame: the zero that ends it is missing"
-            return nil, at, format(reason, declared.name)
-        end
-        return sub(text, at + 1, zero - 1), zero
-    elseif kind == COUNTED_TEXT then
-        local length = before[declared.name]
-        if at + length > stop then
-            return nil, at, format("a text of %d bytes runs past the end of the frame", length)
-        end
-        -- Some senders count the zero, some do not; it is always there.
-        if length > 0 and byte(text, at + length) == 0 then
-            return sub(text, at + 1, at + length - 1), at + length
-        elseif at + length >= stop then
-            return nil, at, "the zero that ends a text is missing"
-        elseif byte(text, at + length + 1) ~= 0 then
-            return nil, at + length, format("a text of %d bytes must end in a zero", length)
-        end
-        return sub(text, at + 1, at + length), at + length + 1
+        return found, at
     end
-    if before[declared.name] and before[declared.name] ~= stop - at then
-        local reason = "%d bytes should follow to the end of the frame, here are %d"
-        return nil, at, format(reason, before[declared.name], stop - at)
-    end
-    return sub(text, at + 1, stop), stop
-end
-
--- The fields of a system message: { declared, value, at, stop }, the offset behind them, and the fault if there is one.
--- Replies to failed commands may end before any field: they are not `complete`.
-local function read_fields(text, at, stop, declarations, complete)
-    local found, counted = {}, {}
-    for _, declared in ipairs(declarations) do
-        if at == stop and (declared.optional or not complete) then break end
-        local value, behind, reason = read_field(text, at, stop, declared, counted)
-        if not value then return found, at, { at = behind, reason = reason, kind = "fault" } end
-        found[#found + 1] = { declared = declared, value = value, at = at, stop = behind }
-        found[declared.name] = value
-        if declared.counts then counted[declared.counts] = value end
-        at = behind
-    end
-    if at < stop then
-        local reason = format("%d byte%s left over after the last field", stop - at, stop - at > 1 and "s" or "")
-        return found, at, { at = at, reason = reason, kind = "fault" }
-    end
-    return found, at
 end

@@ -3,7 +3,7 @@
 -- The byte stream of a TCP connection or of RFCOMM, in which frames may be split over packets and share them, after a
 -- text from each side.
 
-local dissect_stream, dissect_no_frame
+local dissect_stream, dissect_no_frame, judge_text
 do
     -- The text by which a host unlocks the brick's port: the offset behind it, and the serial number.
     local function match_unlock(text, at)
@@ -15,11 +15,11 @@ do
         return behind - 1, serial
     end
 
-    local function dissect_unlock(tvb, text, at, tree)
+    local function dissect_unlock(tvb, text, at, tree, is_shown)
         local behind, serial = match_unlock(text, at)
         if not behind then return nil end
         local said = "unlock " .. serial
-        if has_tree(tree) then
+        if is_shown then
             local range = tvb(at, behind - at)
             local item = add_item(tree, range):set_text("EV3: " .. said)
             item:add(field.unlock, range)
@@ -30,22 +30,22 @@ do
 
     -- What the brick answers to it. The firmware sends the text's zero, too: it is one where it cannot be the start of
     -- a frame's length.
-    local function dissect_accept(tvb, text, at, tree)
+    local function dissect_accept(tvb, text, at, tree, is_shown)
         local behind = at + #ACCEPT
         if sub(text, at + 1, behind) ~= ACCEPT then return nil end
         local zero, next = byte(text, behind + 1, behind + 2)
         if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
-        if has_tree(tree) then
+        if is_shown then
             local range = tvb(at, behind - at)
             add_item(tree, range):set_text("EV3: accepted"):add(field.accept, range)
         end
         return "accepted", behind
     end
 
-    local function dissect_text(tvb, text, at, tree)
-        local said, behind = dissect_unlock(tvb, text, at, tree)
+    local function dissect_text(tvb, text, at, tree, is_shown)
+        local said, behind = dissect_unlock(tvb, text, at, tree, is_shown)
         if said then return said, behind end
-        return dissect_accept(tvb, text, at, tree)
+        return dissect_accept(tvb, text, at, tree, is_shown)
     end
 
     local function starts_with(text, start)
@@ -57,6 +57,13 @@ do
         local part = sub(text, at + 1)
         if starts_with(ACCEPT, part) or starts_with(UNLOCK_REQUEST, part) then return true end
         return #part < MOST_UNLOCK and starts_with(part, UNLOCK_REQUEST)
+    end
+
+    -- What data tell that should begin with one of the texts: OURS, PART, or nil.
+    function judge_text(text)
+        if not TEXT_STARTS[byte(text, 1)] then return nil end
+        if sub(text, 1, #ACCEPT) == ACCEPT or match_unlock(text, 0) then return OURS end
+        return is_part_of_text(text, 0) and PART or nil
     end
 
     -- What is left of a text that came in an earlier segment: its line ends, or the zero behind the answer. A faulty
@@ -73,17 +80,17 @@ do
         return next == #text and at or nil
     end
 
-    local function dissect_end_of_text(tvb, at, behind, tree)
-        if has_tree(tree) then
+    local function dissect_end_of_text(tvb, at, behind, tree, is_shown)
+        if is_shown then
             local range = tvb(at, behind - at)
             add_item(tree, range):set_text("EV3: end of the text before"):add(field.rest, range)
         end
         return "end of the text before", behind
     end
 
-    local function add_faulty(tvb, at, stop, tree, said, kind, reason)
+    local function add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
         local item
-        if has_tree(tree) then
+        if is_shown then
             local range = tvb(at, stop - at)
             item = add_item(tree, range):set_text("EV3: " .. said)
             item:add(field.rest, range)
@@ -92,48 +99,103 @@ do
         return said, stop
     end
 
-    -- Nobody knows where the next frame starts: the packet is lost, the next one is looked at anew.
-    function dissect_no_frame(tvb, at, stop, length, tree)
+    -- Bytes between two offsets that are in no frame.
+    function dissect_no_frame(tvb, at, stop, length, tree, is_shown)
         local said = format("no frame (%s)", plural(stop - at, "byte"))
-        local reason = "no frame can start here: its length field would say %d, a frame has %d to %d bytes after it"
-        return add_faulty(tvb, at, stop, tree, said, "no_boundary", format(reason, length, MIN_LENGTH, MAX_LENGTH))
+        local reason = "bytes that are in no frame, as after a gap in the capture"
+        if length < MIN_LENGTH or length > MAX_LENGTH then
+            reason = "no frame can start here: its length field would say %d, a frame has %d to %d bytes after it"
+            reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
+        end
+        return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
+    end
+
+    -- Where the stream goes on when no frame starts at an offset: a frame without a fault, a text, or the end.
+    local function next_step(text, at)
+        local place = find_frame(text, at + 1) or #text
+        for _, start in ipairs({ UNLOCK_REQUEST, ACCEPT }) do
+            local hit = find(text, start, at + 2, true)
+            if hit and hit - 1 < place then place = hit - 1 end
+        end
+        return place
+    end
+
+    -- Whether frames follow each other from the middle of what seems to be one: more than one, as data may look like
+    -- a frame by chance.
+    local function has_frame_inside(text, at, stop)
+        local place = find_frame(text, at + 1, nil, 2)
+        return place ~= nil and place < stop
+    end
+
+    -- Whether a frame may start at an offset, though perhaps of an unknown type: then the next one must.
+    local function may_follow(text, at)
+        if may_start(text, at) then return true end
+        local low, high = byte(text, at + 1, at + 2)
+        if not is_length(low, high) then return false end
+        local stop = at + LENGTH_FIELD + low + high * 0x100
+        return stop >= #text or may_start(text, stop)
+    end
+
+    -- Whether the frame of this size that seems to start here is none: the chain of frames breaks behind it, or, at
+    -- the start of a packet, it has faults and another frame inside. A gap in the capture may be before it.
+    local function is_misleading(text, at, size, accepts)
+        local stop, captured = at + size, #text
+        local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
+        local is_chained = stop >= captured or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)]
+        if not type then return not is_chained or at == 0 and has_frame_inside(text, at, stop) end
+        if is_chained and at > 0 then return false end
+        if stop <= captured and (not accepts or accepts(type)) then
+            if is_flawless(read_message(sub(text, at + 1, stop))) then return false end
+        end
+        return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
     end
 
     -- The frames and texts in a piece of a stream: the offset behind the last one that is whole, how many bytes the
-    -- next one wants (nil where its length is not known yet), and what was said. `reported` is the size of the piece
-    -- on the wire, of which a capture may have less; with `is_last` there is nothing more to wait for.
-    function dissect_stream(tvb, text, reported, key, pinfo, tree, is_last)
-        local at, captured, all = 0, #text, nil
+    -- next one wants (nil where its length is not known yet), and whether there was anything that is ours. `reported`
+    -- is the size of the piece on the wire, of which a capture may have less; with `is_last` there is nothing more to
+    -- wait for. `types_of` tells of a packet which types go its way.
+    function dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
+        local at, captured, is_ours, start = 0, #text, false, tvb:offset()
         while at < captured do
-            local low, high = byte(text, at + 1, at + 2)
+            local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
             local said, behind
             if TEXT_STARTS[low] then
-                said, behind = dissect_text(tvb, text, at, tree)
-                if not said and not is_last and is_part_of_text(text, at) then return at, nil, all end
+                said, behind = dissect_text(tvb, text, at, tree, is_shown)
+                if not said and not is_last and is_part_of_text(text, at) then return at, nil, true end
+                is_ours = is_ours or said ~= nil
             end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
-                if size and not is_length(low, high) then
+                local is_frame = not size or is_length(low, high)
+                -- Nearly always one frame is all there is.
+                if is_frame and code and at + size ~= captured then
+                    is_frame = not is_misleading(text, at, size, types_of and types_of(pinfo))
+                end
+                if not is_frame then
                     behind = end_of_text(text, at)
                     if behind then
-                        said, behind = dissect_end_of_text(tvb, at, behind, tree)
+                        said, behind = dissect_end_of_text(tvb, at, behind, tree, is_shown)
                     else
-                        said, behind = dissect_no_frame(tvb, at, captured, size - LENGTH_FIELD, tree)
+                        behind = next_step(text, at)
+                        said = dissect_no_frame(tvb, at, behind, size - LENGTH_FIELD, tree, is_shown)
                     end
                 elseif not is_last and (not size or at + size > reported) then
-                    return at, size and at + size - reported, all
+                    return at, size and at + size - reported, true
                 elseif captured - at < HEADER_SIZE then
                     local reason = "the frame is cut off in its header"
-                    said, behind = add_faulty(tvb, at, captured, tree, "part of a frame", "cut_off", reason)
+                    said, behind =
+                        add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
                 else
                     behind = math.min(at + size, captured)
                     local frame = at == 0 and behind == captured and text or sub(text, at + 1, behind)
-                    said = dissect_message(tvb, at, read_message(frame), key, pinfo, tree)
+                    is_ours = is_ours or MESSAGE_TYPES[code] ~= nil
+                    local place = place_of(number, start + at)
+                    said = dissect_message(tvb, at, read_message(frame), talk, place, pinfo, tree, is_shown)
                 end
             end
-            all = all and all .. "; " .. said or said
+            say(said)
             at = behind
         end
-        return at, 0, all
+        return at, 0, is_ours
     end
 end

@@ -26,78 +26,100 @@ do
         return type and type.is_command and command and command.is_bootloader and not is_from_host(pinfo)
     end
 
-    local function dissect_report(tvb, pinfo, tree)
-        local text = tvb:raw()
+    -- Reports of devices that nobody knows as bricks, of which a frame was taken.
+    local taken
+
+    local function forget_devices()
+        taken = {}
+    end
+    forget_devices()
+
+    local function dissect_report(tvb, text, pinfo, tree)
         local low, high = byte(text, 1, 2)
         local stop = math.min(LENGTH_FIELD + low + high * 0x100, #text)
         local message = read_message(sub(text, 1, stop))
-        local line
+        local number, is_shown = pinfo.number, has_tree(tree)
+        local command, line = message.command, nil
         if is_overwritten(message, pinfo) then
             message.is_overwritten = true
-            line = "bootloader fault: reply to " .. message.command.name .. " overwritten by its request"
+            line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
-        local said, item = dissect_message(tvb, 0, message, device_key, pinfo, tree, line)
-        if message.is_overwritten then
+        local talk = not pinfo.visited and talk_of(device_key(pinfo))
+        start_line(number, tvb:offset())
+        local said, item = dissect_message(tvb, 0, message, talk, place_of(number, tvb:offset()), pinfo, tree,
+            is_shown, line)
+        if line then
             local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
                 .. " written over its first bytes"
-            complain(item or tree, "bootloader_fault", format(reason, message.command.name))
+            complain(item or tree, "bootloader_fault", format(reason, command.name))
         end
         if item and stop < #text then
             local rest = tvb(stop, #text - stop)
-            item:add(field.padding, rest):set_text("Padding: " .. plural(#text - stop, "byte"))
+            item:add(field.padding, rest):append_text(format(" (%s)", plural(#text - stop, "byte")))
         end
-        show(pinfo, tvb, said)
-        return tvb:len()
+        say(said)
+        show(pinfo)
+        return #text
     end
 
-    local function starts_like_frame(tvb)
-        return tvb:len() >= HEADER_SIZE and may_be_frame(tvb:raw(0, HEADER_SIZE))
+    -- A report that holds no frame, though its device is a brick.
+    local function dissect_other_report(tvb, text, pinfo, tree)
+        local low, high = byte(text, 1, 2)
+        start_line(pinfo.number, tvb:offset())
+        say((dissect_no_frame(tvb, 0, #text, low + high * 0x100, tree, has_tree(tree))))
+        show(pinfo)
+        return #text
     end
 
     -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
     local function dissect_usb(tvb, pinfo, tree)
         if is_control(pinfo) or tvb:len() < HEADER_SIZE then return 0 end
-        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
-        if is_length(low, high) then return dissect_report(tvb, pinfo, tree) end
-        show(pinfo, tvb, dissect_no_frame(tvb, 0, tvb:len(), low + high * 0x100, tree))
-        return tvb:len()
+        local text = tvb:raw()
+        local dissect = is_length(byte(text, 1, LENGTH_FIELD)) and dissect_report or dissect_other_report
+        return dissect(tvb, text, pinfo, tree)
     end
 
-    -- Whether a frame is without any fault and goes the way that it should.
-    local function is_flawless(message, from_host)
-        local type = message.type
-        if not type or message.stop < message.size then return false end
-        -- Bricks in a chain send commands both ways.
-        if type.carries ~= "daisy" and type.is_command ~= (from_host or nil) then return false end
-        if type.carries == "daisy" then
-            -- In a command the layers stand behind the sub-command.
-            local at = type.is_command and HEADER_SIZE + 1 or HEADER_SIZE
-            local from, to = byte(message.text, at + 1, at + 2)
-            if not to or from > MOST_LAYERS or to > MOST_LAYERS then return false end
-        end
-        if type.carries == "direct" and type.is_command then
-            -- Nobody sends the opcode that stands for a fault; its number is that of the bytes of an empty report.
-            local first = byte(message.text, COMMAND_HEADER_SIZE + 1)
-            if not first or OPCODE_NAMES[first] == "ERROR" then return false end
-            return select(2, count_operations(message.text, COMMAND_HEADER_SIZE, message.stop)) == nil
-        end
-        show_message(message, 0)
-        return not message.fault
-    end
-
-    -- Reports of a device whose product is not in the capture, as in most captures that began after plugging in. Other
-    -- devices have reports, too: only what fits in every respect is taken.
-    local function guess_usb(tvb, pinfo, tree)
+    -- Whether a report holds a frame of ours, although nobody knows its device as a brick. Other devices have reports,
+    -- too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks like a frame
+    -- is taken, until there are faults in a row.
+    local function is_claimed(tvb, pinfo)
         local sort = REPORT_SIZES[tvb:reported_len()]
-        if not sort or not starts_like_frame(tvb) then return false end
-        local low, high, _, _, code = byte(tvb:raw(0, HEADER_SIZE), 1, HEADER_SIZE)
-        local stop = LENGTH_FIELD + low + high * 0x100
-        if (MESSAGE_TYPES[code].carries == "daisy") ~= (sort == "daisy") or stop > tvb:len() then return false end
-        local message = read_message(tvb:raw(0, stop))
-        local is_taken = is_flawless(message, is_from_host(pinfo))
-            or is_overwritten(message, pinfo) and not message.fault
-        if not is_taken then return false end
-        dissect_report(tvb, pinfo, tree)
+        if not sort or tvb:len() < HEADER_SIZE then return false end
+        local head = tvb:raw(0, HEADER_SIZE)
+        local looks_right = may_start(head, 0)
+            and (MESSAGE_TYPES[byte(head, HEADER_SIZE)].carries == "daisy") == (sort == "daisy")
+        local talk = looks_right and talk_of(device_key(pinfo)) or talk_if_any(device_key(pinfo))
+        if not talk then return false end
+        local is_taken, message = false, nil
+        if looks_right then
+            message = read_message(tvb:raw(0, math.min(LENGTH_FIELD + unsigned16(head, 0), tvb:len())))
+            local type = message.type
+            if is_overwritten(message, pinfo) then
+                is_taken = is_flawless(message)
+            elseif is_flawless(message) then
+                -- Bricks in a chain send commands both ways.
+                if type.carries == "daisy" then
+                    is_taken = true
+                elseif type.is_command then
+                    is_taken = is_from_host(pinfo) and is_sensible_command(message)
+                else
+                    is_taken = not is_from_host(pinfo) and answers_command(talk, message)
+                    talk.is_claimed = talk.is_claimed or is_taken
+                end
+            end
+        end
+        if not is_taken and talk.is_claimed then is_taken = looks_right end
+        talk.faults = is_taken and 0 or (talk.faults or 0) + 1
+        if talk.faults >= FAULTS_IN_A_ROW then talk.is_claimed, talk.faults = false, 0 end
+        return is_taken
+    end
+
+    -- Reports of a device whose product is not in the capture, as in most captures that began after plugging in.
+    local function guess_usb(tvb, pinfo, tree)
+        local number = pinfo.number
+        if not pinfo.visited and is_claimed(tvb, pinfo) then taken[number] = true end
+        if not taken[number] then return false end
+        dissect_report(tvb, tvb:raw(), pinfo, tree)
         return true
     end
 
@@ -109,5 +131,5 @@ do
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 
-    add_carrier({ dissectors = { [8] = dissect_usb }, register = register })
+    add_carrier({ dissectors = { [8] = dissect_usb }, forget = forget_devices, register = register })
 end

@@ -19,7 +19,7 @@ local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
 
-local reply_values
+local reply_values, forget_layouts
 do
     -- The type of an output that has that of the array it comes from: what fits before the next output.
     local function untyped(outputs, start, stop)
@@ -37,7 +37,7 @@ do
         local parameter, start = output.parameter, output.index
         local type = output.is_handle and HANDLE or parameter.type
         local most, at = reply.stop - HEADER_SIZE, HEADER_SIZE + start
-        output.at = at
+        output.at, output.list, output.value = at, nil, nil
         if type == STRING then
             local stop = math.min(start + stated_length(parameter, outputs.lengths, most), most)
             output.value = sub(reply.text, at + 1, HEADER_SIZE + stop):match("^[^\0]*")
@@ -75,23 +75,55 @@ do
         end
     end
 
-    -- What a reply says, operation by operation: { operation, its outputs }. `text` is the frame of the command.
-    function reply_values(text, reply)
-        local at, found = COMMAND_HEADER_SIZE, {}
+    -- The outputs of a command's operations, those of each with the operation.
+    local function outputs_of(text)
+        local at, layout = COMMAND_HEADER_SIZE, {}
         local outputs = { lengths = {} }
         while at < #text do
             local operation, behind, fault = read_operation(text, at, #text, collect, outputs, true)
             if outputs[1] then
-                local values = {}
-                for _, output in ipairs(outputs) do
-                    if read_output(output, outputs, reply) then values[#values + 1] = output end
-                end
-                if values[1] then found[#found + 1] = { operation = operation, values = values } end
+                outputs.operation = operation
+                layout[#layout + 1] = outputs
             end
+            layout.first = layout.first or operation
             if outputs[1] or next(outputs.lengths) then outputs = { lengths = {} } end
             if fault then break end
             at = behind
         end
-        return found
+        return layout
+    end
+
+    -- Those of the last commands, by all that follows their headers: a dialogue asks the same again and again.
+    local MOST_REMEMBERED = 1024
+    local remembered, count_remembered = {}, 0
+
+    function forget_layouts()
+        remembered, count_remembered = {}, 0
+    end
+
+    local function layout_of(text)
+        local body = sub(text, HEADER_SIZE + 1)
+        local layout = remembered[body]
+        if not layout then
+            layout = outputs_of(text)
+            if count_remembered >= MOST_REMEMBERED then forget_layouts() end
+            remembered[body], count_remembered = layout, count_remembered + 1
+        end
+        return layout
+    end
+
+    -- What a reply says, operation by operation: { operation, its outputs }. `text` is the frame of the command.
+    -- Returns its first operation, too.
+    function reply_values(text, reply)
+        local found = {}
+        local layout = layout_of(text)
+        for _, outputs in ipairs(layout) do
+            local values = {}
+            for _, output in ipairs(outputs) do
+                if read_output(output, outputs, reply) then values[#values + 1] = output end
+            end
+            if values[1] then found[#found + 1] = { operation = outputs.operation, values = values } end
+        end
+        return found, layout.first
     end
 end

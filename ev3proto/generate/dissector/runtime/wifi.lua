@@ -3,29 +3,191 @@
 -- The beacon in UDP datagrams, then the byte stream of a TCP connection.
 
 do
-    -- Where beacons came from, and the packets that were sent back there.
-    local bricks, answers
+    -- Ports that beacons may name, besides those on which bricks usually listen.
+    local MOST_NAMED = 64
 
-    local function forget_bricks()
-        bricks, answers = {}, {}
+    local tcp_ports = DissectorTable.get("tcp.port")
+
+    -- Where answers to beacons go to, and the packets that went there; the places where bricks listen by what their
+    -- beacons say; the buffers that were left to others; whether connections on other ports were found to be ours.
+    local bricks, answers, announced, declined, has_found
+
+    -- The last connection between two ports.
+    local connections
+
+    -- The ports on which connections are looked at, those that beacons named, and who was there before us.
+    local ports, named_ports, is_named, others = {}, {}, {}, {}
+
+    local function take_port(port)
+        others[port] = tcp_ports:get_dissector(port)
+        tcp_ports:add(port, ev3)
     end
-    forget_bricks()
 
-    local function dissect_tcp(tvb, pinfo, tree)
-        local captured, reported = tvb:len(), tvb:reported_len()
-        local is_last = pinfo.can_desegment == 0 or captured < reported
-        local behind, wanted, said = dissect_stream(tvb, tvb:raw(), reported, conversation_key, pinfo, tree, is_last)
+    local function give_port_back(port)
+        tcp_ports:remove(port, ev3)
+        if others[port] then tcp_ports:add(port, others[port]) end
+        others[port] = nil
+    end
+
+    local function forget_wifi()
+        bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
+        connections = {}
+        for _, port in ipairs(named_ports) do
+            give_port_back(port)
+        end
+        named_ports, is_named = {}, {}
+    end
+    forget_wifi()
+
+    -- What is known of a connection, found by its ends: first by its ports, which are plain numbers.
+    local function connection_of(pinfo)
+        local numbers = pinfo.src_port * 0x10000 + pinfo.dst_port
+        local from, to = pinfo.src, pinfo.dst
+        local known = connections[numbers]
+        if known and known.from == from and known.to == to then return known.talk end
+        known = { from = from, to = to, talk = talk_of(conversation_key(pinfo)) }
+        connections[numbers] = known
+        return known.talk
+    end
+
+    local function is_command(type)
+        return type.is_command
+    end
+
+    local function is_reply(type)
+        return not type.is_command
+    end
+
+    -- Whether a packet goes to, or comes from, a port on which a brick listens.
+    local function is_to_brick(pinfo)
+        local port = pinfo.dst_port
+        return ports[port] or is_named[port] and announced[tostring(pinfo.dst) .. " " .. port]
+    end
+
+    local function is_from_brick(pinfo)
+        local port = pinfo.src_port
+        return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
+    end
+
+    local function is_daisy_or(is_right_way)
+        return function(type)
+            return type.carries == "daisy" or is_right_way(type)
+        end
+    end
+
+    -- Bricks in a chain send commands both ways.
+    is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
+
+    -- Whether data that nobody has claimed so far begin with something of ours.
+    local function judge_segment(text, to_brick)
+        local verdict = judge_text(text)
+        if verdict then return verdict end
+        verdict = judge_frames(text, 0, to_brick and is_command or is_reply)
+        if verdict or not to_brick then return verdict end
+        -- The capture may have begun inside a frame.
+        local at = find_frame(text, 1, is_command)
+        return at and judge_frames(text, at, is_command)
+    end
+
+    -- Which types go the way of a packet, where the port says which end is the brick.
+    local function types_of(pinfo)
+        if ports[pinfo.dst_port] then return is_command end
+        return ports[pinfo.src_port] and is_reply or nil
+    end
+
+    local function dissect_claimed(tvb, text, pinfo, tree, number, talk)
+        local captured, reported = #text, tvb:reported_len()
+        local is_last = captured < reported or pinfo.can_desegment == 0
+        start_line(number, tvb:offset())
+        local is_shown = has_tree(tree)
+        local behind, wanted =
+            dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
         if behind < captured then
             pinfo.desegment_offset = behind
             pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
         end
-        if said then show(pinfo, tvb, said) end
+        show(pinfo)
         return captured
+    end
+
+    -- The first time that a buffer of a connection is seen: whether it is ours, or whether more is needed to tell.
+    local function claim(talk, text, pinfo, to_brick)
+        if talk.is_claimed then return OURS end
+        if not to_brick and not is_from_brick(pinfo) then return nil end
+        local strange = talk.strange or 0
+        if strange >= STRANGE_PACKETS then return nil end
+        local verdict = judge_segment(text, to_brick)
+        if verdict == OURS then
+            talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
+        elseif not verdict then
+            talk.strange = strange + 1
+        end
+        return verdict
+    end
+
+    local function dissect_first(tvb, text, pinfo, tree, number, port)
+        local talk = connection_of(pinfo)
+        local is_forced = not ports[port] and not is_named[port] and not talk.is_claimed
+        local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
+        local reported = tvb:reported_len()
+        if verdict == PART and #text < reported then
+            -- Of a frame that fills its segment the capture has the beginning.
+            local is_frame = #text >= HEADER_SIZE and unsigned16(text, 0) + LENGTH_FIELD == reported
+            verdict, talk.is_claimed = is_frame and OURS or nil, is_frame
+        end
+        if verdict == PART and pinfo.can_desegment > 0 then
+            pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
+            return #text
+        elseif verdict ~= OURS then
+            declined[place_of(number, tvb:offset())] = true
+            return 0
+        end
+        return dissect_claimed(tvb, text, pinfo, tree, number, talk)
+    end
+
+    local function dissect_tcp(tvb, pinfo, tree)
+        local text, number = tvb:raw(), pinfo.number
+        if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number, pinfo.match_uint) end
+        if next(declined) and declined[place_of(number, tvb:offset())] then return 0 end
+        if has_found then
+            local talk = connection_of(pinfo)
+            if talk.is_found and number < talk.claimed_in then return 0 end
+        end
+        return dissect_claimed(tvb, text, pinfo, tree, number)
+    end
+
+    -- A connection on any other port, which begins with the unlock text. From then on its packets come here.
+    local function guess_tcp(tvb, pinfo, tree)
+        if pinfo.visited then return false end
+        local size = #UNLOCK_REQUEST
+        if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK_REQUEST then return false end
+        local text = tvb:raw()
+        if judge_text(text) ~= OURS then return false end
+        local talk = connection_of(pinfo)
+        talk.is_claimed, talk.is_found, talk.claimed_in = true, true, pinfo.number
+        has_found = true
+        pinfo.conversation = ev3
+        dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk)
+        return true
+    end
+
+    -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
+    local function remember_brick(pinfo, named)
+        local address = tostring(pinfo.src) .. " "
+        bricks[address .. pinfo.src_port], bricks[address .. BEACON_PORT] = true, true
+        if named then
+            bricks[address .. named], announced[address .. named] = true, true
+            if not ports[named] and not is_named[named] and #named_ports < MOST_NAMED then
+                named_ports[#named_ports + 1], is_named[named] = named, true
+                take_port(named)
+            end
+        end
     end
 
     local function dissect_beacon(tvb, text, tree)
         local item = has_tree(tree) and add_item(tree, tvb())
         local at, values = 0, {}
+        local port
         for _, line in ipairs(BEACON_LINES) do
             local head = line.label .. ": "
             local stop = find(text, "\r\n", at + 1, true)
@@ -35,28 +197,39 @@ do
             end
             local value = sub(text, at + #head + 1, stop - 1)
             values[#values + 1] = on_one_line(value)
+            if line.name == "port" then port = tonumber(value:match("^%d+$")) end
             local range = tvb(at + #head, #value)
             if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
             at = stop + 1
         end
         local said = "beacon: " .. concat(values, " ")
         if item then item:set_text("EV3: " .. said) end
-        return said
+        return said, port
     end
 
     -- A beacon that a brick broadcasts, or whatever a host answers to it.
     local function dissect_udp(tvb, pinfo, tree)
-        local text = tvb:raw()
+        local text, number = tvb:raw(), pinfo.number
         local head = BEACON_LINES[1].label .. ": "
+        local said
         if sub(text, 1, #head) == head then
-            if not pinfo.visited then bricks[tostring(pinfo.src) .. " " .. pinfo.src_port] = true end
-            show(pinfo, tvb, dissect_beacon(tvb, text, tree))
-            return tvb:len()
+            local port
+            said, port = dissect_beacon(tvb, text, tree)
+            if not pinfo.visited then remember_brick(pinfo, port) end
+        else
+            if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
+                answers[number] = true
+            end
+            local is_forced = pinfo.match_uint ~= BEACON_PORT and pinfo.match_uint ~= 0
+            if not answers[number] and not is_forced then return 0 end
+            said = "answer to a beacon"
+            if has_tree(tree) then
+                add_item(tree, tvb()):set_text("EV3: " .. said):add(field.beacon_answer, tvb())
+            end
         end
-        if has_tree(tree) then
-            add_item(tree, tvb()):set_text("EV3: answer to a beacon"):add(field.beacon_answer, tvb())
-        end
-        show(pinfo, tvb, "answer to a beacon")
+        start_line(number, tvb:offset())
+        say(said)
+        show(pinfo)
         return tvb:len()
     end
 
@@ -70,26 +243,43 @@ do
         return true
     end
 
-    local tcp_ports = DissectorTable.get("tcp.port")
     local listened = tostring(TCP_PORT)
+
+    -- Takes the ports of a preference such as 5555,6000-6003, or gives them back to whom they belonged.
+    local function take_ports()
+        for first, last in listened:gmatch("(%d+)%-?(%d*)") do
+            for port = tonumber(first), tonumber(last ~= "" and last or first) do
+                if not ports[port] then take_port(port) end
+                ports[port] = true
+            end
+        end
+    end
+
+    local function give_ports_back()
+        for port in pairs(ports) do
+            give_port_back(port)
+        end
+        ports = {}
+    end
 
     local function follow_ports()
         if listened == ev3.prefs.tcp_ports then return end
-        if listened ~= "" then tcp_ports:remove(listened, ev3) end
+        give_ports_back()
         listened = ev3.prefs.tcp_ports
-        if listened ~= "" then tcp_ports:add(listened, ev3) end
+        take_ports()
     end
 
     local function register()
         ev3.prefs.tcp_ports = Pref.range("TCP ports", listened, "TCP ports on which bricks listen", 65535)
-        tcp_ports:add(listened, ev3)
+        take_ports()
+        ev3:register_heuristic("tcp", guess_tcp)
         DissectorTable.get("udp.port"):add(BEACON_PORT, ev3)
         ev3:register_heuristic("udp", guess_udp)
     end
 
     add_carrier({
         dissectors = { [2] = dissect_tcp, [3] = dissect_udp },
-        forget = forget_bricks,
+        forget = forget_wifi,
         prefs_changed = follow_ports,
         register = register,
     })

@@ -1,0 +1,165 @@
+"""Whether a connection is ours, by what is said in it: `tables.claims` has the rule.
+
+What is found in a connection is held back until something in it shows that the connection is ours. Then all of that is
+given, as a capture may begin inside a frame. Where nothing does, the bytes count as other traffic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ev3proto.capture.byte_account import Account
+from ev3proto.capture.record import Announcement, Direction, Event, Record, Skipped
+from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
+from ev3proto.tables import operations
+from ev3proto.tables.claims import FAULTS_IN_A_ROW, NEVER_SENT, STRANGE_PACKETS
+from ev3proto.tables.daisy import MOST_LAYERS
+
+_NEVER_SENT = frozenset(operations()[name].opcode.number for name in NEVER_SENT)
+
+
+def makes_sense(message: Message) -> bool:
+    """Says whether somebody would send a frame without a fault.
+
+    Args:
+        message: A message without a fault.
+
+    Returns:
+        False for commands without operations, or with one that nobody sends, and for layers that no chain has.
+
+    """
+    if isinstance(message, DaisyCommand | DaisyReply):
+        return message.layer_from <= MOST_LAYERS and message.layer_to <= MOST_LAYERS
+    if isinstance(message, DirectCommand):
+        opcodes = [operation.opcode for operation in message.operations]
+        return bool(opcodes) and _NEVER_SENT.isdisjoint(opcodes)
+    return True
+
+
+def begins_a_connection(event: Event, data: bytes) -> bool:
+    """Says whether something shows that a TCP connection is a brick's.
+
+    Args:
+        event: What was found.
+        data: What the last packet of it carried.
+
+    Returns:
+        True for the two texts, and for flawless frames that go the right way. One that may have any bytes must end
+        with a packet, or answer a command: such bytes are found in everything.
+
+    """
+    if not isinstance(event, Record):
+        return isinstance(event, Announcement)
+    message = event.message
+    if message.fault is not None:
+        return False
+    is_from_host = event.direction is Direction.SENT
+    assert message.type is not None
+    if message.type.carries != "daisy" and message.type.is_command != is_from_host:
+        return False
+    frame = event.frame
+    is_at_edge = data.endswith(frame) or frame.endswith(data)
+    return is_at_edge or event.request is not None or (isinstance(message, DirectCommand) and makes_sense(message))
+
+
+def begins_a_serial_port(event: Event, turn: int) -> bool:
+    """Says whether something shows that a serial port is a brick's: a flawless command that makes sense.
+
+    Args:
+        event: What was found.
+        turn: The first packet after those of the other side: nobody answers in the middle of a command.
+
+    Returns:
+        False for replies, too: without the command anything might be one.
+
+    """
+    if not isinstance(event, Record) or event.numbers[0] < turn:
+        return False
+    message = event.message
+    is_command = message.type is not None and message.type.is_command
+    return is_command and message.fault is None and makes_sense(message)
+
+
+class Claim:
+    """What is known of one connection: whether it is ours, and until then what was found in it.
+
+    Attributes:
+        is_left: Nothing of ours was in its first packets: it is left alone.
+
+    """
+
+    __slots__ = ("_account", "_begins", "_faults", "_held", "_is_claimed", "_is_patient", "_strange", "is_left")
+
+    def __init__(self, account: Account, begins: Callable[[Event, bytes], bool], *, is_patient: bool) -> None:
+        """Makes the claim of a new connection.
+
+        Args:
+            account: Counts the bytes.
+            begins: Says whether something shows that the connection is ours.
+            is_patient: It may become ours at any time, and cease to be; what was before is not given.
+
+        """
+        self._account = account
+        self._begins = begins
+        self._is_patient = is_patient
+        self._is_claimed = False
+        self._held: list[Event] = []
+        self._strange = 0
+        self._faults = 0
+        self.is_left = False
+
+    def take(self, events: list[Event], data: bytes) -> list[Event]:
+        """Takes what was found.
+
+        Args:
+            events: What is complete with a packet.
+            data: What the packet carried; nothing where it is not a packet that completes them.
+
+        Returns:
+            What is known to be ours.
+
+        """
+        if self._is_claimed:
+            return self._count_faults(events) if self._is_patient else events
+        if not self.is_left and any(self._begins(event, data) for event in events):
+            self._is_claimed = True
+            events, self._held = [*self._held, *events], []
+            return events
+        if self._is_patient or self.is_left:
+            self._decline(events)
+            return []
+        self._held += events
+        self._strange += bool(data and events)
+        if self._strange >= STRANGE_PACKETS:
+            self.is_left = True
+            self.end()
+        return []
+
+    def end(self) -> list[Event]:
+        """Says that nothing more will come.
+
+        Returns:
+            What could not be read of a connection that was too short to tell.
+
+        """
+        held, self._held = self._held, []
+        unread: list[Event] = [] if self.is_left else [event for event in held if isinstance(event, Skipped)]
+        self._decline([event for event in held if event not in unread])
+        return unread
+
+    def _count_faults(self, events: list[Event]) -> list[Event]:
+        if events:
+            self._faults = self._faults + 1 if all(isinstance(event, Skipped) for event in events) else 0
+            if self._faults >= FAULTS_IN_A_ROW:
+                self._is_claimed, self._faults = False, 0
+        return events
+
+    def _decline(self, events: list[Event]) -> None:
+        account = self._account
+        for event in events:
+            if isinstance(event, Skipped):
+                account.skipped -= len(event.data)
+                account.other += len(event.data)
+            elif isinstance(event, Record):
+                account.frames -= len(event.frame)
+                account.other += len(event.frame)

@@ -1,0 +1,148 @@
+-- Claims ------------------------------------------------------------------------------------------------------------
+--
+-- Ours and not ours: the ports and channels that bricks use belong to others as well. The rule stands in ev3proto's
+-- tables; here it is applied. Decisions are made the first time a packet is seen, and kept.
+
+-- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
+local OURS, PART = "ours", "part"
+
+local is_flawless, is_sensible_command, judge_frames, find_frame
+do
+    -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
+    local MOST_TRIALS = 64
+
+    -- Whether the operations of a command can be read: all of them, or with `is_part` those that are there.
+    local function can_be_read_now(text, stop, is_part)
+        local at = COMMAND_HEADER_SIZE
+        while at < stop do
+            local operation, behind, _, reason, kind = read_operation(text, at, stop)
+            -- Of a list that goes on in the next packet the dissector says that it is too long.
+            if reason then return is_part and (kind == "cut_off" or kind == "fault" and operation.list ~= nil) end
+            at = behind
+        end
+        return true
+    end
+
+    -- The same, whichever firmware has them: that the brick has another one than the preference says is not known
+    -- before.
+    local function can_be_read(text, stop)
+        if can_be_read_now(text, stop) then return true end
+        local preferred, is_read = instructions, false
+        for _, name in ipairs(DIALECTS) do
+            instructions = INSTRUCTION_SETS[name]
+            is_read = is_read or instructions ~= preferred and can_be_read_now(text, stop)
+        end
+        instructions = preferred
+        return is_read
+    end
+
+    -- Whether a command without a fault says something that somebody would say.
+    function is_sensible_command(message)
+        local type, text, stop = message.type, message.text, message.stop
+        if not type.is_command then return false end
+        if type.carries ~= "direct" then return true end
+        local at = COMMAND_HEADER_SIZE
+        if stop <= at then return false end
+        while at < stop do
+            if NEVER_SENT[byte(text, at + 1)] then return false end
+            local _, behind = read_operation(text, at, stop)
+            at = behind
+        end
+        return true
+    end
+
+    -- Whether a frame is without any fault; with `is_any` by the instructions of any firmware.
+    function is_flawless(message, is_any)
+        local type, text, stop = message.type, message.text, message.stop
+        if not type or stop < message.size or message.fault then return false end
+        if type.carries == "direct" then
+            if not type.is_command then return true end
+            local is_readable = is_any and can_be_read or can_be_read_now
+            return stop >= COMMAND_HEADER_SIZE and is_readable(text, stop)
+        elseif type.carries == "daisy" then
+            local at = HEADER_SIZE
+            if type.is_command then
+                if not DAISY_NAMES[byte(text, at + 1)] then return false end
+                at = at + 1
+            end
+            local from, to = byte(text, at + 1, at + 2)
+            return to ~= nil and from <= MOST_LAYERS and to <= MOST_LAYERS
+        end
+        return true
+    end
+
+    -- Whether a frame of which only this is there may become one without a fault.
+    local function may_become_flawless(text, at, accepts)
+        local part = sub(text, at + 1)
+        if not may_start(part, 0) then return false end
+        local type = MESSAGE_TYPES[byte(part, HEADER_SIZE)]
+        if not type then return true end
+        if not accepts(type) then return false end
+        if type.carries ~= "direct" or not type.is_command or #part <= COMMAND_HEADER_SIZE then return true end
+        return can_be_read_now(part, #part, true)
+    end
+
+    -- What a text tells that should begin with a frame: the first one must be without a fault and of a type that
+    -- `accepts` takes, as it goes the right way; `is_sensible`, where it is given, must take it, too. Whatever follows
+    -- must look like a frame.
+    function judge_frames(text, at, accepts, is_sensible)
+        local is_first = true
+        while at < #text do
+            local low, high = byte(text, at + 1, at + 2)
+            local size = high and LENGTH_FIELD + low + high * 0x100
+            if not may_start(text, at) then return nil end
+            if not size or at + size > #text then
+                if not is_first then return OURS end
+                return may_become_flawless(text, at, accepts) and PART or nil
+            end
+            if is_first then
+                local message = read_message(sub(text, at + 1, at + size))
+                if not is_flawless(message, true) or not accepts(message.type) then return nil end
+                if is_sensible and not is_sensible(message) then return nil end
+            end
+            at, is_first = at + size, false
+        end
+        return OURS
+    end
+
+    -- The bytes 1 to 4 of a header, as a pattern: no type is a letter that means anything in one.
+    local codes = {}
+    for code in pairs(MESSAGE_TYPES) do
+        codes[#codes + 1] = string.char(code)
+    end
+    local STARTS = "[\0-" .. string.char(floor(MAX_LENGTH / 0x100)) .. "]..[" .. concat(codes) .. "]"
+
+    -- How many frames stand one after the other from an offset on, until one is not whole; nil where the chain breaks.
+    local function count_chain(text, at)
+        local count = 0
+        while at < #text do
+            if not may_start(text, at) then return nil end
+            local low, high = byte(text, at + 1, at + 2)
+            local size = high and LENGTH_FIELD + low + high * 0x100
+            if not size or at + size > #text then return count end
+            at, count = at + size, count + 1
+        end
+        return count
+    end
+
+    -- The first offset, from `at` on, where all of a frame stands without a fault, and where what follows it looks like
+    -- the next one; nil where there is none. With `least` so many frames must follow each other up to the end.
+    function find_frame(text, at, accepts, least)
+        local hit = find(text, STARTS, at + 2)
+        for _ = 1, MOST_TRIALS do
+            if not hit then return nil end
+            local low, high = byte(text, hit - 1, hit)
+            local stop = hit - 2 + LENGTH_FIELD + low + high * 0x100
+            if is_length(low, high) and stop <= #text and (stop == #text or may_start(text, stop)) then
+                local message = read_message(sub(text, hit - 1, stop))
+                if is_flawless(message) and (not accepts or accepts(message.type)) then
+                    local is_found = not message.type.is_command or is_sensible_command(message)
+                    if is_found and least then is_found = (count_chain(text, hit - 2) or 0) >= least end
+                    if is_found then return hit - 2 end
+                end
+            end
+            hit = find(text, STARTS, hit + 1)
+        end
+        return nil
+    end
+end

@@ -1,0 +1,97 @@
+"""What other programs say on the ports, channels and devices that bricks use."""
+
+from __future__ import annotations
+
+import random
+import struct
+from collections.abc import Iterator
+
+from ev3proto.tables.frame import MAX_FRAME, MessageType
+
+Said = tuple[bool, bytes]
+"""Whether the host says it, and what."""
+
+
+def debug_bridge(rng: random.Random) -> Iterator[Said]:
+    """Android's debugger on TCP port 5555: a head of six numbers, then data."""
+
+    def packet(command: bytes, first: int, second: int, data: bytes) -> bytes:
+        number = int.from_bytes(command, "little")
+        return struct.pack("<6I", number, first, second, len(data), sum(data), number ^ 0xFFFFFFFF) + data
+
+    yield True, packet(b"CNXN", 0x01000001, 0x40000, b"host::features=shell_v2,cmd")
+    yield False, packet(b"CNXN", 0x01000001, 0x40000, b"device::ro.product.name=x;\0")
+    for number in range(1, 20):
+        yield True, packet(b"OPEN", number, 0, b"shell:ls\0")
+        yield False, packet(b"OKAY", number, number, b"")
+        yield False, packet(b"WRTE", number, number, rng.randbytes(rng.randrange(900)))
+        yield True, packet(b"OKAY", number, number, b"")
+
+
+def encrypted(rng: random.Random) -> Iterator[Said]:
+    """TLS, whose records begin with their type, the version and their length."""
+
+    def record(kind: int, data: bytes) -> bytes:
+        return struct.pack(">BHH", kind, 0x0303, len(data)) + data
+
+    hello = bytes((1, 0, 1, 0xFC, 3, 3)) + rng.randbytes(32) + bytes(474)
+    yield True, struct.pack(">BHH", 22, 0x0301, len(hello)) + hello
+    yield False, record(22, bytes((2, 0, 0, 0x76, 3, 3)) + rng.randbytes(116)) + record(20, b"\1")
+    for _ in range(60):
+        yield rng.random() < 0.5, record(23, rng.randbytes(rng.randint(17, 1300)))
+
+
+def object_exchange(rng: random.Random) -> Iterator[Said]:
+    """OBEX on RFCOMM: an opcode, the length with the high byte first, headers."""
+
+    def packet(code: int, data: bytes) -> bytes:
+        return struct.pack(">BH", code, 3 + len(data)) + data
+
+    yield True, packet(0x80, bytes((0x10, 0, 0x20, 0)))
+    yield False, packet(0xA0, bytes((0x10, 0, 0x20, 0)))
+    for _ in range(100):
+        data = rng.randbytes(rng.randrange(200))
+        yield True, packet(0x02, struct.pack(">BH", 0x48, 3 + len(data)) + data)
+        yield False, packet(0x90, b"")
+
+
+def nxt(rng: random.Random) -> Iterator[Said]:
+    """LEGO's brick before the EV3: two bytes of length, the kind of telegram, the command."""
+
+    def telegram(data: bytes) -> bytes:
+        return struct.pack("<H", len(data)) + data
+
+    for _ in range(100):
+        yield True, telegram(b"\x00\x0b")
+        yield False, telegram(b"\x02\x0b\x00" + rng.randbytes(2))
+        power = rng.randbytes(1)
+        yield True, telegram(bytes((0x80, 4, rng.randrange(3))) + power + bytes((7, 0, 0, 32, 0, 0, 0, 0)))
+        yield True, telegram(bytes((0, 6, rng.randrange(3))))
+        yield False, telegram(bytes((2, 6, 0, rng.randrange(3))) + power + bytes((7, 0, 0, 32)) + rng.randbytes(16))
+        yield True, telegram(bytes((0, 7, rng.randrange(4))))
+        yield False, telegram(bytes((2, 7, 0, rng.randrange(4), 1, 0, 1, 0x20)) + rng.randbytes(8))
+        yield True, telegram(bytes((0, 9, rng.randrange(20), 20)) + rng.randbytes(20))
+
+
+def modbus(rng: random.Random) -> Iterator[Said]:
+    """Modbus on a serial line: an address, a function, data, two bytes of checksum."""
+    for _ in range(150):
+        count = rng.randint(1, 20)
+        yield True, struct.pack(">BBHH", 1, 3, rng.randrange(100), count) + rng.randbytes(2)
+        yield False, struct.pack(">BBB", 1, 3, 2 * count) + rng.randbytes(2 * count + 2)
+
+
+def torrent(rng: random.Random) -> Iterator[Said]:
+    """BitTorrent's datagrams: bencoded questions, and the heads of its own transport."""
+    for _ in range(100):
+        yield True, b"d1:ad2:id20:" + rng.randbytes(20) + b"e1:q4:ping1:t2:aa1:y1:qe"
+        yield False, bytes((0x21, 0)) + rng.randbytes(18)
+
+
+def reports(rng: random.Random, count: int) -> Iterator[Said]:
+    """USB reports of some vendor: any bytes, of a length and a type that a frame may have."""
+    for _ in range(count):
+        size = rng.randint(5, MAX_FRAME)
+        kind = rng.choice(list(MessageType))
+        head = struct.pack("<HHB", size - 2, rng.randrange(0x10000), kind)
+        yield rng.random() < 0.5, head + rng.randbytes(MAX_FRAME - len(head))

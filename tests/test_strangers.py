@@ -1,0 +1,235 @@
+"""Other programs' traffic on the ports, channels and devices that bricks use is left to others, whoever reads it."""
+
+from __future__ import annotations
+
+import io
+import random
+import struct
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from support.packets import (
+    HCI_WITH_DIRECTION,
+    HOST,
+    RAW_IP,
+    USBMON,
+    Capture,
+    Connection,
+    Device,
+    SerialPort,
+    datagram,
+)
+from support.strangers import (
+    Said,
+    debug_bridge,
+    encrypted,
+    modbus,
+    nxt,
+    object_exchange,
+    reports,
+    torrent,
+)
+from support.wireshark import Tshark
+
+import ev3proto
+from ev3proto.capture import Announcement, Record, read
+
+UNLOCK = ev3proto.Unlock("06165300000a").build()
+BEACON = ev3proto.Beacon("06165300000a", name="myEV3").build()
+REPORTS = 3000
+
+
+def tone(counter: int) -> bytes:
+    """A command that no reply comes to: 16 bytes."""
+    return struct.pack("<HHB", 14, counter, 0x80) + bytes.fromhex("0000 94 01 01 82B801 82E803")
+
+
+def voltage(counter: int) -> bytes:
+    return struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60")
+
+
+def volts(counter: int) -> bytes:
+    """The reply to it."""
+    return struct.pack("<HHBf", 7, counter, 0x02, 7.5)
+
+
+def over(capture: Capture, carrier: Connection | SerialPort | Device, said: Iterator[Said]) -> bytes:
+    for from_host, data in said:
+        (carrier.send if from_host else carrier.receive)(data)
+    return capture.data()
+
+
+def over_tcp(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes:
+    """The same said in 20 connections."""
+    capture = Capture(RAW_IP)
+    for number in range(20):
+        over(capture, Connection(capture, 10_000 + number), stranger(random.Random(number)))
+    return capture.data()
+
+
+def over_bluetooth(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes:
+    capture = Capture(HCI_WITH_DIRECTION)
+    return over(capture, SerialPort(capture), stranger(random.Random(1)))
+
+
+def over_udp() -> bytes:
+    rng = random.Random(1)
+    capture = Capture(RAW_IP)
+    for from_host, data in torrent(rng):
+        capture.add(datagram(data, port=3015 if from_host else 6881, target_port=6881 if from_host else 3015))
+        capture.add(datagram(rng.randbytes(50)))
+    return capture.data()
+
+
+def over_usb() -> bytes:
+    capture = Capture(USBMON)
+    return over(capture, Device(capture), reports(random.Random(1), REPORTS))
+
+
+STRANGERS: dict[str, tuple[Callable[[], bytes], int]] = {
+    "adb": (lambda: over_tcp(debug_bridge), 0),
+    "tls": (lambda: over_tcp(encrypted), 0),
+    "bittorrent": (over_udp, 0),
+    "obex": (lambda: over_bluetooth(object_exchange), 0),
+    "nxt": (lambda: over_bluetooth(nxt), 0),
+    "modbus": (lambda: over_bluetooth(modbus), 0),
+    "usb": (over_usb, REPORTS // 100),
+}
+"""Captures, and how many packets may be taken for ours."""
+
+
+@pytest.mark.parametrize("stranger", STRANGERS)
+def test_strangers_are_left_to_wireshark(tshark: Tshark, stranger: str) -> None:
+    make, most = STRANGERS[stranger]
+    path = tshark.place(make(), "strangers.pcap")
+    found = tshark.run(path, "-Y", "ev3").splitlines()
+    assert len(found) <= most
+
+
+@pytest.mark.parametrize("stranger", STRANGERS)
+def test_strangers_are_left_to_others_by_the_built_in_reader(stranger: str) -> None:
+    make, most = STRANGERS[stranger]
+    capture = read(io.BytesIO(make()))
+    assert sum(isinstance(event, Record | Announcement) for event in capture.events()) <= most
+
+
+@pytest.mark.parametrize(("stranger", "expected"), [("adb", "data"), ("tls", "tls")])
+def test_wireshark_shows_strangers_on_port_5555_as_without_us(tshark: Tshark, stranger: str, expected: str) -> None:
+    path = tshark.place(STRANGERS[stranger][0](), "strangers.pcap")
+    words = ("-T", "fields", "-e", "frame.number", "-e", "frame.protocols", "-e", "_ws.col.Info")
+    alone = tshark.run(path, *words, dissector=False)
+    assert f"tcp:{expected}\t" in alone
+    assert tshark.run(path, *words) == alone
+
+
+# What is ours is found all the same
+
+
+@pytest.fixture
+def shown(tshark: Tshark) -> Callable[..., list[str]]:
+    def ask(capture: Capture, *words: str) -> list[str]:
+        path = tshark.place(capture.data(), "ours.pcap")
+        return tshark.run(path, "-Y", "ev3", "-T", "fields", "-e", "frame.number", *words).splitlines()
+
+    return ask
+
+
+def test_a_connection_is_claimed_by_its_first_flawless_frame_the_right_way(shown: Callable[..., list[str]]) -> None:
+    """A capture may begin inside a frame."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(tone(1)[3:])
+    connection.receive(tone(1))
+    ours = [connection.send(tone(2)), connection.send(bytes.fromhex("0500 0100 77 01 02"))]
+    late = Connection(capture, 10_000)
+    for _ in range(8):
+        late.send(b"something else")
+    late.send(tone(3))
+    assert shown(capture) == [str(number) for number in ours]
+    assert shown(capture, "-2") == [str(number) for number in ours]
+
+
+def test_decode_as_takes_everything(shown: Callable[..., list[str]]) -> None:
+    capture = Capture(RAW_IP)
+    sent = Connection(capture, brick_port=6000).send(b"something else")
+    assert shown(capture) == []
+    assert shown(capture, "-d", "tcp.port==6000,ev3") == [str(sent)]
+
+
+def test_the_unlock_text_is_known_on_any_port(shown: Callable[..., list[str]]) -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture, brick_port=7001)
+    packets = [connection.send(UNLOCK), connection.receive(b"Accept:EV340\r\n\r\n\0"), connection.send(voltage(1))]
+    packets.append(connection.receive(volts(1)))
+    assert shown(capture) == [str(number) for number in packets]
+    assert shown(capture, "-2") == [str(number) for number in packets]
+
+
+def test_a_beacon_names_a_port(shown: Callable[..., list[str]]) -> None:
+    capture = Capture(RAW_IP)
+    Connection(capture, 10_000, brick_port=6000).send(tone(1))
+    beacon = capture.add(datagram(BEACON.replace(b"5555", b"6000")))
+    connection = Connection(capture, brick_port=6000)
+    packets = [beacon, connection.send(tone(2)), connection.send(tone(3))]
+    assert shown(capture) == [str(number) for number in packets]
+
+
+def test_an_answer_needs_a_beacon(shown: Callable[..., list[str]]) -> None:
+    capture = Capture(RAW_IP)
+    brick = bytes((192, 0, 2, 10))
+    capture.add(datagram(b"\0", HOST, 3015, brick, 3015))
+    beacon = capture.add(datagram(BEACON, port=41_234))
+    answers = [capture.add(datagram(b"\0", HOST, 40_000, brick, port)) for port in (41_234, 5555, 3015)]
+    capture.add(datagram(b"\0", HOST, 40_000, bytes((192, 0, 2, 11)), 3015))
+    assert shown(capture) == [str(number) for number in (beacon, *answers)]
+
+
+def test_a_reply_on_usb_answers_a_command(shown: Callable[..., list[str]]) -> None:
+    capture = Capture(USBMON)
+    device = Device(capture)
+    device.receive(volts(1))
+    ours = [device.send(voltage(1)), device.receive(volts(1))]
+    device.receive(bytes.fromhex("FFFF"))
+    faulty = device.send(bytes.fromhex("0500 0100 77 01 02"))
+    assert shown(capture) == [str(number) for number in ours]
+    device.send(bytes.fromhex("0700 0100 80 0000 94 01"))
+    assert shown(capture) == [str(number) for number in (*ours, faulty + 1)]
+
+
+# Streams of which something is missing
+
+
+def test_losses_cost_few_frames(tshark: Tshark) -> None:
+    """3 of 100 segments are missing, and frames are cut anywhere: most of those that are whole are found."""
+    rng = random.Random(3)
+    frames = [
+        ev3proto.direct_command(
+            *[ev3proto.operation("OUTPUT_SPEED", 0, 1, rng.randrange(100))] * rng.randint(1, 30),
+            counter=number,
+        ).build()
+        for number in range(2000)
+    ]
+    data = UNLOCK + b"".join(frames)
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    lost: list[tuple[int, int]] = []
+    at = 0
+    while at < len(data):
+        size = rng.randint(50, 400)
+        segment = connection.segment(True, data[at : at + size])
+        if at and rng.random() < 0.03:
+            lost.append((at, at + size))
+        else:
+            capture.add(segment)
+        at += size
+    whole, at = 0, len(UNLOCK)
+    for frame in frames:
+        whole += not any(start < at + len(frame) and at < stop for start, stop in lost)
+        at += len(frame)
+    path = tshark.place(capture.data(), "losses.pcap")
+    lines = tshark.run(path, "-T", "fields", "-e", "ev3.msg_num").splitlines()
+    found = {int(number) for line in lines for number in line.split(",") if number}
+    assert len(found & set(range(2000))) > 0.97 * whole
+    assert len(found - set(range(2000))) <= 3
+    assert sum(1 for _ in read(Path(path))) > 0.97 * whole

@@ -4808,4 +4808,87 @@ static inline size_t ev3_end(ev3_frame *frame)
     return frame->size;
 }
 
+/* Reading a reply ------------------------------------------------------------------------------------------------ */
+
+/*
+ * What came, from its length field on, and how many bytes of it are there. Every reader returns 0 where the bytes that
+ * it needs are not there, and leaves its value as it was.
+ */
+
+/* Bytes of the frame that starts here, as its length field says; 0 where that has not come */
+static inline size_t ev3_size(const uint8_t *bytes, size_t count)
+{
+    return count < 2 ? 0 : (size_t)(bytes[0] | bytes[1] << 8) + 2;
+}
+
+/* The message counter: that of the command which is answered */
+static inline int ev3_counter(const uint8_t *bytes, size_t count, uint16_t *counter)
+{
+    if (count < 5)
+        return 0;
+    *counter = (uint16_t)(bytes[2] | bytes[3] << 8);
+    return 1;
+}
+
+/* The type: DIRECT_REPLY, DIRECT_REPLY_ERROR, SYSTEM_REPLY, ...; -1 where it has not come */
+static inline int ev3_type(const uint8_t *bytes, size_t count)
+{
+    return count < 5 ? -1 : bytes[5 - 1];
+}
+
+/* The status of the reply to a system command, such as SYSTEM_SUCCESS; -1 where it has not come */
+static inline int ev3_status(const uint8_t *bytes, size_t count)
+{
+    return count < 5 + 2 ? -1 : bytes[5 + 1];
+}
+
+/* Bytes of global memory from an index on, as many as a value has; NULL where the reply does not have them */
+static inline const uint8_t *ev3_memory(const uint8_t *bytes, size_t count, size_t index, size_t wanted)
+{
+    const size_t end = ev3_size(bytes, count) < count ? ev3_size(bytes, count) : count;
+    if (end < 5 || index > end - 5 || wanted > end - 5 - index)
+        return NULL;
+    return bytes + 5 + index;
+}
+
+/* What an operation wrote to GV(index): a number of 8, 16 or 32 bits, or a float */
+static inline int ev3_reply8(const uint8_t *bytes, size_t count, size_t index, int8_t *value)
+{
+    const uint8_t *found = ev3_memory(bytes, count, index, 1);
+    if (found != NULL)
+        memcpy(value, found, 1);
+    return found != NULL;
+}
+
+static inline int ev3_reply16(const uint8_t *bytes, size_t count, size_t index, int16_t *value)
+{
+    const uint8_t *found = ev3_memory(bytes, count, index, 2);
+    uint16_t bits;
+    if (found == NULL)
+        return 0;
+    bits = (uint16_t)(found[0] | found[1] << 8);
+    memcpy(value, &bits, sizeof bits);
+    return 1;
+}
+
+static inline int ev3_reply32(const uint8_t *bytes, size_t count, size_t index, int32_t *value)
+{
+    const uint8_t *found = ev3_memory(bytes, count, index, 4);
+    uint32_t bits;
+    if (found == NULL)
+        return 0;
+    bits = (uint32_t)found[0] | (uint32_t)found[1] << 8 | (uint32_t)found[2] << 16 | (uint32_t)found[3] << 24;
+    memcpy(value, &bits, sizeof bits);
+    return 1;
+}
+
+static inline int ev3_replyf(const uint8_t *bytes, size_t count, size_t index, float *value)
+{
+    int32_t bits = 0;
+    if (!ev3_reply32(bytes, count, index, &bits))
+        return 0;
+    memcpy(value, &bits, sizeof bits);
+    return 1;
+}
+
 #endif /* EV3PROTO_H */

@@ -197,6 +197,39 @@ def test_frames_from_functions(tmp_path: Path) -> None:
     assert run(program, tmp_path, GCC) == [asked.hex(), listed.hex(), str(len(listed)), "1024", "0", "1024", "0"]
 
 
+@pytest.mark.parametrize("compiler", [GCC, GXX])
+def test_replies_are_read(tmp_path: Path, compiler: list[str]) -> None:
+    program = f"""{HEAD}
+    static const uint8_t reply[] = {{0x0E, 0, 0x2A, 0x01, DIRECT_REPLY, 0xA4, 0x70, 0xFD, 0x40, 0xFE, 0, 0x9C, 0xFF, 0x80,
+                                    0xFF, 0xFF, 0xFF}};
+    uint16_t counter = 0; int8_t small = 7; int16_t middle = 0; int32_t large = 0; float volts = 0; int had;
+    printf("%d\\n", (int)ev3_size(reply, sizeof reply));
+    had = ev3_counter(reply, sizeof reply, &counter); printf("%d %d\\n", had, counter);
+    printf("%d %d\\n", ev3_type(reply, sizeof reply), ev3_type(reply, 4));
+    had = ev3_replyf(reply, sizeof reply, 0, &volts); printf("%d %.2f\\n", had, volts);
+    had = ev3_reply8(reply, sizeof reply, 4, &small); printf("%d %d\\n", had, small);
+    had = ev3_reply16(reply, sizeof reply, 6, &middle); printf("%d %d\\n", had, middle);
+    had = ev3_reply32(reply, sizeof reply, 7, &large); printf("%d %d\\n", had, (int)large);
+    had = ev3_reply32(reply, sizeof reply, 8, &large); printf("%d %d\\n", had, (int)large);
+    had = ev3_reply8(reply, 8, 4, &small); printf("%d %d\\n", had, small);
+    printf("%d\\n", ev3_status(reply, 6));
+    return 0;
+}}
+"""
+    assert run(program, tmp_path, compiler) == [
+        "16",
+        "1 298",
+        "2 -1",
+        "1 7.92",
+        "1 -2",
+        "1 -100",
+        "1 -32513",
+        "0 -32513",
+        "0 -2",
+        "-1",
+    ]
+
+
 def numbers() -> dict[str, int]:
     """Every name of the header with its number."""
     found = {member.name: member.value for member in MessageType}

@@ -200,8 +200,8 @@ def test_frames_from_functions(tmp_path: Path) -> None:
 @pytest.mark.parametrize("compiler", [GCC, GXX])
 def test_replies_are_read(tmp_path: Path, compiler: list[str]) -> None:
     program = f"""{HEAD}
-    static const uint8_t reply[] = {{0x0E, 0, 0x2A, 0x01, DIRECT_REPLY, 0xA4, 0x70, 0xFD, 0x40, 0xFE, 0, 0x9C, 0xFF, 0x80,
-                                    0xFF, 0xFF, 0xFF}};
+    static const uint8_t reply[] = {{0x0E, 0, 0x2A, 0x01, DIRECT_REPLY, 0xA4, 0x70, 0xFD, 0x40,
+                                    0xFE, 0, 0x9C, 0xFF, 0x80, 0xFF, 0xFF, 0xFF}};
     uint16_t counter = 0; int8_t small = 7; int16_t middle = 0; int32_t large = 0; float volts = 0; int had;
     printf("%d\\n", (int)ev3_size(reply, sizeof reply));
     had = ev3_counter(reply, sizeof reply, &counter); printf("%d %d\\n", had, counter);

@@ -188,11 +188,12 @@ def test_what_is_no_message_is_a_faulty_frame() -> None:
 def test_several_operations_share_a_name() -> None:
     stop = operation("OUTPUT_STOP", LAYER=0, NOS=6, BRAKE=1)
     brick = Brick()
-    frames = ((TONE, TONE), (TONE, stop), (TONE, stop, VOLTAGE), ())
+    frames = ((TONE, TONE), (TONE, stop), (TONE, stop, VOLTAGE))
     events: list[Event] = [
         brick.tells(number, direct_command(*operations, counter=number, global_size=4).build())
         for number, operations in enumerate(frames)
     ]
+    events.append(brick.tells(3, bytes.fromhex("05000300800400")))
     subjects = [mark.lane.subject for mark in collected(events).marks]
     assert subjects == ["SOUND.TONE", "SOUND.TONE, OUTPUT_STOP", "SOUND.TONE + 2 more", "no operation"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from ev3proto.generate import modules
+from ev3proto.generate import modules, output_schemas
 from ev3proto.generate.cheader import build as cheader
 from ev3proto.generate.dissector import build as dissector
 from ev3proto.generate.kaitai import build as kaitai
@@ -27,6 +27,7 @@ def build() -> dict[str, str]:
         f"exports/{kaitai.FILE_NAME}": kaitai.build(),
         f"exports/{tables_json.TABLES_NAME}": tables_json.build_tables(),
         f"exports/{tables_json.SCHEMA_NAME}": tables_json.build_schema(),
+        f"exports/{output_schemas.FILE_NAME}": output_schemas.build(),
         **pages.build(),
     }
 

@@ -135,9 +135,15 @@ class Picture:
         return float(max((entry["y"] for entry in self.legend), default=0)) + _LEGEND_HEIGHT / 2
 
 
+def _dialogue_begin(timeline: Timeline) -> int:
+    """Where the picture begins: a beacon long before the first message would leave the picture empty."""
+    said = [mark.begin_ns for mark in timeline.marks if mark.outcome is not Outcome.ANNOUNCED]
+    return max(timeline.begin_ns, min(said)) if said else timeline.begin_ns
+
+
 def lay_out(timeline: Timeline, title: str) -> Picture:
     """The places of all that a timeline has."""
-    begin, end = timeline.seconds(timeline.begin_ns), timeline.seconds(timeline.end_ns)
+    begin, end = timeline.seconds(_dialogue_begin(timeline)), timeline.seconds(timeline.end_ns)
     margin = _MARGIN * (end - begin) or 0.5
     picture = Picture(title, summary(timeline), (_rounded(begin - margin), _rounded(end + margin)))
     homes = _homes(timeline)

@@ -282,10 +282,12 @@ def test_a_foreign_format(data: bytes, sentence: str) -> None:
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_views_of_captures_on_what_is_none() -> None:
-    done = run("decode", "--dialogues", TONE.hex())
+def test_programs_of_captures_in_a_program(tmp_path: Path) -> None:
+    image = tmp_path / "x.rbf"
+    image.write_bytes(b"LEGO" + bytes(12))
+    done = run("decode", "--programs", str(image))
     assert done.returncode == 2
-    assert b"--dialogues and --filter are for captures" in done.stderr
+    assert b"--programs finds programs in captures" in done.stderr
 
 
 def test_a_folder(tmp_path: Path) -> None:

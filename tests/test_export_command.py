@@ -137,7 +137,7 @@ def test_filtered(tmp_path: Path) -> None:
     done = run("pcapng", "captures/wifi.pcapng", "--filter", "op == SOUND.TONE", "-o", str(path))
     assert (done.returncode, len(frames(path))) == (0, 1)
     done = run("pcapng", TONE, "--filter", "op == SOUND.TONE", "-o", str(path))
-    assert (done.returncode, b"--filter is for captures" in done.stderr) == (2, True)
+    assert (done.returncode, len(frames(path))) == (0, 1)
 
 
 @pytest.mark.parametrize(

@@ -39,6 +39,14 @@ class Account:
         """The bytes of each part by its name."""
         return {field.name: getattr(self, field.name) for field in fields(self)[4:]}
 
+    def add(self, other: Account) -> None:
+        """Adds what became of the bytes of another capture."""
+        for field in fields(self):
+            if field.name not in ("first_ns", "last_ns"):
+                setattr(self, field.name, getattr(self, field.name) + getattr(other, field.name))
+        self.first_ns = min((ns for ns in (self.first_ns, other.first_ns) if ns is not None), default=None)
+        self.last_ns = max((ns for ns in (self.last_ns, other.last_ns) if ns is not None), default=None)
+
     @property
     def balance(self) -> int:
         """Captured bytes that stand in no part: 0 once all was read."""

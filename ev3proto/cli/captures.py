@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ev3proto.capture import Account, Capture, Event
     from ev3proto.capture.filter import Filter
     from ev3proto.capture.formats import CaptureFile
-    from ev3proto.text.paste import Missing
+    from ev3proto.text.paste import Missing, Pasted
 
 BUILTIN = "builtin"
 """The engine that needs no other program."""
@@ -60,6 +60,7 @@ class CaptureSource:
     name      path, or - for standard input
     options   how to read it
     file      its bytes, where they were looked at before
+    lines     its lines, where it is a text
     is_quiet  nothing is printed while it is read: a progress bar may be drawn
     status    exit status so far: 1 once anything was at fault
     """
@@ -67,6 +68,7 @@ class CaptureSource:
     name: str
     options: CaptureOptions
     file: CaptureFile | None = None
+    lines: Iterator[str] | None = None
     is_quiet: bool = field(default=True, kw_only=True)
     status: int = field(default=0, kw_only=True)
     _capture: Capture | None = field(default=None, repr=False)
@@ -108,8 +110,14 @@ class CaptureSource:
 
     def _opened(self) -> Capture:
         from ev3proto.capture import read
+        from ev3proto.capture.text_log import read_log
 
         options = self.options
+        if self.lines is None and options.engine == BUILTIN:
+            self._look()
+        if self.lines is not None:
+            self._capture = read_log(self._pieces(self.lines), dialect=options.dialect)
+            return self._capture
         self._capture = read(
             self.file or _stream(self.name),
             dialect=options.dialect,
@@ -118,6 +126,42 @@ class CaptureSource:
             tshark=options.tshark,
         )
         return self._capture
+
+    def _look(self) -> None:
+        """Finds out whether the file is a text."""
+        from ev3proto.capture.formats import CaptureFile
+        from ev3proto.capture.record import CaptureError
+        from ev3proto.cli.programs import is_image
+        from ev3proto.cli.texts import START, is_text, text_lines
+
+        if self.file is None:
+            self.file = CaptureFile.at(self.name) if self.name != "-" else CaptureFile(_stream(self.name))
+        if self.file.is_capture:
+            return
+        if is_image(self.file.contents.peek(START)[:START]):
+            raise CaptureError("this is a program image (.rbf) and no capture: ev3proto decode shows it")
+        if is_text(self.file):
+            self.lines = text_lines(self.file.contents)
+
+    def _pieces(self, lines: Iterator[str]) -> Iterator[Pasted]:
+        """What there is in the text; what cannot be read of it is complained about."""
+        from ev3proto.cli.texts import pieces
+
+        for pasted in pieces(lines, self.options.missing, self._complain):
+            if pasted.problem is not None:
+                self._complain(f"line {pasted.line}: {pasted.problem}")
+            yield pasted
+
+    @property
+    def unit(self) -> str:
+        """What the numbers of its records count: packets, or the lines of a text."""
+        return "packet" if self.lines is None else "line"
+
+    @property
+    def extent(self) -> str:
+        """How much there is of it, as complaints call it."""
+        count = self.account.packets
+        return f"{count} {'packet' if self.lines is None else 'frame'}{'s' * (count != 1)}"
 
     def _filtered(self, capture: Capture) -> Iterator[Event]:
         """The events that the filter lets through; skipped bytes are complained about."""

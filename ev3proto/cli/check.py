@@ -114,7 +114,10 @@ class Checking(SourceReader):
             if _is_reply(event):
                 self.replies += 1
                 continue
-            place = Place(f"{capture.label}, packet {event.number}", {"source": capture.label, "packet": event.number})
+            place = Place(
+                f"{capture.label}, {capture.unit} {event.number}",
+                {"source": capture.label, capture.unit: event.number},
+            )
             self._frame(event.frame, place, self._options.carrier or str(event.carrier))
         return self.frames - before
 

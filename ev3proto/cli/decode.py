@@ -40,11 +40,10 @@ class Decoding(SourceReader):
             self.wanted = "program"
         self._dialogue = Dialogue()
 
-    def refuse_text(self, source: Source) -> None:
-        """--dialogues is for captures, too."""
-        if self._as_dialogues or self._as_programs or self.reading.filter is not None:
-            options = "--dialogues, --programs and --filter"
-            raise click.UsageError(f"{options} are for captures, and {source.label[:60]} is none")
+    @property
+    def wants_records(self) -> bool:
+        """--dialogues and --programs read the frames of a text as a capture, too."""
+        return self._as_dialogues or self._as_programs or super().wants_records
 
     def capture(self, capture: CaptureSource) -> int:
         """Its frames and texts, or its dialogues."""
@@ -83,7 +82,7 @@ class Decoding(SourceReader):
             for file in found:
                 image = b"" if file.file is None else file.file.read_bytes()
                 if is_image(image[:_SIGN]):
-                    origin = f"{capture.label}, packet {file.packets[0]}: {printable(file.path)}"
+                    origin = f"{capture.label}, {capture.unit} {file.packets[0]}: {printable(file.path)}"
                     self._shown(origin, origin, image)
 
     def _faults(self, capture: CaptureSource) -> Iterator[Event]:
@@ -93,12 +92,12 @@ class Decoding(SourceReader):
         for event in capture.events():
             yield event
             if isinstance(event, Record) and event.message.fault is not None:
-                self.complain(f"{capture.label}, packet {event.number}: fault at {event.message.fault}")
+                self.complain(f"{capture.label}, {capture.unit} {event.number}: fault at {event.message.fault}")
 
     def program(self, source: Source, image: bytes) -> None:
         """A program image, in the format that was asked for."""
         if self._as_programs:
-            self.refuse_text(source)
+            raise click.UsageError(f"--programs finds programs in captures, and {source.label[:60]} is one itself")
         self._shown(source.label, None, image)
 
     def _shown(self, label: str, origin: str | None, image: bytes) -> None:
@@ -130,9 +129,7 @@ class Decoding(SourceReader):
     help="How to show messages (tree, unless you say otherwise) and programs (listing); lego is a program's source.",
 )
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line: the same as --format json.")
-@click.option(
-    "--dialogues", "as_dialogues", is_flag=True, help="Of a capture: a line for each command, with its reply and time."
-)
+@click.option("--dialogues", "as_dialogues", is_flag=True, help="A line for each command, with its reply and time.")
 @click.option(
     "--programs", "as_programs", is_flag=True, help="Of a capture: the programs that it moves, in place of its frames."
 )

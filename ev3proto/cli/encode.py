@@ -18,7 +18,8 @@ import click
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.programs import RBF, SUFFIX, encode_program
-from ev3proto.cli.sources import Source, SourceReader, Unread, sources
+from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.texts import Unread
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -161,6 +162,11 @@ class Encoding(SourceReader):
         self._counter = wants.counter
         self._reply = wants.reply
 
+    @property
+    def wants_records(self) -> bool:
+        """Which texts have frames, `text` finds out."""
+        return False
+
     def argument(self, source: Source) -> None:
         """The text that was typed on the command line."""
         self.text(source, iter(source.name.split("\n")))
@@ -191,7 +197,11 @@ class Encoding(SourceReader):
         first = list(_introduction(lines))
         line = first[-1].strip() if first else ""
         whole = itertools.chain(first, lines)
-        if _is_record(line):
+        if self.reading.filter is not None:
+            if _is_record(line) or _is_assembly(line) or _OBJECT.match(line):
+                raise click.UsageError(f"--filter is for frames, and {source.label[:60]} has none yet")
+            self._recorded(source, whole)
+        elif _is_record(line):
             self._records(source, whole)
         elif _is_assembly(line) or _OBJECT.match(line):
             self._assembly(source, whole)

@@ -172,12 +172,22 @@ class _Carrying(SourceReader):
     is_quiet = True
 
     def __init__(self, writer: CaptureWriter, reading: CaptureOptions) -> None:
+        from ev3proto.capture.text_log import Clock
+
         super().__init__(reading)
         self._writer = writer
+        self._clock = Clock()
+        self._has_times: bool | None = None
 
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
-        """A frame of a text, which goes on from the one before."""
-        self._add(piece.message.build(), source.where(pasted))
+        """A frame of a text, at its time; without one it goes on from the frame before."""
+        from ev3proto.generate.captures import TimedFrame
+
+        frame = piece.message.build()
+        if self._has_times is None:
+            self._has_times = pasted.time is not None
+        timed = TimedFrame(frame, self._clock.at(pasted.time)) if self._has_times else frame
+        self._add(timed, source.where(pasted))
 
     def capture(self, capture: CaptureSource) -> int:
         """The frames of a capture, at their times."""

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("file")
+@click.argument("names", nargs=-1, required=True, metavar="FILE...")
 @reading_options
 @click.option(
     "-o",
@@ -31,7 +31,9 @@ if TYPE_CHECKING:
 @click.option("--listings", is_flag=True, help="Also the listings of folders, as text.")
 @click.option("--force", is_flag=True, help="Overwrite files that are in the folder.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
-def files(file: str, reading: CaptureOptions, folder: Path | None, listings: bool, force: bool, as_json: bool) -> None:
+def files(
+    names: tuple[str, ...], reading: CaptureOptions, folder: Path | None, listings: bool, force: bool, as_json: bool
+) -> None:
     """Puts the files that were moved to or from the brick back together.
 
     Without -o they are only listed. With it, each is written under its path on the brick, always inside the folder; a
@@ -46,29 +48,33 @@ def files(file: str, reading: CaptureOptions, folder: Path | None, listings: boo
     from ev3proto.capture.files import Outcome, recover, survey
     from ev3proto.capture.moving import printable
 
-    source = CaptureSource(file, reading)
-    if folder is None:
-        found = survey(source.events(), listings=listings)
-    else:
-        found = recover(source.events(), folder, force=force, listings=listings)
-    rows = []
-    is_empty = True
-    for recovered in _complaining(found, source):
-        is_empty = False
-        if as_json:
-            say(json.dumps(_record(recovered), ensure_ascii=False))
-        elif folder is None:
-            rows.append(_row(recovered))
-        elif recovered.file is not None:
-            say(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {printable(recovered.path)}")
-        if folder is not None and recovered.trouble is not None:
-            complain(f"{source.label}, packet {recovered.packets[0]}: {printable(recovered.path)}: {recovered.trouble}")
-            source.status |= recovered.outcome is Outcome.INCOMPLETE
+    rows: list[tuple[str, ...]] = []
+    status = 0
+    for name in names:
+        source = CaptureSource(name, reading)
+        if folder is None:
+            found = survey(source.events(), listings=listings)
+        else:
+            found = recover(source.events(), folder, force=force, listings=listings)
+        is_empty = True
+        for recovered in _complaining(found, source):
+            is_empty = False
+            if as_json:
+                say(json.dumps(_record(recovered), ensure_ascii=False))
+            elif folder is None:
+                rows.append(_row(recovered))
+            elif recovered.file is not None:
+                say(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {printable(recovered.path)}")
+            if folder is not None and recovered.trouble is not None:
+                place = f"{source.label}, {source.unit} {recovered.packets[0]}"
+                complain(f"{place}: {printable(recovered.path)}: {recovered.trouble}")
+                source.status |= recovered.outcome is Outcome.INCOMPLETE
+        if is_empty and not source.status:
+            complain(f"{source.label}: no file is moved in it")
+        status |= source.status
     if rows:
         _list(rows)
-    if is_empty and not source.status:
-        complain(f"{source.label}: no file is moved in it")
-    sys.exit(source.status)
+    sys.exit(status)
 
 
 def _complaining(found: Iterator[RecoveredFile], source: CaptureSource) -> Iterator[RecoveredFile]:

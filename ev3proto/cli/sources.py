@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import codecs
 import io
 import re
 import sys
@@ -11,22 +10,19 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-import click
+from typing import TYPE_CHECKING
 
 from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
 from ev3proto.cli.programs import is_image
-from ev3proto.text.paste import MAX_LINE, Pasted, read_argument, read_bare, read_text
+from ev3proto.cli.texts import START, is_binary, pieces, text_lines
+from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.split import Piece, split
 from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
 
-_START = 8
-_MOST_UNREAD = 8
 _MOST_RAW = 1 << 26
 
 _GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
@@ -71,36 +67,11 @@ def sources(names: tuple[str, ...]) -> list[Source]:
     return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
 
 
-def packets(count: int) -> str:
-    """`1 packet`, `2 packets`."""
-    return f"{count} packet{'s' * (count != 1)}"
-
-
 def _exists(name: str) -> bool:
     try:
         return Path(name).exists()
     except (OSError, ValueError):
         return False
-
-
-class Unread:
-    """What looks like frames in a text and was not read."""
-
-    def __init__(self) -> None:
-        self.count = 0
-        self._first: list[str] = []
-
-    def add(self, pasted: Pasted) -> None:
-        """Takes one more; only the first ones are named."""
-        self.count += 1
-        if len(self._first) < _MOST_UNREAD:
-            self._first.append(f"line {pasted.line}, column {pasted.column}: {pasted.problem}")
-
-    def __str__(self) -> str:
-        many = f"{self.count} lines look like frames and were"
-        lines = "1 line looks like a frame and was" if self.count == 1 else many
-        more = self.count - len(self._first)
-        return f"{lines} not read: {'; '.join(self._first)}" + (f"; and {more} more" if more else "")
 
 
 class SourceReader(ABC):
@@ -134,14 +105,10 @@ class SourceReader(ABC):
             How many there were of what is wanted.
         """
 
-    def refuse_text(self, source: Source) -> None:
-        """Is called before every text.
-
-        Raises:
-            click.UsageError: The options are for captures only.
-        """
-        if self.reading.filter is not None:
-            raise click.UsageError(f"--filter is for captures, and {source.label[:60]} is none")
+    @property
+    def wants_records(self) -> bool:
+        """Whether the frames of a text are to be read as those of a capture: with their replies and times."""
+        return self.reading.filter is not None
 
     def argument(self, source: Source) -> None:
         """Takes a frame that was typed on the command line."""
@@ -152,21 +119,16 @@ class SourceReader(ABC):
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
         """Takes the lines of a text, and complains about those that look like frames and are none."""
-        missing = self.reading.missing
-        unread = Unread()
-        for pasted in read_text(lines) if missing is None else read_bare(lines, missing):
-            if pasted.unread:
-                unread.add(pasted)
-            else:
-                self._pasted(pasted, source)
-        if unread.count:
-            self.complain(f"{source.label}: {unread}")
+        for pasted in pieces(lines, self.reading.missing, lambda unread: self.complain(f"{source.label}: {unread}")):
+            self._pasted(pasted, source)
 
     def read(self, source: Source) -> None:
         """Reads everything in a source, and complains where it cannot be read."""
         if source.is_frame:
-            self.refuse_text(source)
-            self.argument(source)
+            if self.wants_records:
+                self._recorded(source, iter([source.name]))
+            else:
+                self.argument(source)
             return
         file = self._opened(source)
         if file is None:
@@ -175,11 +137,10 @@ class SourceReader(ABC):
             if self.reading.engine != BUILTIN or self._is_capture(source, file):
                 self._captured(source, file)
                 return
-            start = file.contents.peek(_START)[:_START]
+            start = file.contents.peek(START)[:START]
             if is_image(start):
                 self._program(source, file)
                 return
-            self.refuse_text(source)
             if is_binary(start):
                 if self._raw(source, file):
                     return
@@ -188,7 +149,11 @@ class SourceReader(ABC):
                     f" {self.accepted}"
                 )
                 return
-            self.text(source, self._readable(source, text_lines(file.contents)))
+            lines = self._readable(source, text_lines(file.contents))
+            if self.wants_records:
+                self._recorded(source, lines)
+            else:
+                self.text(source, lines)
 
     def _raw(self, source: Source, file: CaptureFile) -> bool:
         """Takes frames that stand one after the other as they are; tells whether they did."""
@@ -248,10 +213,18 @@ class SourceReader(ABC):
 
     def _captured(self, source: Source, file: CaptureFile) -> None:
         is_looked_at = self.reading.engine == BUILTIN
-        capture = CaptureSource(source.name, self.reading, file if is_looked_at else None, is_quiet=self.is_quiet)
+        self._of_capture(
+            CaptureSource(source.name, self.reading, file if is_looked_at else None, is_quiet=self.is_quiet), source
+        )
+
+    def _recorded(self, source: Source, lines: Iterator[str]) -> None:
+        """Takes the frames of a text as those of a capture."""
+        self._of_capture(CaptureSource(source.name, self.reading, lines=lines, is_quiet=self.is_quiet), source)
+
+    def _of_capture(self, capture: CaptureSource, source: Source) -> None:
         if not self.capture(capture) and not capture.status:
             what = f"no {self.wanted} that the filter lets through" if self.reading.filter else f"no {self.wanted}"
-            self.complain(f"{source.label}: there is {what} in {packets(capture.account.packets)}")
+            self.complain(f"{source.label}: there is {what} in {capture.extent}")
         self.at_fault |= bool(capture.status)
 
     def _readable(self, source: Source, lines: Iterator[str]) -> Iterator[str]:
@@ -271,24 +244,3 @@ class SourceReader(ABC):
         if pasted.data:
             for piece in split(pasted.data, dialect=self.reading.dialect):
                 self.piece(piece, pasted, source)
-
-
-def text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
-    """The lines of a file, those that are too long only as far as it takes to see that.
-
-    Text is UTF-8, or UTF-16 where the file starts with that mark, as PowerShell writes it.
-    """
-    start = stream.peek(2)[:2]
-    encoding = "utf-16" if start in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig"
-    text = io.TextIOWrapper(stream, encoding, "replace")
-    while line := text.readline(MAX_LINE + 1):
-        yield line
-        while len(line) > MAX_LINE and not line.endswith("\n"):
-            line = text.readline(MAX_LINE + 1)
-
-
-def is_binary(start: bytes) -> bool:
-    """Whether bytes are no text: it has no control characters but those that break lines, or is UTF-16."""
-    if start.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return False
-    return any(byte < ord(" ") and byte not in b"\t\n\r\f\x1b" for byte in start)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
-from ev3proto.cli.output import say
+from ev3proto.cli.output import complain, say
 from ev3proto.cli.tables import Tables
 
 if TYPE_CHECKING:
@@ -22,11 +22,11 @@ _MILLISECONDS = 1000
 
 
 @click.command()
-@click.argument("file")
+@click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @reading_options
 @click.option("--json", "as_json", is_flag=True, help="One JSON object.")
-def stats(file: str, reading: CaptureOptions, as_json: bool) -> None:
-    """Counts what is in a capture.
+def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> None:
+    """Counts what is in captures, or in texts that have frames; of several files together.
 
     Messages by kind and by operation, latencies, errors, commands that got no reply, the files that were moved, and
     where every captured byte went. Everything but the last is about the frames that --filter lets through: a command
@@ -36,19 +36,28 @@ def stats(file: str, reading: CaptureOptions, as_json: bool) -> None:
       ev3proto stats robot.pcapng
       ev3proto stats robot.pcapng --filter 'op==UI_READ' --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
+    from ev3proto.capture import Account
     from ev3proto.capture.statistics import Statistics
 
-    source = CaptureSource(file, reading)
     statistics = Statistics()
-    for event in source.events():
-        statistics.add(event)
-    summary = statistics.summary(source.account)
-    if source.account.packets:
+    account = Account()
+    status = 0
+    for file in files:
+        source = CaptureSource(file, reading)
+        for event in source.events():
+            statistics.add(event)
+        account.add(source.account)
+        status |= source.status
+    summary = statistics.summary(account)
+    if account.packets:
         if as_json:
             say(json.dumps(summary.as_dict(), ensure_ascii=False))
         else:
             _Page(summary).show()
-    sys.exit(source.status)
+    elif not status:
+        complain("there is no frame in the input")
+        status = 1
+    sys.exit(status)
 
 
 class _Page:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,7 +28,7 @@ def _seconds(_context: click.Context, _parameter: click.Parameter, value: float 
 
 
 @click.command()
-@click.argument("file")
+@click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @reading_options
 @click.option(
     "-o",
@@ -42,7 +43,9 @@ def _seconds(_context: click.Context, _parameter: click.Parameter, value: float 
 @click.option(
     "--to", "last", type=float, callback=_seconds, metavar="SECONDS", help="End so long after the first message."
 )
-def timeline(file: str, reading: CaptureOptions, output: Path, first: float | None, last: float | None) -> None:
+def timeline(
+    files: tuple[str, ...], reading: CaptureOptions, output: Path, first: float | None, last: float | None
+) -> None:
     """Draws who said what when, how long the brick took to answer, and what went wrong.
 
     The file's suffix says what is drawn: .html is a page to zoom and point at, which needs no network; .svg and .png
@@ -64,29 +67,32 @@ def timeline(file: str, reading: CaptureOptions, output: Path, first: float | No
     if not output.parent.is_dir():
         complain(f"{output}: cannot be written: there is no folder {output.parent}")
         sys.exit(1)
-    source = CaptureSource(file, reading)
-    drawn = _collected(source, first, last)
+    found = [CaptureSource(file, reading) for file in files]
+    drawn = _collected(found, reading, first, last)
+    names = ", ".join(Path(source.label).name for source in found)
     if drawn is None:
-        if not source.status:
-            complain(_nothing(source, first, last))
+        if not any(source.status for source in found):
+            complain(_nothing(", ".join(source.label for source in found), first, last))
         sys.exit(1)
-    _write(drawn, output, Path(source.label).name)
+    _write(drawn, output, names)
     say(f"{output}: written")
-    sys.exit(source.status)
+    sys.exit(max(source.status for source in found))
 
 
-def _collected(source: CaptureSource, first: float | None, last: float | None) -> Timeline | None:
+def _collected(
+    found: list[CaptureSource], reading: CaptureOptions, first: float | None, last: float | None
+) -> Timeline | None:
     from ev3proto.capture.timeline import Window, collect
 
     # The timeline filters by itself: a reply that is kept back must not look as if it never came.
-    chosen, source.options.filter = source.options.filter, None
-    return collect(source.events(), chosen, Window(first, last))
+    chosen, reading.filter = reading.filter, None
+    return collect(chain.from_iterable(source.events() for source in found), chosen, Window(first, last))
 
 
-def _nothing(source: CaptureSource, first: float | None, last: float | None) -> str:
+def _nothing(names: str, first: float | None, last: float | None) -> str:
     limits = [f"{name} {value:g} s" for name, value in (("from", first), ("to", last)) if value is not None]
     where = f" {' '.join(limits)}" if limits else ""
-    return f"{source.label}: there is nothing to draw{where}: no frame was found"
+    return f"{names}: there is nothing to draw{where}: no frame was found"
 
 
 def _write(drawn: Timeline, output: Path, title: str) -> None:

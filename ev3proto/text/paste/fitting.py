@@ -89,10 +89,8 @@ def frames_in(
         if not takes and budget > 0:
             budget -= end - at
             is_long = end - at >= LOOKS
-            # One or two bytes more than the length field says: that is a frame with a wrong length field.
-            is_near = starts_well and 0 < size - end <= NEARLY and size in ends
-            is_lone = data[at + _TYPE_AT] in _COMMANDS and at < HEADER_SIZE
-            may = not is_near and (starts_well or ends_well or is_lone)
+            is_lone = data[at + _TYPE_AT] in _COMMANDS and 0 < at < HEADER_SIZE
+            may = not starts_well and (ends_well or is_lone)
             # Zeros and ones are operations without a flaw, but no frame that anybody sends.
             says_something = len(set(data[at + HEADER_SIZE : end])) > 2 or not is_long
             takes = may and says_something and (is_long or at <= 2) and is_flawless(bytes(data[at:end]))

@@ -1,0 +1,147 @@
+"""Frames out of a text as a capture: with the times that the text has, else in their order, one a millisecond."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from datetime import UTC, datetime
+
+from ev3proto.capture.byte_account import Account
+from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.reading import Capture
+from ev3proto.capture.record import HOST, NANOSECONDS, Direction, Event, Route
+from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size, unpack_header
+from ev3proto.tables.carriers import DEFAULT_CARRIER
+from ev3proto.tables.frame import MessageType
+from ev3proto.text.paste.pieces import Pasted
+
+BEGIN_NS = 1_767_225_600 * NANOSECONDS
+"""The day of a text that has times without dates: 2026-01-01. The same text makes the same capture."""
+
+STEP_NS = NANOSECONDS // 1000
+"""From a frame to the next where the text has no times."""
+
+BRICK = "brick"
+"""The brick's end of a route: a text seldom says which one it is."""
+
+_DAY_NS = 86_400 * NANOSECONDS
+_TIME = re.compile(
+    r"(?:(?P<date>\d{4}[-/]\d\d[-/]\d\d)[T ]\s?)?(?P<clock>\d\d:\d\d:\d\d)(?:[.,](?P<part>\d{1,9}))?"
+    r"(?P<zone>Z|\s?[+-]\d\d:?\d\d)?"
+)
+_COMMANDS = frozenset(int(member) for member in MessageType if member.is_command)
+
+
+class Clock:
+    """Tells when the frames of a text were logged, which never goes back."""
+
+    def __init__(self, begin_ns: int = BEGIN_NS, step_ns: int = STEP_NS) -> None:
+        """Starts a text.
+
+        Args:
+            begin_ns: When a text without dates begins, in nanoseconds since 1970-01-01 UTC.
+            step_ns: Nanoseconds from a frame to the next where the text has no time.
+        """
+        self._begin_ns = begin_ns
+        self._step_ns = step_ns
+        self._days_ns = 0
+        self._last_ns: int | None = None
+
+    def at(self, time: str | None) -> int:
+        """When a frame was logged.
+
+        Args:
+            time: As the text has it, such as `09:12:31.011558` or `2024-01-31T09:12:31Z`; None where it has none.
+
+        Returns:
+            Nanoseconds since 1970-01-01 UTC. A clock that goes back by more than half a day has passed midnight; by
+            less, the time of the frame before is kept.
+        """
+        last_ns = self._last_ns
+        found = None if time is None else _nanoseconds(time, self._begin_ns)
+        if found is None:
+            now_ns = self._begin_ns if last_ns is None else last_ns + self._step_ns
+        else:
+            now_ns, has_date = found
+            now_ns += 0 if has_date else self._days_ns
+            if last_ns is not None and not has_date and last_ns - now_ns > _DAY_NS // 2:
+                self._days_ns += _DAY_NS
+                now_ns += _DAY_NS
+        self._last_ns = now_ns if last_ns is None else max(now_ns, last_ns)
+        return self._last_ns
+
+
+def _nanoseconds(text: str, begin_ns: int) -> tuple[int, bool] | None:
+    """A printed time in nanoseconds since 1970-01-01 UTC, and whether it has a date; None for what is no time."""
+    found = _TIME.fullmatch(text.strip())
+    if found is None:
+        return None
+    date = found["date"]
+    zone = (found["zone"] or "").strip().replace("Z", "+00:00")
+    day = date.replace("/", "-") if date else "1970-01-01"
+    try:
+        when = datetime.fromisoformat(f"{day}T{found['clock']}{zone if date else ''}")
+    except ValueError:
+        return None
+    if when.tzinfo is None:
+        when = when.replace(tzinfo=UTC)
+    part_ns = int((found["part"] or "0").ljust(9, "0"))
+    since = int(when.timestamp()) * NANOSECONDS + part_ns
+    return (since, True) if date else (begin_ns - begin_ns % _DAY_NS + since, False)
+
+
+def read_log(pieces: Iterable[Pasted], *, dialect: str = "official") -> Capture:
+    """The frames of a text as a capture, each reply with its command.
+
+    Args:
+        pieces: What was found in the text; those without bytes are passed over.
+        dialect: The firmware whose instruction set to read by.
+
+    Returns:
+        The capture. The numbers of its records are those of lines.
+    """
+    account = Account()
+    return Capture(_events(pieces, account, dialect), account)
+
+
+def _events(pieces: Iterable[Pasted], account: Account, dialect: str) -> Iterator[Event]:
+    conversation = Conversation(frame_schema(dialect))
+    clock = Clock()
+    routes = {
+        Direction.SENT: Route(DEFAULT_CARRIER, HOST, BRICK, Direction.SENT, None, BRICK),
+        Direction.RECEIVED: Route(DEFAULT_CARRIER, BRICK, HOST, Direction.RECEIVED, None, BRICK),
+    }
+    for piece in pieces:
+        if not piece.data:
+            continue
+        time_ns = clock.at(piece.time)
+        account.packets += 1
+        account.captured += len(piece.data)
+        account.first_ns = time_ns if account.first_ns is None else account.first_ns
+        account.last_ns = time_ns
+        for frame in _frames(piece.data):
+            account.frames += len(frame)
+            yield conversation.record(frame, (piece.line,), time_ns, routes[_direction(piece, frame)])
+        account.padding = account.captured - account.frames
+
+
+def _frames(data: bytes) -> Iterator[bytes]:
+    """The frames in a piece: what follows the last whole one is padding, unless there is none at all."""
+    at = 0
+    while at + HEADER_SIZE <= len(data):
+        end = at + frame_size(data, at)
+        if not is_frame_size(end - at) or end > len(data):
+            break
+        yield data[at:end]
+        at = end
+    if at == 0:
+        yield data
+
+
+def _direction(piece: Pasted, frame: bytes) -> Direction:
+    """Which way a frame went, as the text says, or else its type."""
+    if piece.direction is not None:
+        return Direction(piece.direction)
+    is_command = len(frame) < HEADER_SIZE or unpack_header(frame)[2] in _COMMANDS
+    return Direction.SENT if is_command else Direction.RECEIVED

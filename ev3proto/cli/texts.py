@@ -1,0 +1,88 @@
+"""Texts that have frames: their lines, how they differ from other files, and what looks like a frame in them."""
+
+from __future__ import annotations
+
+import codecs
+import io
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from ev3proto.text.paste import MAX_LINE, Missing, Pasted, read_bare, read_text
+
+if TYPE_CHECKING:
+    from ev3proto.capture.formats import CaptureFile
+
+START = 8
+"""Bytes by which a file is recognised."""
+
+_MOST_UNREAD = 8
+
+
+class Unread:
+    """What looks like frames in a text and was not read."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        self._first: list[str] = []
+
+    def add(self, pasted: Pasted) -> None:
+        """Takes one more; only the first ones are named."""
+        self.count += 1
+        if len(self._first) < _MOST_UNREAD:
+            self._first.append(f"line {pasted.line}, column {pasted.column}: {pasted.problem}")
+
+    def __str__(self) -> str:
+        many = f"{self.count} lines look like frames and were"
+        lines = "1 line looks like a frame and was" if self.count == 1 else many
+        more = self.count - len(self._first)
+        return f"{lines} not read: {'; '.join(self._first)}" + (f"; and {more} more" if more else "")
+
+
+def pieces(lines: Iterator[str], missing: Missing | None, complain: Callable[[str], None]) -> Iterator[Pasted]:
+    """What there is in the lines of a text.
+
+    Args:
+        lines: The lines.
+        missing: What the bytes of each line lack to be a frame.
+        complain: Is told at the end what looks like frames and was not read.
+
+    Yields:
+        Pieces that have bytes, or a problem.
+    """
+    unread = Unread()
+    for pasted in read_text(lines) if missing is None else read_bare(lines, missing):
+        if pasted.unread:
+            unread.add(pasted)
+        else:
+            yield pasted
+    if unread.count:
+        complain(str(unread))
+
+
+def is_text(file: CaptureFile) -> bool:
+    """Whether a file that is no capture is a text."""
+    from ev3proto.cli.programs import is_image
+
+    start = file.contents.peek(START)[:START]
+    return not is_image(start) and not is_binary(start)
+
+
+def text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
+    """The lines of a file, those that are too long only as far as it takes to see that.
+
+    Text is UTF-8, or UTF-16 where the file starts with that mark, as PowerShell writes it.
+    """
+    start = stream.peek(2)[:2]
+    encoding = "utf-16" if start in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig"
+    text = io.TextIOWrapper(stream, encoding, "replace")
+    while line := text.readline(MAX_LINE + 1):
+        yield line
+        while len(line) > MAX_LINE and not line.endswith("\n"):
+            line = text.readline(MAX_LINE + 1)
+
+
+def is_binary(start: bytes) -> bool:
+    """Whether bytes are no text: it has no control characters but those that break lines, or is UTF-16."""
+    if start.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return False
+    return any(byte < ord(" ") and byte not in b"\t\n\r\f\x1b" for byte in start)

@@ -1,0 +1,118 @@
+"""Texts on the command line: as good as a capture, with nothing in them passed over in silence."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+LOG = """09:12:31.000 sent 08 00 01 00 00 04 00 81 01 60
+09:12:31.010 recv 07 00 01 00 02 a4 70 fd 40
+09:12:32.000 Sent 0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|
+09:12:33.000 sent 08 00 02 00 00 04 00 81 01 60
+"""
+TONE = "0e002a0080000094010182b80182e803"
+
+
+def run(*words: str, stdin: str | bytes = "") -> subprocess.CompletedProcess[bytes]:
+    given = stdin.encode() if isinstance(stdin, str) else stdin
+    command = [sys.executable, "-m", "ev3proto", *words]
+    return subprocess.run(command, input=given, capture_output=True, timeout=120, check=False)
+
+
+def out(*words: str, stdin: str | bytes = "") -> str:
+    done = run(*words, stdin=stdin)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.decode()
+
+
+@pytest.fixture
+def log(tmp_path: Path) -> Path:
+    path = tmp_path / "robot.log"
+    path.write_text(LOG)
+    return path
+
+
+def test_what_looks_like_a_frame_and_was_not_read_is_reported() -> None:
+    text = (
+        f"one: {TONE}\ntwo: {TONE[:-2]}\nid d41d8cd98f00b204e9800998ecf8427e 00:16:53:42:2B:99\nthree: {TONE}0000ff\n"
+    )
+    for command in ("decode", "check"):
+        done = run(command, "-", stdin=text)
+        assert done.returncode == 1
+        assert b"2 lines look like frames and were not read: line 2, column 6: 15 bytes begin a frame" in done.stderr
+        assert b"line 4, column 8" in done.stderr
+        assert b"line 3" not in done.stderr
+    assert b"look like frames" in run("encode", "-", "--to", "hex", stdin=text).stderr
+    assert b"look like frames" in run("stats", "-", stdin=text).stderr
+    assert b"look like frames" in run("decode", "--dialogues", "-", stdin=text).stderr
+
+
+def test_dialogues_of_a_text(log: Path) -> None:
+    lines = out("decode", "--dialogues", str(log)).splitlines()
+    assert lines[0].endswith("VALUE=7.92 V  10.000 ms")
+    assert len(lines) == 3
+    assert lines[2].endswith("no reply")
+
+
+def test_a_filter_on_a_text(log: Path) -> None:
+    found = out("decode", "--json", "--filter", "op==SOUND.TONE", str(log)).splitlines()
+    assert [json.loads(line)["hex"] for line in found] == [TONE]
+    assert b"1 frame: " not in run("check", "--filter", "op==UI_READ", str(log)).stderr
+    assert run("decode", "--filter", "op==SOUND.PLAY", str(log)).returncode == 1
+
+
+def test_stats_of_texts_and_captures_together(log: Path, tmp_path: Path) -> None:
+    capture = tmp_path / "robot.pcapng"
+    out("export", "pcapng", str(log), "-o", str(capture))
+    whole = json.loads(out("stats", "--json", str(log), str(capture)))["whole"]
+    assert whole["kinds"]["direct-command"]["messages"] == 6
+    assert json.loads(out("stats", "--json", str(log)))["whole"]["seconds"] == 2.0
+
+
+def test_times_survive_the_way_into_a_capture(log: Path, tmp_path: Path) -> None:
+    capture = tmp_path / "robot.pcapng"
+    out("export", "pcapng", str(log), "-o", str(capture))
+    times = [json.loads(line)["time"] for line in out("decode", "--json", str(capture)).splitlines()]
+    found = [time for time in times if time]
+    assert "2026-01-01T09:12:31.000000" in found[-4]
+    assert "2026-01-01T09:12:31.010000" in found[-3]
+    assert "2026-01-01T09:12:33.000000" in found[-1]
+
+
+def test_a_timeline_and_the_files_of_a_text(log: Path, tmp_path: Path) -> None:
+    picture = tmp_path / "robot.svg"
+    out("timeline", str(log), "-o", str(picture))
+    assert "<svg" in picture.read_text()
+    moved = "sent 0f 00 01 00 01 92 03 00 00 00 2f 61 2e 74 78 74 00\n"
+    assert "/a.txt" in out("files", "-", stdin=moved)
+
+
+def test_frames_as_raw_bytes() -> None:
+    frames = bytes.fromhex(TONE) + bytes.fromhex("0800010000040081 0160")
+    shown = [json.loads(line)["hex"] for line in out("decode", "--json", "-", stdin=frames).splitlines()]
+    assert shown == [TONE, "08000100000400810160"]
+    raw = run("encode", "SOUND(TONE, 1, 440, 1000)", "--to", "raw").stdout
+    assert json.loads(out("decode", "--json", "-", stdin=raw))["counter"] == 0
+    assert run("decode", "-", stdin=b"\x00\x01\x02garbage").returncode == 1
+
+
+def test_frames_without_their_length_and_operations_alone() -> None:
+    content, operations = TONE[4:], TONE[14:]
+    assert json.loads(out("decode", "--json", "--no-length", content))["hex"] == TONE
+    shown = json.loads(out("decode", "--json", "--operations", operations))
+    assert [one["command"] for one in shown["operations"]] == ["TONE"]
+    assert json.loads(out("decode", "--json", "--operations", "81 01 60"))["globals"] == 4
+    assert b"--no-length" in run("decode", content).stderr
+    assert b"--operations" in run("decode", operations).stderr
+    assert b"--operations" in run("decode", "-", stdin=f"{operations}\n").stderr
+
+
+def test_a_program_image_is_called_what_it_is(tmp_path: Path) -> None:
+    image = tmp_path / "x.rbf"
+    image.write_bytes(b"LEGO" + bytes(40))
+    for command in (("stats",), ("files",), ("encode", "--to", "hex")):
+        assert b"program image" in run(*command, str(image)).stderr, command

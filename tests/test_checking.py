@@ -169,9 +169,14 @@ def test_the_frames_of_the_lesson() -> None:
     ]
 
 
-@pytest.mark.parametrize("path", sorted(CAPTURES.glob("*.pcap*")), ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "path", sorted({*CAPTURES.glob("*.pcap*")} - {CAPTURES / "ev3_dc.pcap"}), ids=lambda path: path.name
+)
 def test_the_frames_of_captures(path: Path) -> None:
-    """They hold one command that the brick refused, on purpose, and nothing else that anybody would change."""
+    """They hold one command that the brick refused, on purpose, and nothing else that anybody would change.
+
+    What is in `ev3_dc.pcap` is another program's, and as it is.
+    """
     for record in ev3proto.capture.read(path):
         if not isinstance(record, ev3proto.capture.Record):
             continue

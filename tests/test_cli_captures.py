@@ -190,11 +190,13 @@ def test_another_port() -> None:
 
 def test_another_dialect() -> None:
     capture = Capture(RAW_IP)
-    Connection(capture).send(bytes.fromhex("09000100800000E6606162"))
+    connection = Connection(capture)
+    connection.send(TONE)
+    connection.send(bytes.fromhex("09000100800000E6606162"))
     done = run("decode", stdin=capture.data())
     assert done.returncode == 1
-    assert b"standard input, packet 1: fault at offset 7: " in done.stderr
-    assert entries("--dialect", "xtended", stdin=capture.data())[0]["operations"][0]["op"] == "FILE_MD5SUM"
+    assert b"standard input, packet 2: fault at offset 7: " in done.stderr
+    assert entries("--dialect", "xtended", stdin=capture.data())[1]["operations"][0]["op"] == "FILE_MD5SUM"
 
 
 # Bad input: everything readable is printed, a sentence says what was not, the exit status is 1.

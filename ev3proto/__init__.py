@@ -38,6 +38,7 @@ from ev3proto.version import VERSION
 if TYPE_CHECKING:
     from ev3proto import capture, enums, ops, program, system
     from ev3proto.checking.checking import check
+    from ev3proto.checking.fixing import Fix, fix
     from ev3proto.checking.report import Finding, Report, Severity
     from ev3proto.compose import Draft, Global, Local, command
     from ev3proto.dialogue import Dialogue, Exchange, Transfer, Value
@@ -65,6 +66,7 @@ __version__ = VERSION
 
 _LATER = {
     "ev3proto.checking.checking": ("check",),
+    "ev3proto.checking.fixing": ("Fix", "fix"),
     "ev3proto.checking.report": ("Finding", "Report", "Severity"),
     "ev3proto.compose": ("Draft", "Global", "Local", "command"),
     "ev3proto.dialogue": ("Dialogue", "Exchange", "Transfer", "Value"),
@@ -129,6 +131,7 @@ __all__ = [
     "Exchange",
     "Fault",
     "Finding",
+    "Fix",
     "Global",
     "LinkError",
     "Local",
@@ -160,6 +163,7 @@ __all__ = [
     "direct_command",
     "direct_reply",
     "enums",
+    "fix",
     "operation",
     "ops",
     "parse",

@@ -16,18 +16,20 @@ from ev3proto.checking.rules.refusals import check_refusals
 from ev3proto.checking.rules.system import check_daisy, check_system
 from ev3proto.checking.rules.values import check_values
 from ev3proto.checking.verdict import verdict
-from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
+from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.frame import LENGTH_FIELD
 
 
-def check(frame: bytes | bytearray | memoryview, *, dialect: str = "official", carrier: str | None = None) -> Report:
+def check(
+    frame: bytes | bytearray | memoryview | Message, *, dialect: str = "official", carrier: str | None = None
+) -> Report:
     """What is wrong with a frame, and whether the brick takes it. Never raises for what is in a frame.
 
     Args:
-        frame: From its length field to its last byte.
+        frame: From its length field to its last byte; or a message, whose frame is checked.
         dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
         carrier: "usb", "bluetooth" or "wifi": what is to carry it; None where that does not matter.
 
@@ -39,12 +41,14 @@ def check(frame: bytes | bytearray | memoryview, *, dialect: str = "official", c
     """
     if carrier is not None and carrier not in CARRIERS:
         raise ValueError(f"carrier must be one of {', '.join(CARRIERS)}, not {carrier!r}")
-    if type(frame) is not bytes:
+    if isinstance(frame, Message):
+        frame = frame.build()
+    elif type(frame) is not bytes:
         frame = bytes(memoryview(frame))
     context = _context(frame, dialect, carrier)
     findings = sorted(_without_echoes(list(_findings(context))), key=_order)
     accepted, rejected_at = _answer(context, findings)
-    return Report(frame, accepted, rejected_at, tuple(findings))
+    return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier)
 
 
 def _without_echoes(findings: list[Finding]) -> list[Finding]:

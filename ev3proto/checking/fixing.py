@@ -80,11 +80,13 @@ class Fix:
         }
 
 
-def fix(frame: bytes | bytearray | memoryview, *, dialect: str = "official", carrier: str | None = None) -> Fix:
+def fix(
+    frame: bytes | bytearray | memoryview | Message, *, dialect: str = "official", carrier: str | None = None
+) -> Fix:
     """The frame with everything fixed that can be fixed with certainty. Never raises for what is in a frame.
 
     Args:
-        frame: From its length field to its last byte.
+        frame: From its length field to its last byte; or a message, whose frame is fixed.
         dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
         carrier: "usb", "bluetooth" or "wifi": what is to carry it; None where that does not matter.
 
@@ -94,7 +96,7 @@ def fix(frame: bytes | bytearray | memoryview, *, dialect: str = "official", car
     Raises:
         ValueError: The dialect or the carrier is unknown.
     """
-    given = bytes(frame)
+    given = frame.build() if isinstance(frame, Message) else bytes(frame)
     report = check(given, dialect=dialect, carrier=carrier)
     if not report.findings:
         return Fix(given, (), (), report)

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ev3proto.checking.fixing import Fix
 
 
 class Severity(StrEnum):
@@ -62,12 +65,30 @@ class Report:
     rejected_at  offset in the frame where the brick gives up: the operation, or the field of the header; None where it
                  accepts
     findings     in the order of their offsets
+    dialect      the firmware whose instruction set it was read by
+    carrier      what was to carry it; None where that did not matter
     """
 
     frame: bytes
     accepted: bool
     rejected_at: int | None
     findings: tuple[Finding, ...]
+    dialect: str = "official"
+    carrier: str | None = None
+
+    def __str__(self) -> str:
+        """What `ev3proto check` prints of it."""
+        from ev3proto.text.diagnostics import diagnostics
+        from ev3proto.text.spans import plain_text
+
+        return "\n".join(plain_text(line).rstrip() for line in diagnostics(self, dialect=self.dialect))
+
+    @property
+    def fixed(self) -> Fix:
+        """The frame with everything fixed that can be fixed with certainty, as `ev3proto check --fix` prints it."""
+        from ev3proto.checking.fixing import fix
+
+        return fix(self.frame, dialect=self.dialect, carrier=self.carrier)
 
     def of(self, severity: Severity) -> tuple[Finding, ...]:
         """The findings of one severity."""

@@ -18,7 +18,7 @@ from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
-    from ev3proto.capture import Account, Capture, Event
+    from ev3proto.capture import Account, Capture, Event, Record
     from ev3proto.capture.filter import Filter
     from ev3proto.capture.formats import CaptureFile
     from ev3proto.text.paste import Missing, Pasted
@@ -156,6 +156,10 @@ class CaptureSource:
     def unit(self) -> str:
         """What the numbers of its records count: packets, or the lines of a text."""
         return "packet" if self.lines is None else "line"
+
+    def carrier(self, record: Record) -> str | None:
+        """What carried a frame; nobody knows that of a text."""
+        return str(record.carrier) if self.lines is None else None
 
     @property
     def extent(self) -> str:

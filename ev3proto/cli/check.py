@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -33,6 +33,10 @@ if TYPE_CHECKING:
     from ev3proto.checking.codes import Code
     from ev3proto.checking.fixing import Fix
     from ev3proto.checking.report import Finding, Report
+    from ev3proto.cli.annotations import Sarif
+
+FORMATS = ("text", "json", "sarif", "github")
+"""How findings are printed."""
 
 ALL_CODES = "all"
 """What --explain takes instead of a code."""
@@ -42,18 +46,30 @@ ALL_CODES = "all"
 class CheckOptions:
     """What is asked for.
 
-    as_json  one object a line
+    style    one of FORMATS
     fixes    print the fixed frame and what is left of the findings
     strict   warnings count as errors for the exit status
     carrier  what is to carry the frames, None for what the capture tells, or any
     hidden   severities that are not shown
+    quiet    only the summary is printed
     """
 
-    as_json: bool = False
+    style: str = FORMATS[0]
     fixes: bool = False
     strict: bool = False
     carrier: str | None = None
     hidden: frozenset[str] = frozenset()
+    quiet: bool = False
+
+    @property
+    def as_json(self) -> bool:
+        """Whether it is one object a line."""
+        return self.style == "json"
+
+    def leaves_out(self, report: Report, *, is_alone: bool) -> bool:
+        """Whether nothing is printed of a frame: among many, one without an error when only these were asked for."""
+        only_errors = self.hidden >= {"hint", "warning"} and report.accepted and not report.errors
+        return self.quiet or (only_errors and not is_alone)
 
     def shown(self, report: Report) -> tuple[Finding, ...]:
         """The findings to show."""
@@ -83,6 +99,7 @@ class Checking(SourceReader):
         self._is_single = is_single
         self._printer = Printer()
         self._was_long: bool | None = None
+        self._sarif: Sarif | None = None
         self.frames = 0
         self.replies = 0
         self.counts: Counter[str] = Counter()
@@ -118,7 +135,7 @@ class Checking(SourceReader):
                 f"{capture.label}, {capture.unit} {event.number}",
                 {"source": capture.label, capture.unit: event.number},
             )
-            self._frame(event.frame, place, self._options.carrier or str(event.carrier))
+            self._frame(event.frame, place, self._options.carrier or capture.carrier(event))
         return self.frames - before
 
     def read(self, source: Source) -> None:
@@ -144,7 +161,7 @@ class Checking(SourceReader):
             label = f"{place.label}, " if place.label else ""
             self._paragraph(finding_lines(report, shown, label), len(shown) > 0)
         self.counts.update(str(finding.severity) for finding in report.findings)
-        self.at_fault |= bool(report.errors or (self._options.strict and report.warnings))
+        self.at_fault |= not report.accepted or bool(report.errors or (self._options.strict and report.warnings))
 
     def _source(self, source: Source) -> None:
         """The source of a program: what is wrong with it, or else with the image that it becomes."""
@@ -168,7 +185,9 @@ class Checking(SourceReader):
 
     def summary(self) -> None:
         """How many frames there were and what was found, where there was more than one."""
-        if self._options.as_json or self.frames + self.replies < 2:
+        if self._options.style == "sarif":
+            self._printer.text(self._log().text())
+        if self._options.style != FORMATS[0] or (self.frames + self.replies < 2 and not self._options.quiet):
             return
         told = [f"{self.counts[name]} {name}{'s' * (self.counts[name] != 1)}" for name in ("error", "warning", "hint")]
         line: Line = [(f"{_frames(self.frames)}: ", Role.HEADING), (", ".join(told), Role.PLAIN)]
@@ -194,8 +213,7 @@ class Checking(SourceReader):
     def _show(self, report: Report, place: Place) -> None:
         from ev3proto.text.diagnostics import diagnostics
 
-        if self._options.as_json:
-            self._json(place, report.as_dict(), report)
+        if self._is_told(report, place, report.as_dict):
             return
         shown = self._options.shown(report)
         self._paragraph(diagnostics(report, shown, place=place.label, dialect=self.reading.dialect), len(shown) > 0)
@@ -203,11 +221,34 @@ class Checking(SourceReader):
     def _show_fix(self, fix: Fix, place: Place) -> None:
         from ev3proto.text.diagnostics import fixed
 
-        if self._options.as_json:
-            self._json(place, fix.as_dict(), fix.report)
+        if self._is_told(fix.report, place, fix.as_dict):
             return
         shown = self._options.shown(fix.report)
         self._paragraph(fixed(fix, shown, place=place.label, dialect=self.reading.dialect), True)
+
+    def _is_told(self, report: Report, place: Place, entry: Callable[[], dict[str, Any]]) -> bool:
+        """Prints what was found in any form but as text; tells whether nothing is left to be printed."""
+        match self._options.style:
+            case "json":
+                self._json(place, entry(), report)
+            case "github":
+                from ev3proto.cli.annotations import github
+
+                for line in github(report, self._options.shown(report), place.facts):
+                    self._printer.text(line)
+            case "sarif":
+                self._log().add(report, self._options.shown(report), place.facts)
+            case _:
+                return self._options.leaves_out(report, is_alone=self._is_single and not place.facts)
+        return True
+
+    def _log(self) -> Sarif:
+        """What was found so far, for SARIF."""
+        from ev3proto.cli.annotations import Sarif
+
+        if self._sarif is None:
+            self._sarif = Sarif()
+        return self._sarif
 
     def _json(self, place: Place, entry: dict[str, Any], report: Report) -> None:
         entry["findings"] = [finding.as_dict() for finding in self._options.shown(report)]
@@ -238,7 +279,14 @@ def _frames(count: int) -> str:
 @click.option("--strict", is_flag=True, help="Warnings count as errors for the exit status.")
 @click.option("--fix", "fixes", is_flag=True, help="Print each frame fixed where the fix is certain, and what is left.")
 @click.option("--no-hints", is_flag=True, help="Show errors and warnings only.")
-@click.option("--errors-only", is_flag=True, help="Show errors only.")
+@click.option("--errors-only", is_flag=True, help="Show errors only, and of many frames those that have some.")
+@click.option("--quiet", is_flag=True, help="Show only how many frames there are and what was found.")
+@click.option(
+    "--format",
+    "style",
+    type=click.Choice(FORMATS),
+    help="How to show findings: text, unless you say otherwise; sarif and github are for continuous integration.",
+)
 @click.option("--carrier", type=click.Choice(CARRIERS), help="What is to carry the frames; a capture tells it itself.")
 @click.option(
     "--explain", "code", metavar="CODE", help=f"Tell what a finding means, with an example; {ALL_CODES} lists them."
@@ -251,6 +299,8 @@ def check(
     fixes: bool,
     no_hints: bool,
     errors_only: bool,
+    quiet: bool,
+    style: str | None,
     carrier: str | None,
     code: str | None,
     reading: CaptureOptions,
@@ -278,7 +328,8 @@ def check(
     if strict and errors_only:
         raise click.UsageError("--strict counts warnings and --errors-only hides them: give one or the other")
     hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
-    options = CheckOptions(as_json, fixes, strict, carrier, frozenset(hidden))
+    style = style or ("json" if as_json else FORMATS[0])
+    options = CheckOptions(style, fixes, strict, carrier, frozenset(hidden), quiet)
     found = sources(names)
     checking = Checking(reading, options, is_single=len(found) == 1)
     for source in found:

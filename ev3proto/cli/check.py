@@ -208,7 +208,7 @@ class Checking(SourceReader):
             report = check(frame, dialect=self.reading.dialect, carrier=carrier)
             self._show(report, place)
         self.counts.update(str(finding.severity) for finding in report.findings)
-        self.at_fault |= bool(report.errors or (self._options.strict and report.warnings))
+        self.at_fault |= not report.accepted or bool(report.errors or (self._options.strict and report.warnings))
 
     def _show(self, report: Report, place: Place) -> None:
         from ev3proto.text.diagnostics import diagnostics

@@ -13,6 +13,7 @@ import pytest
 from support.wireshark import Tshark
 
 import ev3proto
+from ev3proto.capture.filter.names import NAMES, TIME
 from ev3proto.checking.checking import check
 from ev3proto.generate.pages.examples import example_of, explained, system_example
 from ev3proto.generate.pages.markdown import anchor
@@ -111,6 +112,11 @@ def test_the_calls_of_the_examples_give_their_frames() -> None:
         assert eval(example.call, dict(names)).build() == example.frame
         lines = [line.split("  ")[0] for line in explained(example.frame)]
         assert bytes.fromhex(" ".join(lines)) == example.frame
+
+
+def test_every_name_of_filters_is_on_their_page() -> None:
+    text = (DOCS / "filters.md").read_text(encoding="utf-8")
+    assert set(re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)) == {*NAMES, TIME}
 
 
 def test_no_page_says_where_something_is_in_memory() -> None:

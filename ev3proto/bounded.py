@@ -1,13 +1,64 @@
-"""The one place where what is kept of a long input has a limit: a mapping that drops its oldest entries."""
+"""The one place where what is kept of a long input has a limit.
+
+`Bounded` is a mapping that drops its oldest entries. `Budget` limits the bytes of all that waits, wherever it waits.
+"""
 
 from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 K = TypeVar("K")
 V = TypeVar("V")
+
+
+DEFAULT_MEMORY = 64 << 20
+"""Bytes that all that waits in one capture may take, unless somebody says otherwise."""
+
+
+class _Held(NamedTuple):
+    size: int
+    drop: Callable[[int], object]
+    number: int
+
+
+class Budget:
+    """A limit on the bytes of all that waits in one input, in however many places. The oldest goes first.
+
+    most     bytes in all
+    dropped  how many things had to go, so far
+    """
+
+    def __init__(self, most: int = DEFAULT_MEMORY) -> None:
+        self.most = most
+        self.dropped = 0
+        self._used = 0
+        self._held: OrderedDict[int, _Held] = OrderedDict()
+
+    def add(self, thing: object, size: int, drop: Callable[[int], object], number: int) -> None:
+        """Something waits from now on.
+
+        Args:
+            thing: What waits; whoever calls this keeps it.
+            size: About how many bytes it takes.
+            drop: Is called with the number when it has to go.
+            number: What `drop` knows it by.
+
+        """
+        self._held[id(thing)] = _Held(size, drop, number)
+        self._used += size
+        while self._used > self.most and self._held:
+            _, oldest = self._held.popitem(last=False)
+            self._used -= oldest.size
+            self.dropped += 1
+            oldest.drop(oldest.number)
+
+    def remove(self, thing: object) -> None:
+        """Something waits no longer. Nothing happens where it did not."""
+        held = self._held.pop(id(thing), None)
+        if held is not None:
+            self._used -= held.size
 
 
 class Bounded(OrderedDict[K, V]):

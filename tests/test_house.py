@@ -15,7 +15,7 @@ FLOORS = (
     {"semantics"},
     {"compose", "dialogue"},
     {"capture", "checking", "generate", "ops", "program", "sampling", "scapy", "system", "testing", "text"},
-    {"brick"},
+    {"brick", "pyshark"},
     {"link"},
     {"cli"},
 )

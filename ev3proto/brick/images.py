@@ -5,9 +5,9 @@ Addresses mean nothing here but to find the image again.
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from typing import NamedTuple
 
+from ev3proto.bounded import Bounded
 from ev3proto.brick.handles import ROOM
 from ev3proto.brick.programs import RUNNING, Program, ProgramObject
 from ev3proto.checking.verdict import Reason, code_verdict
@@ -40,17 +40,14 @@ class Images:
     """What is in memory, by its address."""
 
     def __init__(self) -> None:
-        self._images: OrderedDict[int, Image] = OrderedDict()
+        self._images: Bounded[int, Image] = Bounded(MOST_IMAGES)
         self._next = FIRST_ADDRESS
 
     def add(self, data: bytes, folder: str) -> int:
         """Puts an image in memory and returns its address."""
         address = self._next
         self._next = FIRST_ADDRESS if address + 2 * STEP > 0x7FFFFFFF else address + STEP
-        self._images.pop(address, None)
-        self._images[address] = Image(data, folder)
-        if len(self._images) > MOST_IMAGES:
-            self._images.popitem(last=False)
+        self._images.add(address, Image(data, folder))
         return address
 
     def get(self, address: int) -> Image | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator
 
+from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.carriers import CarrierReader, reader
 from ev3proto.capture.carriers.streams import Context
@@ -45,7 +46,9 @@ class _Readers(dict[int, Callable[[Packet], Iterable[Event]]]):
         return ()
 
 
-def events(packets: Iterator[Packet], account: Account, *, dialect: str, ports: Collection[int]) -> Iterator[Event]:
+def events(
+    packets: Iterator[Packet], account: Account, *, dialect: str, ports: Collection[int], memory: int = DEFAULT_MEMORY
+) -> Iterator[Event]:
     """Everything in the packets, in their order.
 
     Args:
@@ -53,6 +56,7 @@ def events(packets: Iterator[Packet], account: Account, *, dialect: str, ports: 
         account: Counts all captured bytes.
         dialect: The firmware whose instruction set to read by.
         ports: TCP ports on which bricks listen.
+        memory: Bytes that all that waits may take together.
 
     Yields:
         Records, announcements and skipped bytes.
@@ -61,7 +65,8 @@ def events(packets: Iterator[Packet], account: Account, *, dialect: str, ports: 
         CaptureError: After everything readable, where the packets raised it or have links that nothing here knows.
 
     """
-    readers = _Readers(Context(frame_schema(dialect), account, frozenset(ports)))
+    budget = Budget(memory)
+    readers = _Readers(Context(frame_schema(dialect), account, frozenset(ports), budget))
     trouble: CaptureError | None = None
     try:
         for packet in packets:
@@ -74,6 +79,7 @@ def events(packets: Iterator[Packet], account: Account, *, dialect: str, ports: 
     except CaptureError as error:
         trouble = error
     yield from readers.end()
+    account.forgotten = budget.dropped
     if trouble is not None:
         raise trouble
     if readers.unknown:

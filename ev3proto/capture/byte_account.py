@@ -13,6 +13,7 @@ class Account:
     captured  bytes of them in the file
     first_ns  when the first packet was captured, in nanoseconds since 1970-01-01 UTC; None where there is none
     last_ns   when the last one was
+    forgotten  commands that were no longer waited for, because all that waited took too much memory
     frames    bytes of frames
     texts     bytes of beacons, unlock texts and the answers to them
     padding   bytes after the frame in USB reports
@@ -26,6 +27,7 @@ class Account:
     captured: int = 0
     first_ns: int | None = None
     last_ns: int | None = None
+    forgotten: int = 0
     frames: int = 0
     texts: int = 0
     padding: int = 0
@@ -37,7 +39,7 @@ class Account:
     @property
     def parts(self) -> dict[str, int]:
         """The bytes of each part by its name."""
-        return {field.name: getattr(self, field.name) for field in fields(self)[4:]}
+        return {field.name: getattr(self, field.name) for field in fields(self)[5:]}
 
     def add(self, other: Account) -> None:
         """Adds what became of the bytes of another capture."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ev3proto.bounded import Budget
 from ev3proto.capture.record import Record, Route
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameSchema
@@ -21,12 +22,20 @@ _TYPES = {
 }
 
 
+_RECORD_SIZE = 700
+"""Bytes of memory that a record takes while it waits, besides its frame, about."""
+
+
+def _size_of(record: Record) -> int:
+    return _RECORD_SIZE + len(record.frame)
+
+
 class Conversation:
     """Pairs replies with commands by their headers alone, so that messages are read only when they are asked for."""
 
-    def __init__(self, schema: FrameSchema) -> None:
+    def __init__(self, schema: FrameSchema, budget: Budget | None = None) -> None:
         self._schema = schema
-        self._pairing: Pairing[Record] = Pairing(MOST_PENDING)
+        self._pairing: Pairing[Record] = Pairing(MOST_PENDING, budget, _size_of)
         self._transfers = Transfers()
 
     @property

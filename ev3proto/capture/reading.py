@@ -7,6 +7,7 @@ from collections.abc import Collection, Generator, Iterable, Iterator
 from types import TracebackType
 from typing import Any, BinaryIO, Literal, Self
 
+from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.record import Event, Record
@@ -80,6 +81,7 @@ def read(
     ports: Collection[int] = (TCP_PORT,),
     engine: Engine = "builtin",
     tshark: str | None = None,
+    memory: int = DEFAULT_MEMORY,
 ) -> Capture:
     """A capture file's records: pcap, pcapng or btsnoop, packed with gzip or not, recognised by its first bytes.
 
@@ -89,6 +91,8 @@ def read(
         ports: TCP ports on which bricks listen.
         engine: "builtin", or "wireshark": tshark takes the packets apart, for every link type that Wireshark knows.
         tshark: Path of the tshark for that engine, where it is not on the path.
+        memory: Bytes that all that waits for more of the capture may take together, in the built-in engine: commands
+            without a reply, segments ahead of their turn. The oldest goes first; `account.forgotten` counts commands.
 
     Returns:
         The capture. While it is read it raises CaptureError for a damaged file, after everything readable.
@@ -115,7 +119,7 @@ def read(
     except BaseException:
         file.close()
         raise
-    return Capture(events(packets, account, dialect=dialect, ports=ports), account, file)
+    return Capture(events(packets, account, dialect=dialect, ports=ports, memory=memory), account, file)
 
 
 def from_pyshark(packets: Iterable[Any], *, dialect: str = "official", ports: Collection[int] = (TCP_PORT,)) -> Capture:

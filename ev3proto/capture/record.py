@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from enum import StrEnum
@@ -111,9 +112,11 @@ class Record:
     @property
     def message(self) -> Message:
         """What the frame says. A faulty frame's message has a `fault`."""
-        if self._message is None:
-            self._message = self._reader.read_frame(self.frame, strict=False)
-        return self._message
+        message = self._message
+        if message is None:
+            message = self._message = self._reader.read_frame(self.frame, strict=False)
+            _keep(self)
+        return message
 
     @property
     def values(self) -> list[Value]:
@@ -177,6 +180,28 @@ class Record:
         return (
             f"<Record {self.number} {self.route.carrier} {self.route.source} > {self.route.target} {self.frame.hex()}>"
         )
+
+
+MOST_READ = 1 << 17
+"""Bytes of frames whose messages are kept at the same time; a message takes up to 200 times the memory of its frame.
+Others are read again when somebody looks at them."""
+
+_LEAST = 64
+"""Bytes that a frame counts for besides its own."""
+
+_read: deque[Record] = deque()
+_bytes_read = 0
+
+
+def _keep(record: Record) -> None:
+    """Keeps the message of a record, and lets those go that were read longest ago."""
+    global _bytes_read
+    _read.append(record)
+    _bytes_read += _LEAST + len(record.frame)
+    while _bytes_read > MOST_READ:
+        oldest = _read.popleft()
+        _bytes_read -= _LEAST + len(oldest.frame)
+        oldest._message = oldest._values = None
 
 
 class Said(StrEnum):

@@ -20,7 +20,7 @@ from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemComman
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
 from ev3proto.tables.carriers import CARRIERS
-from ev3proto.tables.frame import LENGTH_FIELD
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
 
 def check(
@@ -86,6 +86,8 @@ def _findings(context: CheckContext) -> Iterator[Finding]:
     if isinstance(message, DirectCommand):
         yield from check_command_header(context, message)
         yield from check_refusals(context)
+        if context.end > MAX_FRAME:
+            return  # nothing in it matters
         yield from check_values(context.operations)
         yield from check_encodings(context.frame, context.operations)
         yield from check_lists(context.operations)

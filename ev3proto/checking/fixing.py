@@ -340,13 +340,24 @@ class _Layout:
         """The shortest way to a place that is free and aligned; up rather than down."""
         if block.is_open:
             return None
-        aligned = [way for way in range(_WIDEST) if _is_aligned(block.places, way)]
-        for distance in range(1, self._most):
-            for way in (distance, -distance):
-                start, end = block.start + way, block.end + way
-                is_free = start >= 0 and end <= self._most and not _mask(start, end) & occupied
-                if way % _WIDEST in aligned and is_free and self._keeps_lengths(block, way):
-                    return way
+        # Bit by bit, the offsets where it would lie in free bytes only, and then those where it is aligned, too.
+        free = _mask(0, self._most) & ~occupied
+        places = free
+        for shift in range(1, block.end - block.start):
+            places &= free >> shift
+        ways = [way for way in range(_WIDEST) if _is_aligned(block.places, way)]
+        aligned = 0
+        for way in ways:
+            aligned |= _EVERY_WIDEST << (block.start + way) % _WIDEST
+        places &= aligned & ~(1 << block.start)
+        while places:
+            above, below = places >> block.start, places & _mask(0, block.start)
+            up = (above & -above).bit_length() - 1 if above else self._most
+            down = block.start - below.bit_length() + 1 if below else self._most
+            way = up if up <= down else -down
+            if self._keeps_lengths(block, way):
+                return way
+            places &= ~(1 << block.start + way)
         return None
 
     def _keeps_lengths(self, block: _Block, way: int) -> bool:
@@ -386,8 +397,7 @@ class _Block:
         """Whether one lies within the other on purpose. Results that share bytes do so by mistake, and may part."""
         is_within = self.start >= other.start and self.end <= other.end
         is_around = other.start >= self.start and other.end <= self.end
-        is_meant = self.start == other.start or self.is_shared or other.is_shared
-        return (is_within or is_around) and is_meant
+        return (is_within or is_around) and (self.start == other.start or self.is_shared or other.is_shared)
 
 
 def _blocks(found: list[Footprint], stated: int) -> list[_Block]:
@@ -479,3 +489,7 @@ def _replaced(frame: bytes, pieces: Mapping[int, tuple[Argument, bytes]]) -> byt
         done += [frame[at:offset], new]
         at = offset + argument.length
     return with_length(b"".join((*done, frame[at:])))
+
+
+_EVERY_WIDEST = sum(1 << offset for offset in range(0, MAX_FRAME, _WIDEST))
+"""Bits at the multiples of that."""

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.cli.output import complain
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
@@ -29,6 +30,8 @@ BUILTIN = "builtin"
 MOST_COMPLAINTS = 10
 """Places in a capture that are complained about one by one; of the others, only their number is given."""
 
+_MIB = 1 << 20
+
 _PATIENCE = 1.0
 _EVERY = 2048
 
@@ -43,6 +46,7 @@ class CaptureOptions:
     tshark   path of the tshark for that engine
     filter   which records to show, None for all
     missing  what the bytes in a text lack in front of them to be frames
+    memory   MiB that all that waits may take
     """
 
     dialect: str = DIALECTS[0]
@@ -51,6 +55,7 @@ class CaptureOptions:
     tshark: str | None = None
     filter: Filter | None = None
     missing: Missing | None = None
+    memory: int = DEFAULT_MEMORY // _MIB
 
 
 @dataclass
@@ -124,6 +129,7 @@ class CaptureSource:
             ports=options.ports,
             engine=options.engine,  # type: ignore[arg-type]
             tshark=options.tshark,
+            memory=options.memory * _MIB,
         )
         return self._capture
 
@@ -182,6 +188,11 @@ class CaptureSource:
             elif isinstance(event, Record) and chosen is not None and not chosen(event):
                 continue
             yield event
+        if capture.account.forgotten:
+            complain(
+                f"{self.label}: {capture.account.forgotten} commands without a reply were given up: what waits may take"
+                f" {self.options.memory} MiB (--memory)"
+            )
         if places > MOST_COMPLAINTS:
             self._complain(f"and {places - MOST_COMPLAINTS} more places; {lost} bytes in all could not be read")
 
@@ -247,6 +258,14 @@ _OPTIONS = (
         flag_value="header",
         help="Each line of a text is operations without the header of a frame.",
     ),
+    click.option(
+        "--memory",
+        type=click.IntRange(1, 1 << 16),
+        default=DEFAULT_MEMORY // _MIB,
+        show_default=True,
+        metavar="MIB",
+        help="What all that waits in a capture may take, such as commands without a reply; the oldest goes first.",
+    ),
 )
 
 
@@ -262,9 +281,10 @@ def reading_options(command: F) -> F:
         tshark: str | None,
         chosen: Filter | None,
         missing: Missing | None,
+        memory: int,
         **others: Any,
     ) -> Any:
-        reading = CaptureOptions(dialect, ports, engine, tshark, chosen, missing)
+        reading = CaptureOptions(dialect, ports, engine, tshark, chosen, missing, memory)
         return command(*arguments, reading=reading, **others)
 
     for option in reversed(_OPTIONS):

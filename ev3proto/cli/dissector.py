@@ -7,10 +7,11 @@ from pathlib import Path
 
 import click
 
+from ev3proto.cli.groups import Group
 from ev3proto.cli.output import complain, say
 
 
-@click.group()
+@click.group(cls=Group)
 def dissector() -> None:
     """The dissector for Wireshark: one Lua file that lets Wireshark read frames."""
 

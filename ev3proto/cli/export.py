@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, BinaryIO, TypeVar
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.groups import Group
 from ev3proto.cli.output import complain
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
@@ -29,7 +30,7 @@ _MOST_INTERVAL = 3_600_000.0
 _NANOSECONDS_EACH = 1_000_000
 
 
-@click.group()
+@click.group(cls=Group)
 def export() -> None:
     """Writes the protocol, or frames, for other tools.
 

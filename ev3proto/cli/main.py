@@ -14,6 +14,7 @@ from typing import Any, NoReturn
 
 import click
 
+from ev3proto.cli.groups import Group
 from ev3proto.cli.output import OutputError, complain, flush
 from ev3proto.text.visible import visible_lines
 from ev3proto.version import VERSION
@@ -26,6 +27,7 @@ SUBCOMMANDS = (
     "encode",
     "export",
     "files",
+    "help",
     "live",
     "ops",
     "proxy",
@@ -35,6 +37,7 @@ SUBCOMMANDS = (
     "send",
     "stats",
     "timeline",
+    "values",
 )
 """The subcommands. Each is a module of its own, which is imported when its command is used: commands start sooner."""
 
@@ -49,7 +52,7 @@ _OBJECTS = 50_000
 millions of tuples, and none of them is in a circle. Reading one takes twice as long with Python's usual 700."""
 
 
-class Commands(click.Group):
+class Commands(Group):
     """The subcommands, and how everything ends: with an exit status, and never with a traceback."""
 
     def list_commands(self, _context: click.Context) -> list[str]:
@@ -111,7 +114,7 @@ def _say_last(sentence: str) -> None:
 
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
-@click.version_option(VERSION, prog_name="ev3proto")
+@click.version_option(VERSION, "-V", "--version", prog_name="ev3proto")
 def cli() -> None:
     """The wire protocol of the LEGO MINDSTORMS EV3: read frames and captures, look operations up.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Iterator
 from typing import Any
@@ -29,13 +30,20 @@ from ev3proto.text.spans import Line, Role
 def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -> None:
     """Lists the operations, searches them, or shows one in full.
 
-    WORDS is a name or number (sound.tone, "SOUND TONE", 0x94), then it is shown in full; or anything else, then every
-    operation is listed that has all the words in its name, its meaning or its parameters.
-    """
+    WORDS is a name or number (sound.tone, "SOUND TONE", 0x94, 148), then it is shown in full; or anything else, then
+    every operation is listed that has all the words in its name, its meaning, its parameters or the names of their
+    values. Those that have them in their name come first.
+
+    \b
+      ev3proto ops sound.tone
+      ev3proto ops 0x94
+      ev3proto ops battery
+      ev3proto ops LED_RED_FLASH
+    """  # noqa: D301 - the mark by which click leaves lines as they are
     printer = Printer()
     entries = [entry for entry in _entries(dialect) if area is None or entry.area == area]
     exact = _exact(entries, words) if words else []
-    found = exact or [entry for entry in entries if entry.matches(words)]
+    found = exact or _ranked(entries, words)
     if not found:
         hint = near_misses(".".join(words), [entry.name for entry in entries])
         hint = hint or "; without words, ops lists all there are"
@@ -67,11 +75,13 @@ class Entry:
         """The names under which it is found exactly."""
         return (self.name, f"OP{self.name}")
 
-    def matches(self, words: tuple[str, ...]) -> bool:
-        """Whether all words stand in its name, meaning or parameters."""
-        parameters = (f"{parameter.name} {parameter.text}" for parameter in self.declaration.parameters)
-        text = " ".join((self.name, self.declaration.text, *parameters)).lower()
-        return all(word.lower() in text for word in words)
+    @property
+    def texts(self) -> tuple[str, str, str]:
+        """What is searched: the name, the meaning, all that is said of its parameters."""
+        parameters = self.declaration.parameters
+        said = [f"{parameter.name} {parameter.text}" for parameter in parameters]
+        said += [" ".join(parameter.enum.members) for parameter in parameters if parameter.enum is not None]
+        return self.name, self.declaration.text, " ".join(said)
 
     def line(self) -> Line:
         """One line in a list."""
@@ -128,11 +138,11 @@ class SystemEntry:
         self.number = entry.number
         self.aliases: tuple[str, ...] = (entry.name,)
 
-    def matches(self, words: tuple[str, ...]) -> bool:
-        """Whether all words stand in its name, meaning or fields."""
-        fields = (f"{field.name} {field.text}" for field in self.entry.request + self.entry.reply)
-        text = " ".join((self.name, self.entry.text, "system", *fields)).lower()
-        return all(word.lower() in text for word in words)
+    @property
+    def texts(self) -> tuple[str, str, str]:
+        """What is searched: the name, the meaning, all that is said of its fields."""
+        said = (f"{field.name} {field.text}" for field in self.entry.request + self.entry.reply)
+        return self.name, f"{self.entry.text} system", " ".join(said)
 
     def line(self) -> Line:
         """One line in a list."""
@@ -178,12 +188,36 @@ def _exact(entries: list[Entry | SystemEntry], words: tuple[str, ...]) -> list[E
     """The entries that are meant by name or number; a family's name means all of its commands."""
     name = ".".join(words).upper().replace(" ", ".")
     found = [entry for entry in entries if name in entry.aliases]
-    if not found and name.startswith("0X"):
-        try:
-            found = [entry for entry in entries if entry.number == int(name, 16)]
-        except ValueError:
-            return []
+    if not found and re.fullmatch(r"0X[0-9A-F]+|[0-9]{1,3}", name):
+        found = [entry for entry in entries if entry.number == int(name, 16 if name.startswith("0X") else 10)]
     return found
+
+
+def _ranked(entries: list[Entry | SystemEntry], words: tuple[str, ...]) -> list[Entry | SystemEntry]:
+    """The entries that have all words: those that have them in their name first, then those that mean them."""
+    wanted = [word for each in words for word in _words(each)]
+    ranked = []
+    for entry in entries:
+        searched = list(map(_words, entry.texts))
+        ranks = [next((rank for rank, text in enumerate(searched) if _has(text, word)), None) for word in wanted]
+        known = [rank for rank in ranks if rank is not None]
+        if len(known) == len(ranks):
+            ranked.append((sum(known), entry))
+    return [entry for _, entry in sorted(ranked, key=lambda pair: pair[0])]
+
+
+def _words(text: str) -> list[str]:
+    return re.findall(r"[a-z0-9]+", text.lower())
+
+
+_SHORTEST_START = 4
+"""A word of so many letters is found at the start of a longer one, too: `motor` in `motors`."""
+
+
+def _has(words: list[str], wanted: str) -> bool:
+    if len(wanted) >= _SHORTEST_START:
+        return any(word.startswith(wanted) for word in words)
+    return wanted in words or f"{wanted}s" in words
 
 
 def _parameter(parameter: Parameter) -> Iterator[Line]:

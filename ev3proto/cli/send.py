@@ -94,7 +94,7 @@ def send(
     virtual for one that is gone at the end. Frames come as `encode` takes them: hex, assembly, files that have them,
     captures; or - (or nothing) for standard input. Replies of a brick among them are passed over.
 
-    Each frame is checked first. One that the brick would refuse, or that would not do what was meant, is not sent.
+    Each frame is checked first, and its errors are shown. One that the brick would refuse is not sent.
     Each reply is awaited before the next frame is sent.
 
     \b

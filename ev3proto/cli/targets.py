@@ -61,7 +61,7 @@ def is_refused(frame: bytes, place: str, *, dialect: str, carrier: str) -> bool:
         carrier: What is to carry it.
 
     Returns:
-        Whether the brick would refuse it, or something in it would not do what was meant.
+        Whether the brick would refuse it.
     """
     from ev3proto.checking.checking import check
     from ev3proto.text.diagnostics import diagnostics
@@ -72,4 +72,4 @@ def is_refused(frame: bytes, place: str, *, dialect: str, carrier: str) -> bool:
         return False
     for line in diagnostics(report, report.errors, place=place, dialect=dialect):
         complain(plain_text(line))
-    return True
+    return not report.accepted

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+import sys
+import weakref
+from collections.abc import Callable, Hashable
 from typing import Generic, NamedTuple, TypeVar
+
+from ev3proto.bounded import Budget
 
 T = TypeVar("T")
 
@@ -27,10 +31,17 @@ class Pairing(Generic[T]):
 
     key   what a reply has in common with the command that it answers
     size  what a direct command asks for, and how much its reply carries
+
+    A budget limits the memory of the commands of all pairings that share it; `size_of` says how many bytes one takes.
     """
 
-    def __init__(self, most: int = MOST_PENDING) -> None:
+    def __init__(
+        self, most: int = MOST_PENDING, budget: Budget | None = None, size_of: Callable[[T], int] = sys.getsizeof
+    ) -> None:
         self._most = most
+        self._budget = budget
+        self._size_of = size_of
+        self._drop = _dropper(weakref.ref(self))
         self._by_key: dict[Hashable, list[int]] = {}
         self._waiting: dict[int, _Waiting[T]] = {}
         self._seen = 0
@@ -47,6 +58,8 @@ class Pairing(Generic[T]):
         same = self._by_key.setdefault(key, [])
         same.append(number)
         self._waiting[number] = _Waiting(key, size, command)
+        if self._budget is not None:
+            self._budget.add(command, self._size_of(command), self._drop, number)
         if len(same) > MOST_PER_KEY:
             return self._forget(same[0])
         if len(self._waiting) > self._most:
@@ -68,10 +81,33 @@ class Pairing(Generic[T]):
                     return self._forget(number)
         return self._forget(same[-1])
 
+    def __del__(self) -> None:
+        if self._budget is not None:
+            for waiting in self._waiting.values():
+                self._budget.remove(waiting.command)
+
+    def forget(self, number: int) -> None:
+        """Waits no longer for the reply to the command of a number, if it still does."""
+        if number in self._waiting:
+            self._forget(number)
+
     def _forget(self, number: int) -> T:
         waiting = self._waiting.pop(number)
+        if self._budget is not None:
+            self._budget.remove(waiting.command)
         same = self._by_key[waiting.key]
         same.remove(number)
         if not same:
             del self._by_key[waiting.key]
         return waiting.command
+
+
+def _dropper(found: weakref.ref[Pairing[T]]) -> Callable[[int], None]:
+    """What a budget calls. It does not keep the pairing, whose commands no longer count once nobody refers to it."""
+
+    def drop(number: int) -> None:
+        pairing = found()
+        if pairing is not None:
+            pairing.forget(number)
+
+    return drop

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import zip_longest
 
 from ev3proto.dialogue import Exchange
 from ev3proto.messages import DaisyCommand, DirectCommand, DirectReply, Message, Operation, SystemCommand, SystemReply
@@ -99,9 +100,9 @@ def _draw(cells: list[Cell], first: bool) -> Iterator[Line]:
     yield [(rule, Role.ASIDE)]
     yield [(f"{prefix}|" + "".join(f"{cell.hex.ljust(cell.width)}|" for cell in cells), Role.HEADING)]
     yield [(rule, Role.ASIDE)]
-    for row in range(max(len(cell.rows) for cell in cells)):
-        pieces = (cell.rows[row] if row < len(cell.rows) else "" for cell in cells)
-        line = "".join(f"{piece.ljust(cell.width)}\\" for piece, cell in zip(pieces, cells, strict=True))
+    widths = [cell.width for cell in cells]
+    for pieces in zip_longest(*(cell.rows for cell in cells), fillvalue=""):
+        line = "".join([f"{piece.ljust(width)}\\" for piece, width in zip(pieces, widths, strict=True)])
         yield [("  \\" + line, Role.VALUE)]
     yield [(rule, Role.ASIDE)]
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from ev3proto.bounded import Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter, PartKind, StreamPart
@@ -22,11 +23,17 @@ class Context:
     schema   reads frames
     account  counts all bytes
     ports    TCP ports on which bricks listen
+    budget   limits the memory of all that waits
     """
 
     schema: FrameSchema
     account: Account
     ports: frozenset[int]
+    budget: Budget = field(default_factory=Budget)
+
+    def conversation(self) -> Conversation:
+        """A new conversation."""
+        return Conversation(self.schema, self.budget)
 
 
 class Stream:

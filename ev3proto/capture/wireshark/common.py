@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Hashable, Iterator
 from typing import TypeVar
 
-from ev3proto.bounded import Bounded
+from ev3proto.bounded import Bounded, Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.record import Announcement, Direction, Event, Route, Said, Skipped
@@ -39,6 +39,7 @@ class Common:
         self.account = account
         self.ports = frozenset(ports)
         self._schema = frame_schema(dialect)
+        self._budget = Budget()
         self._conversations: Bounded[Hashable, Conversation] = Bounded(MOST_CONNECTIONS)
         self._routes: Bounded[tuple[object, ...], Route] = Bounded(MOST_CONNECTIONS)
 
@@ -78,7 +79,7 @@ class Common:
 
     def conversation(self, key: Hashable) -> Conversation:
         """The conversation of two ends, whichever sends."""
-        return self._conversations.use(key, lambda: Conversation(self._schema))[0]
+        return self._conversations.use(key, lambda: Conversation(self._schema, self._budget))[0]
 
     def move(self, part: str, size: int) -> None:
         """Says what some of the bytes are that counted as others."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Iterator
+from datetime import UTC, datetime
 from typing import Any
 
 from ev3proto.capture.byte_account import Account
@@ -13,6 +15,8 @@ from ev3proto.capture.wireshark.row import Row
 _LOOSE = "DATA"
 """What pyshark calls a layer of fields that stand beside the tree of their protocol, such as those of reassembly."""
 
+_MOMENT = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z?")
+
 
 def pyshark_events(
     packets: Iterable[Any], account: Account, *, dialect: str, ports: Collection[int]
@@ -21,16 +25,52 @@ def pyshark_events(
     making = Events(account, dialect, ports)
     names = fields()
     for packet in packets:
-        yield from making.events(_row(packet, names))
+        yield from making.events(row_of(packet, names))
     yield from making.end()
 
 
-def _row(packet: Any, names: Iterable[str]) -> Row:
+def row_of(packet: Any, names: Iterable[str]) -> Row:
+    """The fields of a packet.
+
+    Args:
+        packet: Of pyshark, in its XML or EK mode.
+        names: The fields, as tshark calls them.
+
+    Returns:
+        Those that the packet has.
+    """
+    layers = (packet.frame_info, *packet.layers)
+    is_ek = not hasattr(layers[0], "_all_fields")
+    read = _ek_values if is_ek else _xml_values
     values: dict[str, list[str]] = {}
-    for layer in (packet.frame_info, *packet.layers):
+    for layer in layers:
         for field in names:
-            is_here = layer.layer_name in (field.partition(".")[0], _LOOSE)
-            found = layer.get_field(field) if is_here else None
-            if found is not None:
-                values.setdefault(field.replace(".", "_"), []).extend(each.show for each in found.all_fields)
+            if layer.layer_name in (field.partition(".")[0], _LOOSE):
+                found = read(layer, field)
+                if found:
+                    values.setdefault(field.replace(".", "_"), []).extend(found)
     return Row(values)
+
+
+def _xml_values(layer: Any, field: str) -> list[str]:
+    found = layer.get_field(field)
+    return [] if found is None else [each.show for each in found.all_fields]
+
+
+def _ek_values(layer: Any, field: str) -> list[str]:
+    # Its public ways fail where a protocol comes twice in a packet, as RFCOMM does.
+    parts = layer._fields_dict
+    name = f"{layer.layer_name}_{field.replace('.', '_')}"
+    found = [part[name] for part in (parts if isinstance(parts, list) else [parts]) if name in part]
+    return [_ek_text(each) for value in found for each in (value if isinstance(value, list) else [value])]
+
+
+def _ek_text(value: Any) -> str:
+    """A value as XML has it: a truth as a number, a moment in seconds."""
+    if isinstance(value, bool) or value in ("true", "false"):
+        return str(int(value in (True, "true")))
+    text = str(value)
+    if _MOMENT.fullmatch(text):
+        moment, _, fraction = text.removesuffix("Z").partition(".")
+        return f"{int(datetime.fromisoformat(moment).replace(tzinfo=UTC).timestamp())}.{fraction}"
+    return text

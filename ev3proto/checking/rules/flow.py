@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 
 from ev3proto.checking import codes
@@ -66,6 +67,7 @@ class _Way:
     def __init__(self, context: CheckContext) -> None:
         self._subject = context
         self._operations = context.operations
+        self._starts = [operation.start for operation in self._operations]
         self._numbers = {operation.start: number for number, operation in enumerate(self._operations)}
         self._labels = {
             whole_number(argument): operation.end
@@ -102,7 +104,7 @@ class _Way:
                 " jump",
             )
         elif target != end and target not in self._numbers and self._is_known(target):
-            inside = next(other for other in self._operations if other.start < target < other.end)
+            inside = self._operations[bisect_left(self._starts, target) - 1]
             yield operation.finding_at(
                 codes.JUMP_INTO,
                 jump,

@@ -80,7 +80,7 @@ class SerialPorts:
             return
         key = found.key, serial.is_from_host
         if key not in self._streams:
-            conversation = self._conversations.setdefault(found.key, Conversation(self._context.schema))
+            conversation = self._conversations.setdefault(found.key, self._context.conversation())
             if found.key not in self._claims:
                 self._claims[found.key] = _Port(self._account)
             # Other programs use the same channel: something like a frame must start with a packet.

@@ -118,7 +118,7 @@ class Reports:
 
     def _conversation(self, device: str) -> Conversation:
         if device not in self._conversations:
-            self._conversations.add(device, Conversation(self._context.schema))
+            self._conversations.add(device, self._context.conversation())
         return self._conversations[device]
 
     def _route(self, device: str, is_from_host: bool, packet: Packet) -> Route:

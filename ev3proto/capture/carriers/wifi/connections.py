@@ -26,6 +26,9 @@ MOST_CONNECTIONS = 1024
 MOST_BRICKS = 1024
 """Bricks whose beacons are remembered."""
 
+_SHARE = 4
+"""The part of the memory for all that waits that segments may take: one in so many."""
+
 _UNLOCK_START = UNLOCK_REQUEST.encode()
 _BEACON_START = f"{next(iter(BEACON_LINES.values()))}: ".encode()
 
@@ -57,6 +60,7 @@ class Connections:
         self._context = context
         self._account = context.account
         self._ports = context.ports
+        self._waiting = 0  # bytes in all reassemblies; too many where some were ended, which _relieve counts anew
         self._halves: Bounded[Key, _Half] = Bounded(MOST_CONNECTIONS)
         self._conversations: Bounded[frozenset[tuple[bytes, int]], Conversation] = Bounded(MOST_CONNECTIONS)
         self._claims: Bounded[frozenset[tuple[bytes, int]], Claim] = Bounded(MOST_CONNECTIONS)
@@ -132,14 +136,29 @@ class Connections:
             stream.route = self._route(packet, key, half.is_from_host)
         if data:
             stream.reach(packet)
+            before = half.reassembly.waiting
             events += self._given(half, half.reassembly.add(sequence, data, packet.number, packet.time_ns))
+            self._waiting += half.reassembly.waiting - before
         if events:
             events = half.claim.take(events, data)
+        if self._waiting > self._context.budget.most // _SHARE:
+            events += self._relieve()
         if flags & TH_ACK:
             events += self._acknowledge(key, acknowledged)
         if flags & TH_RST:
             events += self._end_half(half)
         return ended + events if ended else events
+
+    def _relieve(self) -> list[Event]:
+        """Where too much waits in all connections together, those unused for longest wait no longer."""
+        events: list[Event] = []
+        self._waiting = sum(half.reassembly.waiting for half in self._halves.values())
+        for half in self._halves.values():
+            if self._waiting <= self._context.budget.most // _SHARE // 2:
+                break
+            self._waiting -= half.reassembly.waiting
+            events += half.claim.take(self._given(half, half.reassembly.end()), b"")
+        return events
 
     def _acknowledge(self, key: Key, acknowledged: int) -> list[Event]:
         """The sender has what the other side sent before this number."""
@@ -169,7 +188,7 @@ class Connections:
         source, source_port, target, target_port = key
         back = self._halves.get((target, target_port, source, source_port))
         is_from_host = self._is_to_brick(key) if back is None else not back.is_from_host
-        conversation, _ = self._conversations.use(_ends(key), lambda: Conversation(self._context.schema))
+        conversation, _ = self._conversations.use(_ends(key), self._context.conversation)
         cutter = Cutter(self._context.schema, in_step=start is not None)
         stream = Stream(self._context, conversation, cutter, self._route(packet, key, is_from_host))
         claim, _ = self._claims.use(_ends(key), lambda: Claim(self._account, begins_a_connection, is_patient=False))

@@ -20,6 +20,9 @@ MOST_AWAY = 1 << 24
 """Bytes that a segment is at most away from where the stream continues. Further away is another connection between the
 same ports, whose beginning is not in the capture."""
 
+SEGMENT_SIZE = 250
+"""Bytes of memory that a segment takes while it waits, besides its data, about."""
+
 _HALF, _MASK = 1 << 31, (1 << 32) - 1
 _MOST_HOLES = 64
 _offset_of = attrgetter("at")
@@ -76,6 +79,11 @@ class Reassembly:
         assert self._start is not None
         difference = (sequence - self._start - self._position) & _MASK
         return self._position + (difference - (1 << 32) if difference >= _HALF else difference)
+
+    @property
+    def waiting(self) -> int:
+        """Bytes of memory that what waits takes, about."""
+        return self._waiting + SEGMENT_SIZE * len(self._ahead)
 
     def add(self, sequence: int, data: bytes, number: int, time_ns: int) -> list[Segment | Hole | Late]:
         """What can be said of the stream with this segment, in order: its next bytes, holes in it, bytes too late."""

@@ -1,0 +1,102 @@
+"""Values over time: what the replies of a capture say, a column for each value, a row for each moment."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from ev3proto.capture.record import Event, Record, utc
+from ev3proto.dialogue import Value
+from ev3proto.messages import DirectCommand
+
+LATENCY = "latency"
+"""The column that every reply has a value for: seconds from its command."""
+
+Cell: TypeAlias = float | str
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """What one reply says.
+
+    time_ns  when it was captured, in nanoseconds since 1970-01-01 UTC
+    packet   its packet
+    peer     address of the brick
+    cells    its values by the names of their columns
+    """
+
+    time_ns: int
+    packet: int
+    peer: str
+    cells: dict[str, Cell]
+
+    @property
+    def time(self) -> str:
+        """When it was captured, as `2024-01-31T09:12:31.011558Z`."""
+        return utc(self.time_ns)
+
+
+@dataclass(slots=True)
+class Series:
+    """All of it.
+
+    units  the columns in the order in which they came, each with its unit; None where it has none
+    rows   in the order of the capture
+    """
+
+    units: dict[str, str | None] = field(default_factory=dict)
+    rows: list[Row] = field(default_factory=list)
+
+
+def series_of(events: Iterable[Event]) -> Series:
+    """Gathers the values of all replies.
+
+    Args:
+        events: Of a capture; what is no reply with a value is passed over.
+
+    Returns:
+        The values. A text and a number that stand for no value ("not a number") have no cell.
+    """
+    found = Series({LATENCY: "s"})
+    for event in events:
+        if not isinstance(event, Record) or event.request is None or event.latency is None:
+            continue
+        cells: dict[str, Cell] = {LATENCY: event.latency}
+        for value, name in _named(event):
+            for suffix, cell in _cells(value):
+                found.units.setdefault(name + suffix, value.unit)
+                cells[name + suffix] = cell
+        found.rows.append(Row(event.time_ns, event.number, event.peer, cells))
+    return found
+
+
+def _named(reply: Record) -> list[tuple[Value, str]]:
+    """The values of a reply with their columns: the operation, what it was asked with, such as a port, the name."""
+    request = None if reply.request is None else reply.request.message
+    asked: dict[tuple[str, str | None], list[str]] = {}
+    if isinstance(request, DirectCommand):
+        for operation in request.operations:
+            inputs = [str(it.value) for it in operation.arguments if not it.is_variable and it.kind == "constant"]
+            asked.setdefault((operation.name, operation.command), []).append(",".join(inputs))
+    named = []
+    used: dict[tuple[str, str | None, str], int] = {}
+    for value in reply.values:
+        key = (value.op, value.command, value.name)
+        number = used[key] = used.get(key, -1) + 1
+        inputs = asked.get(key[:2], [])
+        inside = inputs[number] if number < len(inputs) else ""
+        full_name = f"{value.op}.{value.command}" if value.command else value.op
+        named.append((value, f"{full_name}({inside}).{value.name}" if inside else f"{full_name}.{value.name}"))
+    return named
+
+
+def _cells(value: Value) -> list[tuple[str, Cell]]:
+    if value.is_nan or isinstance(value.value, bytes):
+        return []
+    if isinstance(value.value, list):
+        cells: list[tuple[str, Cell]] = [(f"[{number}]", each) for number, each in enumerate(value.value)]
+    else:
+        cells = [("", value.value)]
+    return [(name, cell) for name, cell in cells if isinstance(cell, str) or math.isfinite(cell)]

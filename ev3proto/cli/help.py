@@ -1,0 +1,45 @@
+"""`ev3proto help`: the help of a subcommand, or what is known of an operation or of a code of the checker."""
+
+from __future__ import annotations
+
+import re
+
+import click
+
+
+@click.command()
+@click.argument("words", nargs=-1)
+@click.pass_context
+def help(context: click.Context, words: tuple[str, ...]) -> None:  # noqa: A001 - what it is called
+    """Shows the help of a subcommand; of an operation or a code, what is known of it.
+
+    \b
+      ev3proto help decode
+      ev3proto help export pcapng
+      ev3proto help sound.tone
+      ev3proto help E205
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    parent = context.parent
+    assert parent is not None
+    command, found = parent.command, parent
+    for number, word in enumerate(words):
+        below = command.get_command(found, word) if isinstance(command, click.Group) else None
+        if below is None:
+            if number:
+                raise click.UsageError(f"{found.command_path} has no subcommand {word}")
+            _look_up(words)
+            return
+        command, found = below, click.Context(below, info_name=word, parent=found)
+    click.echo(command.get_help(found))
+
+
+def _look_up(words: tuple[str, ...]) -> None:
+    """Shows an operation, or explains a code of the checker."""
+    from ev3proto.cli.check import check
+    from ev3proto.cli.ops import ops
+
+    if re.fullmatch(r"[EWHewh]\d{3}", words[0]):
+        command, arguments = check, ["--explain", words[0].upper()]
+    else:
+        command, arguments = ops, list(words)
+    command.main(args=arguments, prog_name=f"ev3proto {command.name}", standalone_mode=False)

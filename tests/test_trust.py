@@ -1,0 +1,212 @@
+"""What strangers send: nothing of it steers a terminal, takes more memory than there is, or ends in a traceback."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import pty
+import struct
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from support.cli import run_ev3proto_text
+
+import ev3proto
+from ev3proto.bounded import Budget
+from ev3proto.capture import read
+from ev3proto.checking.checking import check
+from ev3proto.checking.fixing import fix
+from ev3proto.dialogue import Exchange
+from ev3proto.semantics.pairing import Pairing
+from ev3proto.text.heading import Seen
+from ev3proto.text.json_format.writing import record, record_text
+from ev3proto.text.spans import plain_text
+from ev3proto.text.table import table
+from ev3proto.text.tree import tree, tree_texts
+from ev3proto.text.visible import visible
+
+HARMFUL = "\x1b]52;c;Zm9v\x07\x1b[2J\x9b31m\x85\x7f\u202e\u2066\u2028"
+
+
+def a_string(text: bytes) -> str:
+    """A command that carries a text of any characters."""
+    operation = ev3proto.operation("FILENAME.EXIST", text.decode("latin-1"), ev3proto.GV(0))
+    return ev3proto.direct_command(operation, global_size=4).build().hex()
+
+
+def on_a_terminal(*words: str) -> str:
+    """What a subcommand writes to a terminal."""
+    main, other = pty.openpty()
+    child = subprocess.Popen(
+        [sys.executable, "-m", "ev3proto", *words], stdin=subprocess.DEVNULL, stdout=other, stderr=other
+    )
+    os.close(other)
+    shown = b""
+    try:
+        while part := os.read(main, 1 << 16):
+            shown += part
+    except OSError:
+        pass  # the other end is closed
+    child.wait()
+    os.close(main)
+    return shown.decode("utf-8", "replace")
+
+
+def without_colours(text: str) -> str:
+    import re
+
+    return re.sub("\x1b\\[[0-9;]*m", "", text)
+
+
+CONTROLS = [letter for letter in HARMFUL if not letter.isprintable()]
+
+
+@pytest.mark.parametrize("text", CONTROLS)
+def test_every_harmful_character_is_written_as_an_escape(text: str) -> None:
+    assert visible(f"a{text}b") == f"a\\u{ord(text):04x}b"
+
+
+@pytest.mark.parametrize("style", ["tree", "table", "asm", "json"])
+def test_a_string_of_controls_on_a_terminal(style: str) -> None:
+    shown = without_colours(on_a_terminal("decode", "--format", style, a_string(b"\x1b[2J\x9b\x7f\x85")))
+    assert not set(shown) & set("\x1b\x9b\x7f\x85\x07")
+    assert "\\u001b" in shown or "\\" in shown
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("decode", HARMFUL),
+        ("check", HARMFUL),
+        ("decode", "--filter", HARMFUL, "x"),
+        ("decode", "--dialect", HARMFUL, "x"),
+        ("encode", HARMFUL),
+        ("ops", HARMFUL),
+        ("stats", HARMFUL),
+        ("check", "--explain", HARMFUL),
+        (f"x{HARMFUL}",),
+    ],
+)
+def test_what_was_typed_is_not_repeated_as_it_is(words: tuple[str, ...]) -> None:
+    done = run_ev3proto_text(*words)
+    assert done.returncode in (1, 2)
+    assert not set(done.stdout + done.stderr) & set(CONTROLS)
+
+
+def test_json_stays_json() -> None:
+    done = run_ev3proto_text("decode", "--json", a_string(b"\x9b\x7f\x1b"))
+    (entry,) = map(json.loads, done.stdout.splitlines())
+    assert entry["operations"][0]["args"][0]["value"] == "\x9b\x7f\x1b"
+    assert done.stdout.isascii()
+
+
+def test_a_failure_that_nobody_thought_of_is_one_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    import ev3proto.cli.ops
+
+    def broken(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("something")
+
+    monkeypatch.setattr(ev3proto.cli.ops.ops, "callback", broken)
+    done = run_ev3proto_text("ops")
+    assert done.returncode == 70
+    assert done.stderr.count("\n") == 1
+    assert "ZeroDivisionError: something" in done.stderr
+    monkeypatch.setenv("EV3PROTO_DEBUG", "1")
+    with pytest.raises(ZeroDivisionError):
+        run_ev3proto_text("ops")
+
+
+def test_texts_made_of_patterns_are_the_same_as_those_made_of_lines() -> None:
+    from hypothesis import find  # noqa: F401 - the strategies need it
+
+    from ev3proto.sampling import samples
+    from ev3proto.testing import frames
+
+    for number, frame in enumerate(samples(frames(), 5)):
+        exchange = Exchange(ev3proto.parse(frame, strict=False))
+        assert tree_texts(exchange, Seen()) == [plain_text(line) for line in tree(exchange, Seen())]
+        assert json.loads(record_text(exchange, Seen())) == record(exchange, Seen())
+        if number == 300:
+            break
+
+
+def test_a_budget_lets_the_oldest_go() -> None:
+    budget = Budget(100)
+    one: Pairing[bytes] = Pairing(budget=budget, size_of=len)
+    two: Pairing[bytes] = Pairing(budget=budget, size_of=len)
+    one.remember("a", 0, b"a" * 40)
+    two.remember("b", 0, b"b" * 40)
+    two.remember("c", 0, b"c" * 40)
+    assert (one.unanswered, two.unanswered, budget.dropped) == ([], [b"b" * 40, b"c" * 40], 1)
+    assert two.answered("b", None) == b"b" * 40
+    one.remember("d", 0, b"d" * 40)
+    assert budget.dropped == 1
+
+
+def commands(count: int) -> bytes:
+    """A capture of commands that want replies and get none, on 256 connections."""
+    found = [struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65535, 101)]
+    for number in range(count):
+        port, turn = 1024 + number % 256, number // 256
+        body = struct.pack("<HBH", turn, 0, 0) + b"\x01" * 90
+        frame = struct.pack("<H", len(body)) + body
+        tcp = struct.pack(">HHIIBBHHH", port, 5555, 1 + turn * len(frame), 1, 0x50, 0x18, 8192, 0, 0) + frame
+        address = bytes((192, 0, 2, 1)), bytes((192, 0, 2, 10))
+        packet = struct.pack(">BBHHHBBH4s4s", 0x45, 0, 20 + len(tcp), 1, 0, 64, 6, 0, *address) + tcp
+        found.append(struct.pack("<IIII", number // 1000, 0, len(packet), len(packet)) + packet)
+    return b"".join(found)
+
+
+def test_commands_without_replies_share_a_budget() -> None:
+    capture = read(io.BytesIO(commands(3000)), memory=1 << 20)
+    assert sum(1 for _ in capture) == 3000
+    # Each counts for about 800 bytes, so 1 MiB has room for 1,300.
+    assert 1500 < capture.account.forgotten < 1900
+
+
+def test_what_was_given_up_is_reported(tmp_path: Path) -> None:
+    path = tmp_path / "many.pcap"
+    path.write_bytes(commands(3000))
+    done = run_ev3proto_text("stats", "--memory", "1", str(path))
+    assert "commands without a reply were given up: what waits may take 1 MiB (--memory)" in done.stderr
+
+
+def frame_of(body: bytes) -> bytes:
+    head = struct.pack("<HBH", 1, 0x80, 0x0040) + body
+    return struct.pack("<H", len(head)) + head
+
+
+HOSTILE = {
+    "no operation": b"\x01" * 1017,
+    "jumps": b"\x40\x81\x02" * 339,
+    "moves": b"".join(bytes((0x3A, 0xE1, at % 251, 0xE1, at * 7 % 251)) for at in range(200)),
+    "controls": b"\x84\x05\x01\x00\x00\x84" + b"\x1b" * 1005 + b"\0",
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_no_frame_takes_long(name: str) -> None:
+    frame = frame_of(HOSTILE[name])
+    exchange = Exchange(ev3proto.parse(frame, strict=False))
+
+    def show() -> None:
+        list(table(exchange, Seen()))
+
+    for work in (lambda: check(frame), lambda: fix(frame), show):
+        work()
+        started = time.process_time()
+        work()
+        # Ten times what it takes where nothing else runs.
+        assert time.process_time() - started < 0.3
+
+
+def test_a_frame_longer_than_any_is_not_looked_into() -> None:
+    frame = struct.pack("<HHBH", 65535, 1, 0x80, 0) + b"\x40\x05" * 32765
+    started = time.process_time()
+    report = check(frame)
+    assert time.process_time() - started < 2
+    assert not report.accepted

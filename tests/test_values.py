@@ -1,0 +1,61 @@
+"""`ev3proto values`: the values in replies over time, as a table, CSV, JSON and a picture."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from pathlib import Path
+
+from support.cli import run_ev3proto_text as run
+
+CAPTURES = Path(__file__).parent.parent / "captures"
+PLUGGED = str(CAPTURES / "usb-plugged.pcap")
+BATTERY = ("--filter", "op == UI_READ.GET_VBATT")
+
+
+def test_a_table() -> None:
+    done = run("values", PLUGGED, *BATTERY)
+    assert done.returncode == 0
+    assert [line.split("  ") for line in re.sub(r" {3,}", "  ", done.stdout).splitlines()] == [
+        ["time [s]", "packet", "latency [s]", "UI_READ.GET_VBATT.VALUE [V]"],
+        ["0.000000", "3", "0.004", "7.92"],
+        ["0.072790", "34", "0.004", "7.88"],
+    ]
+
+
+def test_comma_separated_values() -> None:
+    done = run("values", PLUGGED, *BATTERY, "--csv")
+    first, *rows = csv.reader(io.StringIO(done.stdout))
+    assert first == ["time", "packet", "peer", "latency [s]", "UI_READ.GET_VBATT.VALUE [V]"]
+    assert rows[0] == ["2026-01-01T10:00:00.006500Z", "3", "1.7", "0.004", "7.92"]
+    assert [row[4] for row in rows] == ["7.92", "7.88"]
+
+
+def test_json() -> None:
+    done = run("values", PLUGGED, "--json")
+    rows = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [row["packet"] for row in rows] == [3, 21, 25, 34]
+    assert rows[1]["values"] == {"latency": 0.004, "INPUT_READ(0,0,0,0).PCT": 100}
+
+
+def test_a_picture_has_units_and_names(tmp_path: Path) -> None:
+    path = tmp_path / "battery.svg"
+    done = run("values", PLUGGED, *BATTERY, "--plot", str(path))
+    assert (done.returncode, done.stdout) == (0, f"{path}: written\n")
+    svg = path.read_text()
+    for text in ("time (s)", ">V<", ">s<", "UI_READ.GET_VBATT.VALUE", "usb-plugged.pcap"):
+        assert text in svg, text
+
+
+def test_a_picture_of_another_kind(tmp_path: Path) -> None:
+    done = run("values", PLUGGED, "--plot", str(tmp_path / "x.gif"))
+    assert done.returncode == 2
+    assert "a plot is written to a file that ends in .svg or .png, not in .gif" in done.stderr
+
+
+def test_nothing_to_show() -> None:
+    done = run("values", str(CAPTURES / "daisy.pcap"), *BATTERY)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "no reply with its command was found" in done.stderr

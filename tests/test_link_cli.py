@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+import os
+import pty
 import re
 import signal
 import socket
@@ -347,3 +349,44 @@ def test_the_proxy_says_where_it_listens_and_who_may_come() -> None:
         done = run_ev3proto_text("proxy", *words)
         assert done.returncode == 2
         assert sentence in done.stderr
+
+
+# copy
+
+
+def test_copy_brings_a_file_to_the_brick_and_back(tmp_path: Path) -> None:
+    (tmp_path / "root").mkdir()
+    target = f"virtual:{tmp_path / 'root'}"
+    source, copied = tmp_path / "tone.rsf", tmp_path / "copied.rsf"
+    source.write_bytes(bytes(range(256)) * 12)
+    done = run_ev3proto_text("copy", target, source, "brick:../prjs/tone/tone.rsf")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == f"{source} -> brick:../prjs/tone/tone.rsf: 3072 bytes, the same MD5\n"
+    assert (tmp_path / "root/prjs/tone/tone.rsf").read_bytes() == source.read_bytes()
+    assert run_ev3proto_text("copy", target, "brick:../prjs/tone/tone.rsf", copied).returncode == 0
+    assert copied.read_bytes() == source.read_bytes()
+
+
+def test_copy_says_what_to_do(tmp_path: Path) -> None:
+    target = f"virtual:{tmp_path}"
+    for words, status, sentence in (
+        (("one", "two"), 2, "one of SOURCE and DESTINATION must be on the brick, such as brick:../prjs/tone/tone.rbf"),
+        ((tmp_path / "none", "brick:../prjs/none"), 1, f"{tmp_path / 'none'}: No such file or directory"),
+        (("brick:../prjs/none.rbf", tmp_path / "x"), 1, "none.rbf"),
+    ):
+        done = run_ev3proto_text("copy", target, *words)
+        assert (done.returncode, done.stdout) == (status, "")
+        assert sentence in done.stderr
+        assert "Traceback" not in done.stderr
+    assert not (tmp_path / "x").exists()
+
+
+def test_copy_shows_a_bar_on_a_terminal(tmp_path: Path) -> None:
+    source = tmp_path / "a.bin"
+    source.write_bytes(bytes(2000))
+    command = [sys.executable, "-m", "ev3proto", "copy", f"virtual:{tmp_path}", str(source), "brick:../prjs/a.bin"]
+    ours, theirs = pty.openpty()
+    subprocess.run(command, stdout=subprocess.DEVNULL, stderr=theirs, check=True, timeout=60)
+    os.close(theirs)
+    assert "2.0/2.0 kB" in os.read(ours, 1 << 16).decode()
+    os.close(ours)

@@ -22,6 +22,7 @@ from ev3proto.version import VERSION
 SUBCOMMANDS = (
     "brick",
     "check",
+    "copy",
     "decode",
     "dissector",
     "encode",

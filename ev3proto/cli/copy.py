@@ -1,0 +1,73 @@
+"""`ev3proto copy`: a file to a brick, or from it, with a bar that shows how far it is."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.targets import TargetType
+
+if TYPE_CHECKING:
+    from ev3proto.link.targets import Target
+
+ON_BRICK = "brick:"
+"""What a path on the brick begins with."""
+
+
+@click.command()
+@click.argument("target", type=TargetType())
+@click.argument("source")
+@click.argument("destination")
+def copy(target: Target, source: str, destination: str) -> None:
+    """Copies a file to a brick, or from it.
+
+    TARGET is the brick, as in `ev3proto send`. One of SOURCE and DESTINATION is a path on the brick, with brick: before
+    it: absolute, or relative to /home/root/lms2012/sys. The other is a file of this computer. Missing folders of the
+    brick are made. Afterwards the MD5 sums of both files are compared.
+
+    \b
+      ev3proto copy wifi tone.rbf brick:../prjs/tone/tone.rbf
+      ev3proto copy usb brick:../prjs/tone/tone.rbf tone.rbf
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    is_from_brick = source.startswith(ON_BRICK)
+    if is_from_brick == destination.startswith(ON_BRICK):
+        example = f"{ON_BRICK}../prjs/tone/tone.rbf"
+        raise click.UsageError(f"one of SOURCE and DESTINATION must be on the brick, such as {example}")
+    from ev3proto.link.errors import LinkError
+    from ev3proto.link.ev3 import EV3
+
+    try:
+        with EV3(target=target) as brick, _bar() as moved:
+            if is_from_brick:
+                size = len(brick.upload(source.removeprefix(ON_BRICK), Path(destination), moved))
+            else:
+                size = brick.download(Path(source), destination.removeprefix(ON_BRICK), moved).size
+    except OSError as error:
+        complain(f"{source if error.filename is None else error.filename}: {error.strerror or error}")
+        sys.exit(1)
+    except LinkError as error:
+        complain(str(error))
+        sys.exit(1)
+    Printer().text(f"{source} -> {destination}: {size} bytes, the same MD5")
+
+
+@contextmanager
+def _bar() -> Iterator[Callable[[int, int], None]]:
+    """What shows how many bytes of how many were moved, where a terminal watches."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        from ev3proto.link.file_moves import nothing_moved
+
+        yield nothing_moved
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, DownloadColumn, Progress
+
+    with Progress(BarColumn(), DownloadColumn(), console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("", total=None)
+        yield lambda done, size: progress.update(task, total=size, completed=done)

@@ -131,6 +131,7 @@ def test_log_lines(line: str) -> None:
     [
         "11:39:49.039902 Sent 0x|3C:00|2A:00|80|00:00|82:1B:...",
         "0x|3C:00|2A:00|80|00:00|82:1B:…",
+        "11:39:49.039902 Sent 0x|3C:00|2A:00|80|00:00|82:1B:...\nThis is less than 6% of its maximum length.",
         "Sent 0x|3C:00|2A:00|80|00:00|82:1B:0...",
         "3c002a0080000082 1b ...",
         r"b'<\x00*\x00\x80\x00\x00\x82\x1b...",
@@ -508,3 +509,9 @@ def test_lines_are_read_as_they_come() -> None:
 def test_a_frame_that_lost_most_of_itself_is_not_lost_too(line: str, data: bytes, problem: str | None) -> None:
     (pasted,) = read_text(["some words about it\n", f"{line}\n"])
     assert (pasted.data, pasted.problem, pasted.line) == (data, problem, 2)
+
+
+def test_a_long_frame_that_was_cut_is_no_operations_alone() -> None:
+    body = "82:1B:02:94:01:01:82:06:01:82:F4:01:96:82:1B:01:94:01:01:82:4A:01:82:F4:01:96:82:1B:02"
+    pasted = only(f"Sent 0x|3C:00|2A:00|80|00:00|{body}:...")
+    assert (len(pasted.data), pasted.cut, pasted.direction) == (36, True, "sent")

@@ -96,7 +96,7 @@ def read_argument(text: str) -> Pasted:
 
 def _explained(piece: Pasted) -> Pasted:
     """The piece, and what is missing in front of it where that makes a frame of it."""
-    if piece.problem is not None or is_flawless(piece.data):
+    if piece.problem is not None or piece.cut or is_flawless(piece.data):
         return piece
     reason = bare_reason(piece.data)
     return piece if reason is None else replace(piece, problem=reason)

@@ -50,7 +50,10 @@ class Reader:
     def _kept(self, pieces: Iterator[Pasted]) -> Iterator[Pasted]:
         """The pieces that are worth reporting, and what looks like a frame where there is none of them."""
         for piece in pieces:
-            is_bare = any(looks.line == piece.line for looks in self._held) and bare_reason(piece.data) is not None
+            bare = None if piece.cut else bare_reason(piece.data)
+            is_bare = bare is not None and any(
+                (looks.line, looks.problem) == (piece.line, bare) for looks in self._held
+            )
             if _is_worth(piece) and not is_bare:
                 self._held = [looks for looks in self._held if looks.line < piece.line]
                 yield piece

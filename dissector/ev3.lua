@@ -4039,27 +4039,27 @@ end
 
 -- Expert information, each kind with a name to filter for.
 local experts = {
-    fault = ProtoExpert.new("ev3.expert.fault", "EV3: faulty frame", expert.group.MALFORMED, expert.severity.ERROR),
-    unknown_opcode = ProtoExpert.new("ev3.expert.unknown_opcode", "EV3: unknown opcode",
+    fault = ProtoExpert.new("ev3.expert.fault", "Faulty frame", expert.group.MALFORMED, expert.severity.ERROR),
+    unknown_opcode = ProtoExpert.new("ev3.expert.unknown_opcode", "Unknown opcode",
         expert.group.MALFORMED, expert.severity.ERROR),
-    unknown_cmd = ProtoExpert.new("ev3.expert.unknown_cmd", "EV3: unknown CMD",
+    unknown_cmd = ProtoExpert.new("ev3.expert.unknown_cmd", "Unknown CMD",
         expert.group.MALFORMED, expert.severity.ERROR),
-    cut_off = ProtoExpert.new("ev3.expert.cut_off", "EV3: cut off", expert.group.MALFORMED, expert.severity.ERROR),
-    misaligned = ProtoExpert.new("ev3.expert.misaligned", "EV3: misaligned variable",
+    cut_off = ProtoExpert.new("ev3.expert.cut_off", "Cut off", expert.group.MALFORMED, expert.severity.ERROR),
+    misaligned = ProtoExpert.new("ev3.expert.misaligned", "Misaligned variable",
         expert.group.PROTOCOL, expert.severity.ERROR),
-    beyond_memory = ProtoExpert.new("ev3.expert.beyond_memory", "EV3: variable beyond the memory asked for",
+    beyond_memory = ProtoExpert.new("ev3.expert.beyond_memory", "Variable beyond the memory asked for",
         expert.group.PROTOCOL, expert.severity.WARN),
-    no_boundary = ProtoExpert.new("ev3.expert.no_boundary", "EV3: no frame starts here",
+    no_boundary = ProtoExpert.new("ev3.expert.no_boundary", "No frame starts here",
         expert.group.MALFORMED, expert.severity.ERROR),
-    error_reply = ProtoExpert.new("ev3.expert.error_reply", "EV3: the brick refused or failed the command",
+    error_reply = ProtoExpert.new("ev3.expert.error_reply", "The brick refused or failed the command",
         expert.group.RESPONSE_CODE, expert.severity.WARN),
-    failed = ProtoExpert.new("ev3.expert.failed", "EV3: the command failed",
+    failed = ProtoExpert.new("ev3.expert.failed", "The command failed",
         expert.group.RESPONSE_CODE, expert.severity.WARN),
-    orphan = ProtoExpert.new("ev3.expert.orphan", "EV3: the command that this reply answers was not seen",
+    orphan = ProtoExpert.new("ev3.expert.orphan", "The command that this reply answers was not seen",
         expert.group.SEQUENCE, expert.severity.NOTE),
-    unanswered = ProtoExpert.new("ev3.expert.unanswered", "EV3: no reply to this command was seen",
+    unanswered = ProtoExpert.new("ev3.expert.unanswered", "No reply to this command was seen",
         expert.group.SEQUENCE, expert.severity.NOTE),
-    bootloader_fault = ProtoExpert.new("ev3.expert.bootloader_fault", "EV3: bootloader fault on USB 3",
+    bootloader_fault = ProtoExpert.new("ev3.expert.bootloader_fault", "Bootloader fault on USB 3",
         expert.group.PROTOCOL, expert.severity.ERROR),
 }
 
@@ -4514,6 +4514,332 @@ do
     end
 end
 
+-- Phrases -----------------------------------------------------------------------------------------------------------
+--
+-- What the info column and the headings of the tree say.
+
+local plural, on_one_line, shortened, number_text, meaning_of, variable_text, add_phrase, output_text,
+    values_text, transfer_text
+do
+    -- Wireshark cuts the info column anyway; a list of a hundred values says no more than its start.
+    local MOST_VALUES, MOST_TEXT = 12, 60
+
+    function plural(count, word)
+        return count .. " " .. word .. (count == 1 and "" or "s")
+    end
+
+    -- The symbol of a control character: a line end would cut the line.
+    local function symbol_of(control)
+        local code = byte(control)
+        return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
+    end
+
+    function on_one_line(text)
+        return (gsub(utf8_text(text), "[\1-\31\127]", symbol_of))
+    end
+
+    function shortened(text)
+        if #text > MOST_TEXT then text = sub(text, 1, MOST_TEXT) .. "..." end
+        return '"' .. on_one_line(text) .. '"'
+    end
+
+    function number_text(value)
+        -- Not a number is the one value that is not equal to itself.
+        if value ~= value then return "NaN" end
+        if value % 1 == 0 and value > -1e15 and value < 1e15 then return format("%d", value) end
+        return format("%.7g", value)
+    end
+
+    -- What there is to say of a value beside the name that Wireshark itself shows: its special meaning, or the names of
+    -- the flags that it is made of.
+    function meaning_of(parameter, value)
+        if not parameter.is_flags then return parameter.special[value] end
+        local names, flags = {}, parameter.enum.names
+        if value < 0 or value > 0xFF then return nil end
+        for bit = 0, 7 do
+            local flag = 2 ^ bit
+            if value % (2 * flag) >= flag then names[#names + 1] = flags[flag] or format("0x%02X", flag) end
+        end
+        return names[1] and concat(names, "|")
+    end
+
+    function variable_text(encoding, index)
+        return encoding.text or encoding.scope .. index .. ")"
+    end
+
+    -- What stands for an argument in a line; for most numbers the number itself.
+    local function argument_text(parameter, encoding, value)
+        if encoding.scope then return variable_text(encoding, value) end
+        local enum = parameter.enum
+        local name = enum and not enum.is_flags and enum.names[value]
+        if name or encoding.text then return name or encoding.text end
+        if encoding.kind == CONSTANT_TEXT then return shortened(value) end
+        return parameter.is_float and number_text(value) or value
+    end
+
+    -- A line on an operation is collected piece by piece, `count` of them: SOUND TONE volume=1 frequency=440
+    function add_phrase(pieces, parameter, encoding, value)
+        if parameter.direction == OUT then return end
+        local count = pieces.count
+        if count <= 2 * MOST_VALUES then
+            pieces[count + 1] = parameter.key
+            pieces[count + 2] = argument_text(parameter, encoding, value)
+            pieces.count = count + 2
+        elseif count == 2 * MOST_VALUES + 1 then
+            pieces[count + 1] = " ..."
+            pieces.count = count + 1
+        end
+    end
+
+    local function unit_text(parameter)
+        return parameter.unit and " " .. parameter.unit or ""
+    end
+
+    local function one_value_text(output, value)
+        local parameter = output.parameter
+        if type(value) == "string" then return shortened(value) end
+        if output.is_handle then return number_text(value) end
+        local enum = parameter.enum
+        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. unit_text(parameter)
+    end
+
+    function output_text(output)
+        if not output.list then return one_value_text(output, output.value) end
+        local pieces = {}
+        for index = 1, math.min(#output.list, MOST_VALUES) do
+            pieces[index] = one_value_text(output, output.list[index])
+        end
+        if #output.list > MOST_VALUES then pieces[#pieces + 1] = "..." end
+        return "[" .. concat(pieces, ", ") .. "]"
+    end
+
+    -- The name of an output: what LEGO calls it where the parameter is only a VALUE.
+    local function output_name(operation, output)
+        local name = output.parameter.name
+        return name == "VALUE" and operation.value_name or name
+    end
+
+    -- 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
+    function values_text(found)
+        if not found[2] and not found[1].values[2] then return output_text(found[1].values[1]) end
+        local pieces = {}
+        for _, group in ipairs(found) do
+            for _, output in ipairs(group.values) do
+                if #pieces == MOST_VALUES then
+                    pieces[#pieces + 1] = "..."
+                    return concat(pieces, " ")
+                end
+                pieces[#pieces + 1] = output_name(group.operation, output) .. "=" .. output_text(output)
+            end
+        end
+        return concat(pieces, " ")
+    end
+
+    function transfer_text(transfer)
+        local text = shortened(transfer.path)
+        if transfer.size then
+            text = format("%s %d of %s", text, transfer.done, plural(transfer.size, "byte"))
+        end
+        return text
+    end
+end
+
+-- Statistics --------------------------------------------------------------------------------------------------------
+--
+-- What was said in a capture, by operation and by brick, and the files that were moved. Wireshark shows it in windows,
+-- tshark prints it at the end of a run where the preference says so.
+
+local counts_all, count_message, count_answer, keep_piece, forget_statistics, register_statistics, print_at_end
+do
+    -- Whether anybody may ask for them: whoever has a window, and tshark where the preferences say so.
+    counts_all = gui_enabled()
+
+    -- Rows, files and bytes that are kept at most: names in a capture may be of anybody's making.
+    local MOST_ROWS, MOST_FILES, MOST_BYTES = 1000, 256, 64 * 1024 * 1024
+
+    -- By name: how many messages, bytes of them, answers, and the seconds until these.
+    local operations, bricks
+    local row_counts, files, kept_bytes
+    local wanted, answered
+
+    function forget_statistics()
+        operations, bricks, row_counts = {}, {}, { 0, 0 }
+        files, kept_bytes = {}, 0
+        wanted, answered = 0, 0
+    end
+    forget_statistics()
+
+    local function row_of(rows, kind, name)
+        local row = rows[name]
+        if row then return row end
+        if row_counts[kind] >= MOST_ROWS then
+            name = "(others)"
+            if rows[name] then return rows[name] end
+        end
+        row_counts[kind] = row_counts[kind] + 1
+        row = { messages = 0, bytes = 0, answers = 0, total = 0, most = 0, wanted = 0 }
+        rows[name] = row
+        return row
+    end
+
+    local function count(row, message)
+        row.messages, row.bytes = row.messages + 1, row.bytes + message.stop
+        if message.type.wants_reply then row.wanted = row.wanted + 1 end
+    end
+
+    -- What a command is called in a row: by its first operation or its system command.
+    local function name_of(message, text)
+        if message.command then return message.command.name end
+        if message.type.carries == "direct" then
+            local operation = #text > COMMAND_HEADER_SIZE and select_operation(text, COMMAND_HEADER_SIZE, #text)
+            return operation and operation.title or "(no operation)"
+        end
+        return message.type.name
+    end
+
+    -- A message that is seen for the first time, and the conversation it belongs to.
+    function count_message(talk, message)
+        count(row_of(bricks, 2, (talk.name or talk.key)), message)
+        if not message.type.is_command then return end
+        if message.type.wants_reply then wanted = wanted + 1 end
+        count(row_of(operations, 1, name_of(message, message.text)), message)
+    end
+
+    -- A reply to a command, whose frame is `text`, and after how many seconds it came.
+    function count_answer(talk, message, text, delay)
+        answered = answered + 1
+        for _, row in ipairs({
+            row_of(operations, 1, name_of(message, text)), row_of(bricks, 2, (talk.name or talk.key)),
+        }) do
+            row.answers, row.total = row.answers + 1, row.total + delay
+            if delay > row.most then row.most = delay end
+        end
+    end
+
+    -- A piece of a file that is moved; `transfer` is where it is kept.
+    function keep_piece(transfer, data)
+        if transfer.is_dropped or not data or data == "" then return end
+        if not transfer.pieces then
+            if #files >= MOST_FILES then transfer.is_dropped = true return end
+            transfer.pieces = {}
+            files[#files + 1] = transfer
+        end
+        if kept_bytes + #data > MOST_BYTES then transfer.is_dropped = true return end
+        kept_bytes = kept_bytes + #data
+        transfer.pieces[#transfer.pieces + 1] = data
+    end
+
+    local function table_text(heading, rows)
+        local names, lines = {}, {}
+        for name in pairs(rows) do
+            names[#names + 1] = name
+        end
+        table.sort(names, function(one, other)
+            if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
+            return one < other
+        end)
+        lines[1] = format("%-40s %9s %11s %9s %10s %10s", heading, "messages", "bytes", "answers", "mean ms", "most ms")
+        for _, name in ipairs(names) do
+            local row = rows[name]
+            local mean = row.answers > 0 and format("%.2f", 1000 * row.total / row.answers) or ""
+            local most = row.answers > 0 and format("%.2f", 1000 * row.most) or ""
+            lines[#lines + 1] =
+                format("%-40s %9d %11d %9d %10s %10s", name, row.messages, row.bytes, row.answers, mean, most)
+        end
+        return concat(lines, "\n")
+    end
+
+    local function files_text()
+        local lines = { format("%-60s %10s %10s", "File", "moved", "size") }
+        for _, transfer in ipairs(files) do
+            local size = transfer.size and format("%d", transfer.size) or ""
+            lines[#lines + 1] = format("%-60s %10d %10s", on_one_line(transfer.path), transfer.done, size)
+        end
+        return concat(lines, "\n")
+    end
+
+    local function all_text()
+        local counts = format("%d of %s that want a reply have none", wanted - answered, plural(wanted, "command"))
+        return concat({
+            table_text("Operation", operations), "", table_text("Brick", bricks), "", files_text(), "", counts,
+        }, "\n") .. "\n"
+    end
+
+    -- The name under which a file is written: nothing of its path leads out of the folder.
+    local function safe_name(path, taken)
+        local name = gsub(gsub(path:match("[^/\\]*$"), "[^%w%._%- ]", "_"), "^[%. ]+", "_")
+        name = sub(gsub(name, "[%. ]+$", ""), 1, 100)
+        local stem = name:match("^[^%.]*"):upper()
+        if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
+            name = "_" .. name
+        end
+        local free, number = name, 1
+        while taken[free:lower()] do
+            number = number + 1
+            free = format("%d-%s", number, name)
+        end
+        taken[free:lower()] = true
+        return free
+    end
+
+    -- Writes the files into a folder that exists. Files that are there stay as they are. Returns a line on each.
+    local function export_files(folder)
+        local taken, lines = {}, {}
+        for _, transfer in ipairs(files) do
+            local path = folder .. "/" .. safe_name(transfer.path, taken)
+            local there = io.open(path, "rb")
+            if there then
+                there:close()
+                lines[#lines + 1] = path .. ": kept, it was there before"
+            else
+                local data = concat(transfer.pieces)
+                local file, reason = io.open(path, "wb")
+                if file then
+                    file:write(data)
+                    file:close()
+                end
+                local is_whole = not transfer.size or #data == transfer.size
+                lines[#lines + 1] = path .. ": "
+                    .. (file and plural(#data, "byte") .. (is_whole and "" or ", not all of it") or tostring(reason))
+            end
+        end
+        return lines[1] and concat(lines, "\n") or "no files were moved in this capture"
+    end
+
+    local function show_window(title, text)
+        local window = TextWindow.new(title)
+        window:set(text)
+    end
+
+    function register_statistics()
+        ev3.prefs.statistics = Pref.bool("Statistics of tshark", false, "Print statistics at the end of a run")
+        ev3.prefs.export = Pref.string("Export folder of tshark", "", "Write the files that were moved to this folder")
+        if gui_enabled() then
+            register_menu("EV3/Operations, bricks and files", function()
+                show_window("EV3: statistics", all_text())
+            end, MENU_STAT_UNSORTED)
+            register_menu("EV3/Export files", function()
+                new_dialog("EV3: export files", function(folder)
+                    show_window("EV3: exported files", export_files(folder))
+                end, "Folder")
+            end, MENU_STAT_UNSORTED)
+        end
+    end
+
+    local at_end
+
+    -- Called before a capture is read.
+    function print_at_end()
+        counts_all = gui_enabled() or ev3.prefs.statistics or ev3.prefs.export ~= ""
+        if gui_enabled() or at_end or not counts_all then return end
+        at_end = Listener.new("frame")
+        function at_end.draw()
+            if ev3.prefs.statistics then print(all_text()) end
+            if ev3.prefs.export ~= "" then print(export_files(ev3.prefs.export)) end
+        end
+    end
+end
+
 -- Dialogues ---------------------------------------------------------------------------------------------------------
 --
 -- Which reply answers which command, and which file is on its way. Wireshark dissects all packets once in their order
@@ -4570,7 +4896,7 @@ do
     function talk_of(key)
         local talk = talks[key]
         if not talk then
-            talk = { pending = {}, begun = {}, open = {} }
+            talk = { key = key, pending = {}, begun = {}, open = {} }
             talks[key] = talk
         end
         return talk
@@ -4648,7 +4974,10 @@ do
             return transfer
         end
         local transfer = talk.open[values.handle]
-        if transfer and values.data then transfer.done = transfer.done + #values.data end
+        if transfer and values.data then
+            if counts_all then keep_piece(transfer, values.data) end
+            transfer.done = transfer.done + #values.data
+        end
         return transfer
     end
 
@@ -4677,6 +5006,7 @@ do
             end
         end
         if transfer then
+            if counts_all and not values.list then keep_piece(transfer, values.data) end
             transfer.size = values.size or values.list_size or transfer.size
             transfer.done = transfer.done + #(values.data or "") + #(values.list or "")
         end
@@ -4695,6 +5025,7 @@ do
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
+        if counts_all then count_message(talk, message) end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         local transfer, request
         if type.is_command then
@@ -4705,6 +5036,7 @@ do
             if request then
                 replies[request], requests[place] = place, request
                 delays[place] = pinfo.rel_ts - times[request]
+                if counts_all then count_answer(talk, message, frames[request], delays[place]) end
                 times[request] = nil
             end
             transfer = is_on_file and follow_reply(talk, message, frames[request])
@@ -4842,135 +5174,6 @@ do
             if values[1] then found[#found + 1] = { operation = outputs.operation, values = values } end
         end
         return found, layout.first
-    end
-end
-
--- Phrases -----------------------------------------------------------------------------------------------------------
---
--- What the info column and the headings of the tree say.
-
-local plural, on_one_line, shortened, number_text, meaning_of, variable_text, add_phrase, output_text,
-    values_text, transfer_text
-do
-    -- Wireshark cuts the info column anyway; a list of a hundred values says no more than its start.
-    local MOST_VALUES, MOST_TEXT = 12, 60
-
-    function plural(count, word)
-        return count .. " " .. word .. (count == 1 and "" or "s")
-    end
-
-    -- The symbol of a control character: a line end would cut the line.
-    local function symbol_of(control)
-        local code = byte(control)
-        return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
-    end
-
-    function on_one_line(text)
-        return (gsub(utf8_text(text), "[\1-\31\127]", symbol_of))
-    end
-
-    function shortened(text)
-        if #text > MOST_TEXT then text = sub(text, 1, MOST_TEXT) .. "..." end
-        return '"' .. on_one_line(text) .. '"'
-    end
-
-    function number_text(value)
-        -- Not a number is the one value that is not equal to itself.
-        if value ~= value then return "NaN" end
-        if value % 1 == 0 and value > -1e15 and value < 1e15 then return format("%d", value) end
-        return format("%.7g", value)
-    end
-
-    -- What there is to say of a value beside the name that Wireshark itself shows: its special meaning, or the names of
-    -- the flags that it is made of.
-    function meaning_of(parameter, value)
-        if not parameter.is_flags then return parameter.special[value] end
-        local names, flags = {}, parameter.enum.names
-        if value < 0 or value > 0xFF then return nil end
-        for bit = 0, 7 do
-            local flag = 2 ^ bit
-            if value % (2 * flag) >= flag then names[#names + 1] = flags[flag] or format("0x%02X", flag) end
-        end
-        return names[1] and concat(names, "|")
-    end
-
-    function variable_text(encoding, index)
-        return encoding.text or encoding.scope .. index .. ")"
-    end
-
-    -- What stands for an argument in a line; for most numbers the number itself.
-    local function argument_text(parameter, encoding, value)
-        if encoding.scope then return variable_text(encoding, value) end
-        local enum = parameter.enum
-        local name = enum and not enum.is_flags and enum.names[value]
-        if name or encoding.text then return name or encoding.text end
-        if encoding.kind == CONSTANT_TEXT then return shortened(value) end
-        return parameter.is_float and number_text(value) or value
-    end
-
-    -- A line on an operation is collected piece by piece, `count` of them: SOUND TONE volume=1 frequency=440
-    function add_phrase(pieces, parameter, encoding, value)
-        if parameter.direction == OUT then return end
-        local count = pieces.count
-        if count <= 2 * MOST_VALUES then
-            pieces[count + 1] = parameter.key
-            pieces[count + 2] = argument_text(parameter, encoding, value)
-            pieces.count = count + 2
-        elseif count == 2 * MOST_VALUES + 1 then
-            pieces[count + 1] = " ..."
-            pieces.count = count + 1
-        end
-    end
-
-    local function unit_text(parameter)
-        return parameter.unit and " " .. parameter.unit or ""
-    end
-
-    local function one_value_text(output, value)
-        local parameter = output.parameter
-        if type(value) == "string" then return shortened(value) end
-        if output.is_handle then return number_text(value) end
-        local enum = parameter.enum
-        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. unit_text(parameter)
-    end
-
-    function output_text(output)
-        if not output.list then return one_value_text(output, output.value) end
-        local pieces = {}
-        for index = 1, math.min(#output.list, MOST_VALUES) do
-            pieces[index] = one_value_text(output, output.list[index])
-        end
-        if #output.list > MOST_VALUES then pieces[#pieces + 1] = "..." end
-        return "[" .. concat(pieces, ", ") .. "]"
-    end
-
-    -- The name of an output: what LEGO calls it where the parameter is only a VALUE.
-    local function output_name(operation, output)
-        local name = output.parameter.name
-        return name == "VALUE" and operation.value_name or name
-    end
-
-    -- VBATT=7.92 V
-    function values_text(found)
-        local pieces = {}
-        for _, group in ipairs(found) do
-            for _, output in ipairs(group.values) do
-                if #pieces == MOST_VALUES then
-                    pieces[#pieces + 1] = "..."
-                    return concat(pieces, " ")
-                end
-                pieces[#pieces + 1] = output_name(group.operation, output) .. "=" .. output_text(output)
-            end
-        end
-        return concat(pieces, " ")
-    end
-
-    function transfer_text(transfer)
-        local text = shortened(transfer.path)
-        if transfer.size then
-            text = format("%s %d of %s", text, transfer.done, plural(transfer.size, "byte"))
-        end
-        return text
     end
 end
 
@@ -5216,7 +5419,7 @@ do
         end
         local size = plural(stop - HEADER_SIZE, "byte")
         if not request then return "reply: " .. size .. ", command not seen" end
-        local found = reply_values(request, message)
+        local found, first = reply_values(request, message)
         for _, group in ipairs(item and found or {}) do
             local start, behind = stop, HEADER_SIZE
             for _, output in ipairs(group.values) do
@@ -5228,8 +5431,9 @@ do
                 add_output(added, part, output)
             end
         end
-        if found[1] then return "reply: " .. values_text(found) end
-        return stop == HEADER_SIZE and "reply: ok" or "reply: " .. size
+        local head = first and "reply to " .. first.title .. ": " or "reply: "
+        if found[1] then return head .. values_text(found) end
+        return head .. (stop == HEADER_SIZE and "ok" or size)
     end
 
     -- The values that tell most about a system message: its texts, and how much there is.
@@ -6359,6 +6563,8 @@ do
         local verdict = judge_segment(text, to_brick)
         if verdict == OURS then
             talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
+            talk.name = to_brick and tostring(pinfo.dst) .. ":" .. pinfo.dst_port
+                or tostring(pinfo.src) .. ":" .. pinfo.src_port
         elseif not verdict then
             talk.strange = strange + 1
         end
@@ -6546,6 +6752,8 @@ do
         forget_dialogues()
         forget_lines()
         forget_layouts()
+        forget_statistics()
+        print_at_end()
         each_carrier("forget")
     end
 
@@ -6559,6 +6767,8 @@ do
     ev3.prefs.firmware = Pref.enum("Firmware", 1, "The firmware whose instruction set to read by",
         dialect_choices, false)
     ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
+
+    register_statistics()
 
     function ev3.prefs_changed()
         each_carrier("prefs_changed")

@@ -62,7 +62,7 @@ def infos(tshark: Tshark) -> list[str]:
             "UI_WRITE LED pattern=LED_ORANGE_PULSE; OUTPUT_SPEED layer=0 nos=6 speed=50 (+1 operation);"
             " UI_READ GET_VBATT",
         ),
-        (18, "reply: VBATT=7.92 V"),
+        (18, "reply to UI_READ GET_VBATT: 7.92 V"),
         (29, "error reply to UI_READ GET_VBATT"),
         (31, 'LIST_FILES max_bytes=80 "/home/root/lms2012/prjs/log/"'),
         (32, 'reply: LIST_FILES "/home/root/lms2012/prjs/log/" 80 of 112 bytes'),

@@ -673,7 +673,7 @@ def test_a_reply_shorter_than_what_was_asked_is_read_as_far_as_it_goes(tshark: T
     assert (
         said
         == """\
-EV3: reply: VBATT=7.92 V
+EV3: reply to UI_READ GET_VBATT: 7.92 V
     Length: 9
     Message counter: 9
     Type: DIRECT_REPLY (0x02)

@@ -159,12 +159,14 @@ def test_a_folder_of_ones_own_needs_no_tshark(tmp_path: Path) -> None:
         f"{folder / 'ev3.lua'}: written",
         f"{folder / 'profiles' / 'EV3' / 'preferences'}: written",
         f"{folder / 'profiles' / 'EV3' / 'colorfilters'}: written",
+        f"{folder / 'profiles' / 'EV3' / 'dfilter_buttons'}: written",
         RELOAD,
         "The profile belongs in the folder profiles of the personal configuration: Help, About, Folders.",
     ]
     assert tree(tmp_path) == [
         "new/plugins/ev3.lua",
         "new/plugins/profiles/EV3/colorfilters",
+        "new/plugins/profiles/EV3/dfilter_buttons",
         "new/plugins/profiles/EV3/preferences",
     ]
 
@@ -265,17 +267,19 @@ def test_the_profile(home: Home) -> None:
         f"{home.plugin}: written",
         f"{home.profile / 'preferences'}: written",
         f"{home.profile / 'colorfilters'}: written",
+        f"{home.profile / 'dfilter_buttons'}: written",
         f"{home.program} loads it.",
         RELOAD,
         "For the profile, choose EV3 under Edit, Configuration Profiles.",
     ]
     assert home.files() == [
         ".config/wireshark/profiles/EV3/colorfilters",
+        ".config/wireshark/profiles/EV3/dfilter_buttons",
         ".config/wireshark/profiles/EV3/preferences",
         ".local/lib/wireshark/plugins/ev3.lua",
     ]
     lines = home.read("wifi.pcapng", "-C", "EV3").splitlines()
-    assert re.search(r" EV3 87 2 0\.0043\d* reply: ", lines[13]), lines[13]
+    assert re.search(r" EV3 87 2 0\.0043\d* reply to ", lines[13]), lines[13]
 
 
 def test_the_preferences_of_the_profile(home: Home) -> None:
@@ -334,7 +338,7 @@ def older(text: str) -> str:
     ],
     ids=["edited", "appended", "forced", "older", "same"],
 )
-@pytest.mark.parametrize("name", ["preferences", "colorfilters"])
+@pytest.mark.parametrize("name", ["preferences", "colorfilters", "dfilter_buttons"])
 def test_what_was_changed_stays(
     tmp_path: Path, name: str, change: Callable[[str], str], words: tuple[str, ...], said: str, stays: bool
 ) -> None:
@@ -360,6 +364,7 @@ def test_configuration_in_another_place(home: Home, variable: str, profiles: str
     assert home.files() == [
         ".local/lib/wireshark/plugins/ev3.lua",
         f"{profiles}/EV3/colorfilters",
+        f"{profiles}/EV3/dfilter_buttons",
         f"{profiles}/EV3/preferences",
     ]
     assert re.search(r" EV3 70 1 ", home.read("wifi.pcapng", "-C", "EV3"))
@@ -379,3 +384,25 @@ def test_the_help_shows_calls_line_by_line() -> None:
 def test_the_folders_in_the_readme() -> None:
     assert "`~/.local/lib/wireshark/plugins`" in README
     assert r"`%APPDATA%\Wireshark\plugins`" in README
+
+
+def test_uninstall_removes_what_install_wrote_and_no_more(tmp_path: Path) -> None:
+    plugins = tmp_path / "plugins"
+    assert run_ev3proto_text("dissector", "install", "--dir", str(plugins), "--profile").returncode == 0
+    profile = plugins / "profiles" / "EV3"
+    (profile / "preferences").write_text("gui.column.format: mine\n")
+    done = run_ev3proto_text("dissector", "uninstall", "--dir", str(plugins))
+    assert done.returncode == 0
+    assert f"{plugins / 'ev3.lua'}: removed" in done.stdout
+    assert f"{profile / 'preferences'}: kept, because it was changed" in done.stdout
+    assert [path.name for path in plugins.rglob("*") if path.is_file()] == ["preferences"]
+    assert run_ev3proto_text("dissector", "uninstall", "--dir", str(plugins), "--force").returncode == 0
+    assert not profile.exists()
+    assert "ev3.lua: not there" in run_ev3proto_text("dissector", "uninstall", "--dir", str(plugins)).stdout
+
+
+def test_uninstall_leaves_the_plugin_of_others(tmp_path: Path) -> None:
+    plugin = tmp_path / "ev3.lua"
+    plugin.write_text("-- somebody else's\n")
+    assert "kept" in run_ev3proto_text("dissector", "uninstall", "--dir", str(tmp_path)).stdout
+    assert plugin.exists()

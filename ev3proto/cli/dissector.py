@@ -80,6 +80,44 @@ def install(folder: Path | None, with_profile: bool, tshark: str | None, force: 
         sys.exit(1)
 
 
+@dissector.command("uninstall")
+@click.option(
+    "--dir",
+    "folder",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder for Lua plugins; without it, tshark is asked, or Wireshark's usual folders are taken.",
+)
+@click.option("--tshark", metavar="PATH", help="The tshark to ask, where it is not on the path.")
+@click.option("--force", is_flag=True, help="Remove files that are not ours, or that you changed, too.")
+def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> None:
+    """Removes what install has written: the dissector, and the profile EV3 as far as it is unchanged.
+
+    \b
+      ev3proto dissector uninstall
+      ev3proto dissector uninstall --dir ~/.local/lib/wireshark/plugins
+    """  # noqa: D301
+    from ev3proto.generate.dissector.install import Folders, InstallError, Outcome, Tshark, uninstall
+
+    try:
+        if folder is not None:
+            folders = Folders.below(folder)
+        else:
+            try:
+                folders = Tshark(tshark).folders()
+            except InstallError:
+                if tshark:
+                    raise
+                folders = Folders.documented()
+        outcomes = list(uninstall(folders, force=force))
+    except InstallError as error:
+        complain(str(error))
+        sys.exit(1)
+    for path, outcome in outcomes:
+        click.echo(f"{path}: {outcome.value}")
+    if any(outcome is Outcome.KEPT for _, outcome in outcomes):
+        click.echo("To remove what was changed, add --force.")
+
+
 def _install(folder: Path | None, with_profile: bool, tshark: str | None, force: bool) -> None:
     from ev3proto.generate.dissector.build import FILE_NAME
     from ev3proto.generate.dissector.install import (

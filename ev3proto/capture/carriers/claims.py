@@ -15,6 +15,9 @@ from ev3proto.tables import operations
 from ev3proto.tables.claims import FAULTS_IN_A_ROW, NEVER_SENT, STRANGE_PACKETS
 from ev3proto.tables.daisy import MOST_LAYERS
 
+MOST_HELD = 4096
+"""Frames without a fault that are held back of a serial port on which there was no command so far."""
+
 _NEVER_SENT = frozenset(operations()[name].opcode.number for name in NEVER_SENT)
 
 
@@ -125,7 +128,10 @@ class Claim:
             self._is_claimed = True
             events, self._held = [*self._held, *events], []
             return events
-        if self._is_patient or self.is_left:
+        if self._is_patient:
+            self._hold_flawless(events)
+            return []
+        if self.is_left:
             self._decline(events)
             return []
         self._held += events
@@ -139,13 +145,31 @@ class Claim:
         """Says that nothing more will come.
 
         Returns:
-            What could not be read of a connection that was too short to tell.
+            What could not be read of a connection that was too short to tell, or frames without a fault where there was
+            nothing else.
 
         """
         held, self._held = self._held, []
+        if self._is_patient:
+            return held
         unread: list[Event] = [] if self.is_left else [event for event in held if isinstance(event, Skipped)]
         self._decline([event for event in held if event not in unread])
         return unread
+
+    def meet_stranger(self) -> None:
+        """Says that there are bytes that are none of ours: what was held back is none of ours either."""
+        if not self._is_claimed:
+            self._strange = 1
+            self._decline(self._held)
+            self._held = []
+
+    def _hold_flawless(self, events: list[Event]) -> None:
+        is_flawless = all(isinstance(event, Record) and event.message.fault is None for event in events)
+        if self._strange or not is_flawless or len(self._held) > MOST_HELD:
+            self.meet_stranger()
+            self._decline(events)
+        else:
+            self._held += events
 
     def _count_faults(self, events: list[Event]) -> list[Event]:
         if events:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import shutil
 import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import Enum
@@ -38,6 +40,8 @@ class Outcome(Enum):
     FORCED = "written in place of another one"
     SAME = "there already, the same"
     KEPT = "kept, because it was changed"
+    REMOVED = "removed"
+    ABSENT = "not there"
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +56,15 @@ class Folders:
         """All in one folder that somebody named."""
         return cls(folder, folder / "profiles")
 
+    @classmethod
+    def documented(cls) -> Folders:
+        """Where Wireshark's manual says that they are, for when there is no tshark to ask."""
+        if sys.platform == "win32":
+            roaming = Path(os.environ.get("APPDATA") or Path.home() / "AppData" / "Roaming") / "Wireshark"
+            return cls(roaming / "plugins", roaming / "profiles")
+        configuration = Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "wireshark"
+        return cls(Path.home() / ".local" / "lib" / "wireshark" / "plugins", configuration / "profiles")
+
 
 def install_dissector(folder: Path, *, force: bool) -> Outcome:
     """Writes ev3.lua into a folder."""
@@ -63,6 +76,42 @@ def install_profile(profiles: Path, *, force: bool) -> Iterator[tuple[Path, Outc
     for name, text in profile.files().items():
         path = profiles / profile.NAME / name
         yield path, _write(path, text, is_ours=profile.is_unchanged, force=force)
+
+
+def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, Outcome]]:
+    """Removes what `install_dissector` and `install_profile` write, and the profile's folder once it is empty.
+
+    Args:
+        folders: Where they are.
+        force: Also remove files that are another's, or that were changed.
+
+    Yields:
+        Each file, and what became of it.
+
+    Raises:
+        InstallError: A file cannot be removed.
+
+    """
+    plugin = folders.plugins / FILE_NAME
+    yield plugin, _remove(plugin, is_ours=lambda text: _OURS in text, force=force)
+    place = folders.profiles / profile.NAME
+    for name in profile.files():
+        yield place / name, _remove(place / name, is_ours=profile.is_unchanged, force=force)
+    with contextlib.suppress(OSError):  # what else is in it is the user's
+        place.rmdir()
+
+
+def _remove(path: Path, is_ours: Callable[[str], bool], *, force: bool) -> Outcome:
+    try:
+        text = path.read_bytes().decode("utf-8", "replace").replace("\r\n", "\n")
+        if not is_ours(text) and not force:
+            return Outcome.KEPT
+        path.unlink()
+    except FileNotFoundError:
+        return Outcome.ABSENT
+    except OSError as error:
+        raise InstallError(f"{error.filename or path} cannot be removed: {error.strerror or error}") from error
+    return Outcome.REMOVED
 
 
 def _write(path: Path, text: str, is_ours: Callable[[str], bool], *, force: bool) -> Outcome:

@@ -79,9 +79,24 @@ RULES = (
 """The first rule that matches gives the colours."""
 
 
+BUTTONS = (
+    ("EV3", "ev3", "only what was said with bricks"),
+    ("Trouble", "ev3 && _ws.expert", "what is wrong, refused, failed or doubtful"),
+    ("Replies", "ev3.response_time", "replies to commands that were seen"),
+    ("Slow", "ev3.response_time > 0.05", "replies that took longer than 50 ms"),
+    ("Files", "ev3.transfer.path", "files and listings that were moved"),
+    ("Motors", "ev3.output_speed.nos || ev3.output_power.nos || ev3.output_start.nos", "who works on motors"),
+)
+"""Buttons beside the line for filters: label, filter, what it shows."""
+
+
 def files() -> dict[str, str]:
     """The files of the profile: name and text."""
-    return {"preferences": _signed(_preferences()), "colorfilters": _signed(_colours())}
+    return {
+        "preferences": _signed(_preferences()),
+        "colorfilters": _signed(_colours()),
+        "dfilter_buttons": _signed(_buttons()),
+    }
 
 
 def is_unchanged(text: str) -> bool:
@@ -110,6 +125,10 @@ def _colours() -> str:
     return "".join(
         f"@{rule.name}@{rule.filter}@[{_numbers(rule.background)}][{_numbers(rule.foreground)}]\n" for rule in RULES
     )
+
+
+def _buttons() -> str:
+    return "".join(f'"TRUE","{label}","{text}","{shows}"\n' for label, text, shows in BUTTONS)
 
 
 def _numbers(colour: str) -> str:

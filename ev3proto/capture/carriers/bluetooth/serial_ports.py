@@ -50,7 +50,8 @@ class SerialPorts:
             elif isinstance(found, Closed):
                 self._conversations.pop(found.key, None)
                 yield from self._end(found.key)
-                self._claims.pop(found.key, None)
+                closed = self._claims.pop(found.key, None)
+                yield from () if closed is None else closed.end()
             elif found.serial is None or found.serial.channel != RFCOMM_CHANNEL:
                 self._account.other += found.weight
             else:
@@ -61,6 +62,8 @@ class SerialPorts:
         self._account.other += self._bluetooth.pending()
         for (connection, _), stream in self._streams.items():
             yield from self._claims[connection].take(stream.end(), b"")
+        for claim in self._claims.values():
+            yield from claim.end()
         self._streams.clear()
 
     def _end(self, connection: object) -> Iterable[Event]:
@@ -90,7 +93,11 @@ class SerialPorts:
         stream.reach(packet)
         claim = self._claims[found.key]
         claim.reach(serial.is_from_host, packet.number)
-        yield from claim.take(stream.feed(serial.data, packet.number, packet.time_ns), serial.data)
+        before = self._account.other
+        events = stream.feed(serial.data, packet.number, packet.time_ns)
+        if self._account.other > before:
+            claim.meet_stranger()
+        yield from claim.take(events, serial.data)
         if serial.missing:
             yield from claim.take(stream.leave_hole(serial.missing), b"")
 

@@ -54,7 +54,7 @@ do
     function talk_of(key)
         local talk = talks[key]
         if not talk then
-            talk = { pending = {}, begun = {}, open = {} }
+            talk = { key = key, pending = {}, begun = {}, open = {} }
             talks[key] = talk
         end
         return talk
@@ -132,7 +132,10 @@ do
             return transfer
         end
         local transfer = talk.open[values.handle]
-        if transfer and values.data then transfer.done = transfer.done + #values.data end
+        if transfer and values.data then
+            if counts_all then keep_piece(transfer, values.data) end
+            transfer.done = transfer.done + #values.data
+        end
         return transfer
     end
 
@@ -161,6 +164,7 @@ do
             end
         end
         if transfer then
+            if counts_all and not values.list then keep_piece(transfer, values.data) end
             transfer.size = values.size or values.list_size or transfer.size
             transfer.done = transfer.done + #(values.data or "") + #(values.list or "")
         end
@@ -179,6 +183,7 @@ do
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
+        if counts_all then count_message(talk, message) end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         local transfer, request
         if type.is_command then
@@ -189,6 +194,7 @@ do
             if request then
                 replies[request], requests[place] = place, request
                 delays[place] = pinfo.rel_ts - times[request]
+                if counts_all then count_answer(talk, message, frames[request], delays[place]) end
                 times[request] = nil
             end
             transfer = is_on_file and follow_reply(talk, message, frames[request])

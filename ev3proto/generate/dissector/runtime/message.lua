@@ -240,7 +240,7 @@ do
         end
         local size = plural(stop - HEADER_SIZE, "byte")
         if not request then return "reply: " .. size .. ", command not seen" end
-        local found = reply_values(request, message)
+        local found, first = reply_values(request, message)
         for _, group in ipairs(item and found or {}) do
             local start, behind = stop, HEADER_SIZE
             for _, output in ipairs(group.values) do
@@ -252,8 +252,9 @@ do
                 add_output(added, part, output)
             end
         end
-        if found[1] then return "reply: " .. values_text(found) end
-        return stop == HEADER_SIZE and "reply: ok" or "reply: " .. size
+        local head = first and "reply to " .. first.title .. ": " or "reply: "
+        if found[1] then return head .. values_text(found) end
+        return head .. (stop == HEADER_SIZE and "ok" or size)
     end
 
     -- The values that tell most about a system message: its texts, and how much there is.

@@ -103,8 +103,9 @@ do
         return name == "VALUE" and operation.value_name or name
     end
 
-    -- VBATT=7.92 V
+    -- 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
     function values_text(found)
+        if not found[2] and not found[1].values[2] then return output_text(found[1].values[1]) end
         local pieces = {}
         for _, group in ipairs(found) do
             for _, output in ipairs(group.values) do

@@ -19,6 +19,8 @@ do
         forget_dialogues()
         forget_lines()
         forget_layouts()
+        forget_statistics()
+        print_at_end()
         each_carrier("forget")
     end
 
@@ -32,6 +34,8 @@ do
     ev3.prefs.firmware = Pref.enum("Firmware", 1, "The firmware whose instruction set to read by",
         dialect_choices, false)
     ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
+
+    register_statistics()
 
     function ev3.prefs_changed()
         each_carrier("prefs_changed")

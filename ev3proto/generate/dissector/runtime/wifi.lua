@@ -119,6 +119,8 @@ do
         local verdict = judge_segment(text, to_brick)
         if verdict == OURS then
             talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
+            talk.name = to_brick and tostring(pinfo.dst) .. ":" .. pinfo.dst_port
+                or tostring(pinfo.src) .. ":" .. pinfo.src_port
         elseif not verdict then
             talk.strange = strange + 1
         end

@@ -1,0 +1,195 @@
+-- Statistics --------------------------------------------------------------------------------------------------------
+--
+-- What was said in a capture, by operation and by brick, and the files that were moved. Wireshark shows it in windows,
+-- tshark prints it at the end of a run where the preference says so.
+
+local counts_all, count_message, count_answer, keep_piece, forget_statistics, register_statistics, print_at_end
+do
+    -- Whether anybody may ask for them: whoever has a window, and tshark where the preferences say so.
+    counts_all = gui_enabled()
+
+    -- Rows, files and bytes that are kept at most: names in a capture may be of anybody's making.
+    local MOST_ROWS, MOST_FILES, MOST_BYTES = 1000, 256, 64 * 1024 * 1024
+
+    -- By name: how many messages, bytes of them, answers, and the seconds until these.
+    local operations, bricks
+    local row_counts, files, kept_bytes
+    local wanted, answered
+
+    function forget_statistics()
+        operations, bricks, row_counts = {}, {}, { 0, 0 }
+        files, kept_bytes = {}, 0
+        wanted, answered = 0, 0
+    end
+    forget_statistics()
+
+    local function row_of(rows, kind, name)
+        local row = rows[name]
+        if row then return row end
+        if row_counts[kind] >= MOST_ROWS then
+            name = "(others)"
+            if rows[name] then return rows[name] end
+        end
+        row_counts[kind] = row_counts[kind] + 1
+        row = { messages = 0, bytes = 0, answers = 0, total = 0, most = 0, wanted = 0 }
+        rows[name] = row
+        return row
+    end
+
+    local function count(row, message)
+        row.messages, row.bytes = row.messages + 1, row.bytes + message.stop
+        if message.type.wants_reply then row.wanted = row.wanted + 1 end
+    end
+
+    -- What a command is called in a row: by its first operation or its system command.
+    local function name_of(message, text)
+        if message.command then return message.command.name end
+        if message.type.carries == "direct" then
+            local operation = #text > COMMAND_HEADER_SIZE and select_operation(text, COMMAND_HEADER_SIZE, #text)
+            return operation and operation.title or "(no operation)"
+        end
+        return message.type.name
+    end
+
+    -- A message that is seen for the first time, and the conversation it belongs to.
+    function count_message(talk, message)
+        count(row_of(bricks, 2, (talk.name or talk.key)), message)
+        if not message.type.is_command then return end
+        if message.type.wants_reply then wanted = wanted + 1 end
+        count(row_of(operations, 1, name_of(message, message.text)), message)
+    end
+
+    -- A reply to a command, whose frame is `text`, and after how many seconds it came.
+    function count_answer(talk, message, text, delay)
+        answered = answered + 1
+        for _, row in ipairs({
+            row_of(operations, 1, name_of(message, text)), row_of(bricks, 2, (talk.name or talk.key)),
+        }) do
+            row.answers, row.total = row.answers + 1, row.total + delay
+            if delay > row.most then row.most = delay end
+        end
+    end
+
+    -- A piece of a file that is moved; `transfer` is where it is kept.
+    function keep_piece(transfer, data)
+        if transfer.is_dropped or not data or data == "" then return end
+        if not transfer.pieces then
+            if #files >= MOST_FILES then transfer.is_dropped = true return end
+            transfer.pieces = {}
+            files[#files + 1] = transfer
+        end
+        if kept_bytes + #data > MOST_BYTES then transfer.is_dropped = true return end
+        kept_bytes = kept_bytes + #data
+        transfer.pieces[#transfer.pieces + 1] = data
+    end
+
+    local function table_text(heading, rows)
+        local names, lines = {}, {}
+        for name in pairs(rows) do
+            names[#names + 1] = name
+        end
+        table.sort(names, function(one, other)
+            if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
+            return one < other
+        end)
+        lines[1] = format("%-40s %9s %11s %9s %10s %10s", heading, "messages", "bytes", "answers", "mean ms", "most ms")
+        for _, name in ipairs(names) do
+            local row = rows[name]
+            local mean = row.answers > 0 and format("%.2f", 1000 * row.total / row.answers) or ""
+            local most = row.answers > 0 and format("%.2f", 1000 * row.most) or ""
+            lines[#lines + 1] =
+                format("%-40s %9d %11d %9d %10s %10s", name, row.messages, row.bytes, row.answers, mean, most)
+        end
+        return concat(lines, "\n")
+    end
+
+    local function files_text()
+        local lines = { format("%-60s %10s %10s", "File", "moved", "size") }
+        for _, transfer in ipairs(files) do
+            local size = transfer.size and format("%d", transfer.size) or ""
+            lines[#lines + 1] = format("%-60s %10d %10s", on_one_line(transfer.path), transfer.done, size)
+        end
+        return concat(lines, "\n")
+    end
+
+    local function all_text()
+        local counts = format("%d of %s that want a reply have none", wanted - answered, plural(wanted, "command"))
+        return concat({
+            table_text("Operation", operations), "", table_text("Brick", bricks), "", files_text(), "", counts,
+        }, "\n") .. "\n"
+    end
+
+    -- The name under which a file is written: nothing of its path leads out of the folder.
+    local function safe_name(path, taken)
+        local name = gsub(gsub(path:match("[^/\\]*$"), "[^%w%._%- ]", "_"), "^[%. ]+", "_")
+        name = sub(gsub(name, "[%. ]+$", ""), 1, 100)
+        local stem = name:match("^[^%.]*"):upper()
+        if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
+            name = "_" .. name
+        end
+        local free, number = name, 1
+        while taken[free:lower()] do
+            number = number + 1
+            free = format("%d-%s", number, name)
+        end
+        taken[free:lower()] = true
+        return free
+    end
+
+    -- Writes the files into a folder that exists. Files that are there stay as they are. Returns a line on each.
+    local function export_files(folder)
+        local taken, lines = {}, {}
+        for _, transfer in ipairs(files) do
+            local path = folder .. "/" .. safe_name(transfer.path, taken)
+            local there = io.open(path, "rb")
+            if there then
+                there:close()
+                lines[#lines + 1] = path .. ": kept, it was there before"
+            else
+                local data = concat(transfer.pieces)
+                local file, reason = io.open(path, "wb")
+                if file then
+                    file:write(data)
+                    file:close()
+                end
+                local is_whole = not transfer.size or #data == transfer.size
+                lines[#lines + 1] = path .. ": "
+                    .. (file and plural(#data, "byte") .. (is_whole and "" or ", not all of it") or tostring(reason))
+            end
+        end
+        return lines[1] and concat(lines, "\n") or "no files were moved in this capture"
+    end
+
+    local function show_window(title, text)
+        local window = TextWindow.new(title)
+        window:set(text)
+    end
+
+    function register_statistics()
+        ev3.prefs.statistics = Pref.bool("Statistics of tshark", false, "Print statistics at the end of a run")
+        ev3.prefs.export = Pref.string("Export folder of tshark", "", "Write the files that were moved to this folder")
+        if gui_enabled() then
+            register_menu("EV3/Operations, bricks and files", function()
+                show_window("EV3: statistics", all_text())
+            end, MENU_STAT_UNSORTED)
+            register_menu("EV3/Export files", function()
+                new_dialog("EV3: export files", function(folder)
+                    show_window("EV3: exported files", export_files(folder))
+                end, "Folder")
+            end, MENU_STAT_UNSORTED)
+        end
+    end
+
+    local at_end
+
+    -- Called before a capture is read.
+    function print_at_end()
+        counts_all = gui_enabled() or ev3.prefs.statistics or ev3.prefs.export ~= ""
+        if gui_enabled() or at_end or not counts_all then return end
+        at_end = Listener.new("frame")
+        function at_end.draw()
+            if ev3.prefs.statistics then print(all_text()) end
+            if ev3.prefs.export ~= "" then print(export_files(ev3.prefs.export)) end
+        end
+    end
+end

@@ -1,0 +1,106 @@
+"""What the dissector counts and writes at the end of a run of tshark, and what one packet costs at most."""
+
+from __future__ import annotations
+
+import re
+import struct
+from pathlib import Path
+
+from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
+from support.wireshark import Tshark
+
+import ev3proto
+from ev3proto.generate.dissector.build import build
+
+CAPTURES = Path(__file__).parent.parent / "captures"
+
+
+def tone(counter: int) -> bytes:
+    return struct.pack("<HHB", 14, counter, 0x80) + bytes.fromhex("0000 94 01 01 82B801 82E803")
+
+
+def test_statistics_at_the_end_of_a_run(tshark: Tshark) -> None:
+    said = tshark.run(CAPTURES / "wifi.pcapng", "-q", "-o", "ev3.statistics:TRUE")
+    rows = {re.sub(r"  +.*", "", line): line.split()[-5:] for line in said.splitlines() if line}
+    assert rows["CONTINUE_UPLOAD"] == ["3", "27", "3", "4.50", "4.60"]
+    assert rows["UI_READ GET_VBATT"] == ["3", "30", "2", "4.30", "4.30"]
+    assert rows["192.0.2.10:5555"][0] == "42"
+    assert rows["../prjs/log/first.rbf"][-2:] == ["2500", "2500"]
+    assert "1 of 19 commands that want a reply have none" in said
+
+
+def test_without_the_preference_nothing_is_printed(tshark: Tshark) -> None:
+    assert tshark.run(CAPTURES / "wifi.pcapng", "-q") == ""
+
+
+def export_folder(tshark: Tshark, name: str) -> Path:
+    """A folder that tshark may write to, whoever runs it."""
+    folder = tshark.folder / name
+    folder.mkdir()
+    folder.chmod(0o777)
+    return folder
+
+
+def test_files_are_exported(tshark: Tshark) -> None:
+    folder = export_folder(tshark, "exported")
+    words = ("-q", "-o", f"ev3.export:{folder}")
+    said = tshark.run(CAPTURES / "wifi.pcapng", *words)
+    assert "first.rbf: 2500 bytes" in said
+    assert sorted((path.name, path.stat().st_size) for path in folder.iterdir()) == [
+        ("first.rbf", 2500),
+        ("values.rtf", 2710),
+    ]
+    assert "first.rbf: kept, it was there before" in tshark.run(CAPTURES / "wifi.pcapng", *words)
+
+
+def test_exported_files_stay_in_their_folder(tshark: Tshark) -> None:
+    folder = export_folder(tshark, "named")
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    names = ["../../a.rbf", "/etc/a.rbf", "..\\..\\b.rbf", "..", ".hidden", "con.txt", "x\x01\n|y", ""]
+    for number, name in enumerate(names):
+        begin, more = 2 * number, 2 * number + 1
+        connection.send(ev3proto.system_command("BEGIN_DOWNLOAD", counter=begin, size=1, path=name).build())
+        connection.receive(ev3proto.system_reply("BEGIN_DOWNLOAD", counter=begin, handle=number).build())
+        sent = ev3proto.system_command("CONTINUE_DOWNLOAD", counter=more, handle=number, data=b"x")
+        connection.send(sent.build())
+    path = tshark.place(capture.data(), "names.pcap")
+    before = set(tshark.folder.iterdir())
+    tshark.run(path, "-q", "-o", f"ev3.export:{folder}")
+    assert set(tshark.folder.iterdir()) == before
+    written = sorted(path.name for path in folder.iterdir())
+    assert written == ["2-_", "2-a.rbf", "_", "_con.txt", "_hidden", "a.rbf", "b.rbf", "x___y"]
+
+
+def test_the_info_column_is_bounded(tshark: Tshark) -> None:
+    """One packet of many frames: 4 kB of them, and how many more."""
+    capture = Capture(RAW_IP)
+    Connection(capture).send(b"".join(tone(number) for number in range(4000)))
+    path = tshark.place(capture.data(), "many.pcap")
+    (said,) = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info").splitlines()
+    assert len(said) < 4096
+    shown = said.count("SOUND TONE")
+    assert said.endswith(f"; and {4000 - shown} more")
+
+
+def test_pieces_of_frames_cost_little(tshark: Tshark) -> None:
+    """A frame of 1000 bytes that comes byte by byte: each packet shows where it began, the last one all of them."""
+    capture = Capture(HCI_WITH_DIRECTION)
+    port = SerialPort(capture)
+    first = port.send(tone(1))
+    frame = struct.pack("<HHBH", 998, 2, 0x80, 0) + b"\x01" * 993
+    numbers = [port.send(frame[at : at + 1]) for at in range(len(frame))]
+    path = tshark.place(capture.data(), "bytes.pcap")
+    lines = tshark.run(path, "-Y", "ev3", "-T", "fields", "-e", "frame.number", "-e", "ev3.fragments").splitlines()
+    assert lines[:3] == [f"{first}\t", f"{numbers[0]}\t", f"{numbers[1]}\t{numbers[0]}"]
+    assert lines[-2] == f"{numbers[-2]}\t{numbers[0]}"
+    assert lines[-1] == f"{numbers[-1]}\t" + ",".join(map(str, numbers[:-1]))
+
+
+def test_the_main_chunk_has_room_for_locals() -> None:
+    """Lua allows 200 in a function, the main chunk included."""
+    names = 0
+    for head in re.findall(r"^local (?:function )?([\w, \n]+?)(?= =|\(|$)", build(), re.MULTILINE):
+        names += len([name for name in head.split(",") if name.strip()])
+    assert names < 170
+    assert "collectgarbage" not in build()

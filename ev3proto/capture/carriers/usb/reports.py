@@ -24,7 +24,10 @@ _BIG_REPORT = MAX_FRAME
 _TYPES = {int(member): member for member in MessageType}
 _BOOTLOADER = frozenset(command.number for command in system.SYSTEM if command.bootloader)
 
-MOST_ASKED = 64
+MOST_CLAIMED = 64
+"""Devices nobody knows as bricks of which is remembered what they were asked."""
+
+MOST_ASKED = 16
 """Commands of a device nobody knows as a brick whose reply is awaited."""
 
 OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply with the request written over its start"
@@ -70,7 +73,7 @@ class Reports:
         self._products: Bounded[str, bool] = Bounded(MOST_DEVICES)
         self._conversations: Bounded[str, Conversation] = Bounded(MOST_DEVICES)
         self._routes: Bounded[tuple[str, bool, str | None], Route] = Bounded(MOST_DEVICES)
-        self._claims: Bounded[str, _Claim] = Bounded(MOST_DEVICES)
+        self._claims: Bounded[str, _Claim] = Bounded(MOST_CLAIMED)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events in a packet: at most one."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -38,15 +39,16 @@ def outdated(root: Path) -> Iterator[str]:
     Args:
         root: The project's folder.
     """
-    return _outdated(root, build())
+    files = build()
+    yield from _changed(root, files)
+    yield from _left_over(root, files)
 
 
-def _outdated(root: Path, files: dict[str, str]) -> Iterator[str]:
+def _changed(root: Path, files: dict[str, str]) -> Iterator[str]:
     for path, text in files.items():
         file = root / path
         if not file.is_file() or file.read_bytes() != text.encode():
             yield path
-    yield from _left_over(root, files)
 
 
 def write(root: Path) -> Iterator[str]:
@@ -55,14 +57,21 @@ def write(root: Path) -> Iterator[str]:
     Args:
         root: The project's folder.
     """
+    # The pages show how the modules are called, and look at them for that: those come first.
+    yield from _write(root, modules.build())
+    importlib.invalidate_caches()
     files = build()
-    for path in list(_outdated(root, files)):
+    yield from _write(root, files)
+    for path in list(_left_over(root, files)):
+        (root / path).unlink()
+        yield path
+
+
+def _write(root: Path, files: dict[str, str]) -> Iterator[str]:
+    for path in list(_changed(root, files)):
         file = root / path
-        if path in files:
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(files[path].encode())
-        else:
-            file.unlink()
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(files[path].encode())
         yield path
 
 

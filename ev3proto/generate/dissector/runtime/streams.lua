@@ -142,7 +142,11 @@ do
         local stop, captured = at + size, #text
         local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
         local is_chained = stop >= captured or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)]
-        if not type then return not is_chained end
+        if not type then
+            -- Gaps are TCP's, where the ports tell the way: Bluetooth loses nothing.
+            local may_be_gap = at == 0 and (accepts ~= nil or stop >= captured)
+            return not is_chained or may_be_gap and has_frame_inside(text, at, stop)
+        end
         if is_chained and at > 0 then return false end
         if stop <= captured and (not accepts or accepts(type)) then
             if is_flawless(read_message(sub(text, at + 1, stop))) then return false end

@@ -1,7 +1,7 @@
 """How the texts of arguments look around their numbers, kept: operations in a long capture are like one another.
 
 A text whose argument is a number is put together from what stood before and after the number the last time. Trees and
-JSON take half the time that way: `pytest benchmarks -k output`.
+JSON take half the time that way.
 """
 
 from __future__ import annotations

@@ -17,8 +17,10 @@ try:
     from hypothesis import HealthCheck, given, settings
     from hypothesis.strategies import SearchStrategy
 except ImportError as error:
+    from ev3proto.extras import install_command
+
     raise ImportError(
-        "samples are drawn with hypothesis, which is not installed or too old: pip install -U hypothesis"
+        f"samples are drawn with hypothesis, which is not installed or too old: {install_command('sample')}"
     ) from error
 
 T = TypeVar("T")

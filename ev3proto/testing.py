@@ -57,8 +57,10 @@ try:
     from hypothesis import strategies as st
     from hypothesis.strategies import DrawFn, SearchStrategy
 except ImportError as error:
+    from ev3proto.extras import install_command
+
     raise ImportError(
-        "ev3proto.testing makes its test data with hypothesis, which is not installed: pip install hypothesis"
+        f"ev3proto.testing makes its test data with hypothesis, which is not installed: {install_command('sample')}"
     ) from error
 
 __all__ = [

@@ -17,6 +17,7 @@ from support.cli import run_ev3proto_text
 import ev3proto
 from ev3proto import DaisyCommand, DirectCommand, MessageType, SystemCommand, SystemReply
 from ev3proto.cli.sample import sample
+from ev3proto.extras import install_command
 from ev3proto.sampling import samples
 from ev3proto.tables import OPCODES, area_of
 from ev3proto.testing import choice, frames
@@ -227,7 +228,7 @@ def test_without_hypothesis() -> None:
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=ROOT)
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == (
-        "samples are drawn with hypothesis, which is not installed or too old: pip install -U 'ev3proto[sample]'\n"
+        f"samples are drawn with hypothesis, which is not installed or too old: {install_command('sample')}\n"
     )
 
 

@@ -22,6 +22,7 @@ from support.frames import drawn
 import ev3proto
 from ev3proto import GV, LC2, LV, BuildError, direct_command, operation, parse
 from ev3proto import scapy as ev3
+from ev3proto.extras import install_command
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand, SystemReply
 from ev3proto.names import HND
 from ev3proto.scapy import (
@@ -422,4 +423,4 @@ def test_operations_of_the_strategies() -> None:
 def test_without_scapy_it_says_what_to_install() -> None:
     program = "import sys; sys.modules['scapy'] = None; import ev3proto.scapy"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
-    assert "scapy, which is not installed: pip install scapy" in done.stderr
+    assert f"scapy, which is not installed: {install_command('scapy')}" in done.stderr

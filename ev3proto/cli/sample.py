@@ -12,6 +12,7 @@ import click
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
+from ev3proto.extras import install_command
 from ev3proto.schema.frame import parse
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import DIALECTS
@@ -77,9 +78,7 @@ def _frames(
         from ev3proto.sampling import samples
         from ev3proto.testing import choice, frames, mutated_frames
     except ImportError:
-        complain(
-            "samples are drawn with hypothesis, which is not installed or too old: pip install -U 'ev3proto[sample]'"
-        )
+        complain("samples are drawn with hypothesis, which is not installed or too old: " + install_command("sample"))
         sys.exit(1)
     try:
         chosen = choice(names=names, areas=areas, types=types, dialect=dialect)

@@ -31,7 +31,11 @@ from typing import Any
 try:
     import scapy  # noqa: F401 - to say it in one place, and first
 except ImportError as error:
-    raise ImportError("ev3proto.scapy is a layer for scapy, which is not installed: pip install scapy") from error
+    from ev3proto.extras import install_command
+
+    raise ImportError(
+        f"ev3proto.scapy is a layer for scapy, which is not installed: {install_command('scapy')}"
+    ) from error
 
 from ev3proto.errors import near_misses
 from ev3proto.scapy.frames import (

@@ -21,6 +21,7 @@ from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script
 from ev3proto.brick.servers.serial_port import SerialError, SerialPort
 from ev3proto.brick.servers.wifi import Wifi, WifiError
+from ev3proto.extras import install_command
 from ev3proto.tables.discovery import TCP_PORT
 
 LOOPBACK = "127.0.0.1"
@@ -189,7 +190,9 @@ async def _page(host: Host, address: str, port: int) -> AsyncIterator[tuple[str,
     try:
         from ev3proto.brick.servers.page.server import PageError, serving
     except ImportError:
-        raise ServerError("the page needs aiohttp: pip install 'ev3proto[page]' (or bin/setup page)") from None
+        raise ServerError(
+            f"the page needs the package aiohttp, which is not installed: {install_command('page')}"
+        ) from None
     try:
         async with serving(host, address, port) as found:
             yield found

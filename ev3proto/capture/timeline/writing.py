@@ -12,6 +12,7 @@ from pathlib import Path
 from ev3proto.capture.timeline.layout import lay_out
 from ev3proto.capture.timeline.marks import Timeline
 from ev3proto.capture.timeline.wording import clean
+from ev3proto.extras import install_command
 
 LIBRARY = "vl_convert"
 """What draws, and is not installed with everything else."""
@@ -59,7 +60,9 @@ def require_library() -> None:
         MissingLibraryError: It is not installed.
     """
     if find_spec(LIBRARY) is None:
-        raise MissingLibraryError("drawing needs one library more: pip install 'ev3proto[plot]'")
+        raise MissingLibraryError(
+            f"drawing needs the package vl-convert-python, which is not installed: {install_command('plot')}"
+        )
 
 
 def render(timeline: Timeline, form: Form, title: str) -> bytes:

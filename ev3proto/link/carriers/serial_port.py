@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 from typing import TYPE_CHECKING
 
+from ev3proto.extras import install_command
 from ev3proto.link.carriers.wire import SEND_TIMEOUT
 from ev3proto.link.errors import ConnectionLostError, LinkError, NoBrickError, PortInUseError
 from ev3proto.link.targets import Target
@@ -70,7 +71,7 @@ def open_serial(target: Target) -> SerialWire:
         import serial
     except ImportError:
         raise LinkError(
-            "a serial port needs the package pyserial, which is not installed: pip install 'ev3proto[serial]'"
+            f"a serial port needs the package pyserial, which is not installed: {install_command('serial')}"
         ) from None
     try:
         port = serial.Serial(target.host, timeout=_TURN, write_timeout=SEND_TIMEOUT, exclusive=True)

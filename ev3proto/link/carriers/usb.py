@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ev3proto.extras import install_command
 from ev3proto.link.errors import ConnectionLostError, LinkError, NoBrickError
 from ev3proto.link.targets import Target
 from ev3proto.schema.header import frame_size
@@ -77,7 +78,7 @@ def open_usb(target: Target) -> UsbWire:
     except ImportError as error:
         if "libusb" in str(error) or "libhidapi" in str(error) or "libudev" in str(error):
             raise LinkError(f"hidapi cannot be loaded: {error}") from None
-        raise LinkError("USB needs the package hidapi, which is not installed: pip install 'ev3proto[usb]'") from None
+        raise LinkError(f"USB needs the package hidapi, which is not installed: {install_command('usb')}") from None
     found = {str(each["serial_number"] or "").lower(): each for each in hid.enumerate(USB_VENDOR, USB_PRODUCT)}
     chosen = _chosen(target, found, is_updating=bool(hid.enumerate(USB_VENDOR, USB_BOOTLOADER)))
     device = hid.device()

@@ -9,6 +9,9 @@ the EV3 are written with: `ev3proto.opSound`, `ev3proto.TONE`, `ev3proto.LED_RED
 
 from __future__ import annotations
 
+import ev3proto.starting  # noqa: F401 - before all others, which take a while to load
+
+# isort: split
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 

@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 from support.effort import effort
+from support.full_disk import full_disk
 from support.server import served
 from support.stub_brick import HangUp, reply, stub_brick
 
@@ -223,32 +224,13 @@ def test_a_full_brick_takes_no_file(my_ev3: EV3) -> None:
         my_ev3.download(bytes(1 << 23), "../prjs/x.bin")
 
 
-def test_a_full_disk_leaves_nothing_behind(my_ev3: EV3, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_full_disk_leaves_nothing_behind(my_ev3: EV3, tmp_path: Path) -> None:
     my_ev3.download(b"new", "../prjs/x.bin")
     (tmp_path / "here").mkdir()
     (tmp_path / "here" / "x.bin").write_bytes(b"old")
-    monkeypatch.setattr("tempfile.NamedTemporaryFile", full_disk)
-    with pytest.raises(OSError, match="No space left on device"):
+    with full_disk(2), pytest.raises(OSError, match="File too large"):
         my_ev3.upload("../prjs/x.bin", tmp_path / "here" / "x.bin")
     assert [(path.name, path.read_bytes()) for path in (tmp_path / "here").iterdir()] == [("x.bin", b"old")]
-
-
-def full_disk(dir: Path, prefix: str, delete: bool) -> Any:
-    import errno
-    from types import SimpleNamespace
-
-    class Full(SimpleNamespace):
-        def __enter__(self) -> Full:
-            return self
-
-        def __exit__(self, *_: object) -> None: ...
-
-        def write(self, data: bytes) -> None:
-            raise OSError(errno.ENOSPC, "No space left on device")
-
-    path = dir / f"{prefix}1"
-    path.touch()
-    return Full(name=str(path))
 
 
 def test_a_file_that_changed_on_its_way_is_noticed() -> None:

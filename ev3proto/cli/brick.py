@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import signal
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -15,7 +14,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.ending import stopped_by_signals
+from ev3proto.cli.output import Printer, complain, flush, say
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 
@@ -184,14 +184,14 @@ async def _serve(options: Options, root: Path) -> int:
 
     try:
         async with running(options, root, complain) as now:
-            with ended_by_signals() as ended:
+            with interrupted() as ended:
                 if now.port:
-                    click.echo(f"listening on {_shown(now.address)}:{now.port}")
+                    say(f"listening on {_shown(now.address)}:{now.port}")
                 if options.serial is not None:
-                    click.echo(f"serial port at {options.serial}")
+                    say(f"serial port at {options.serial}")
                 if now.link:
-                    click.echo(f"page at {now.link}")
-                sys.stdout.flush()
+                    say(f"page at {now.link}")
+                flush()
                 await ended.wait()
             reporter = now.reporter
     except ServerError as error:
@@ -203,22 +203,13 @@ async def _serve(options: Options, root: Path) -> int:
 
 
 @contextmanager
-def ended_by_signals() -> Iterator[asyncio.Event]:
-    """An event that Ctrl-C, or being asked to terminate, sets."""
+def interrupted() -> Iterator[asyncio.Event]:
+    """An event that Ctrl-C, or being asked to terminate, sets; a second one ends the program."""
     loop = asyncio.get_running_loop()
     ended = asyncio.Event()
-    numbers = [signal.SIGINT, signal.SIGTERM]
-    if hasattr(signal, "SIGHUP"):
-        numbers.append(signal.SIGHUP)
-    before = {}
-    for number in numbers:
-        # Not by the loop: its own way is missing on Windows.
-        before[number] = signal.signal(number, lambda *_: loop.call_soon_threadsafe(ended.set))
-    try:
+    # Not by the loop: its own way is missing on Windows.
+    with stopped_by_signals(lambda: loop.call_soon_threadsafe(ended.set)):
         yield ended
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 @contextmanager
@@ -255,7 +246,7 @@ def _show_coverage(dialect: str) -> None:
     names = list(covered_operations(dialect))
     missing = [name for name, is_there in names if not is_there]
     for name in missing:
-        click.echo(name)
+        say(name)
     complain(f"{len(names) - len(missing)} of {len(names)} operations are there")
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from ev3proto.bounded import DEFAULT_MEMORY
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import complain, is_terminal
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.text.visible import visible
@@ -294,7 +294,7 @@ def reading_options(command: F) -> F:
 
 def _progress(capture: Capture, name: str, *, is_quiet: bool) -> AbstractContextManager[Callable[[], None]]:
     """What draws the bar when it is called, where a terminal watches and nothing else is printed on it."""
-    watched = sys.stderr is not None and sys.stderr.isatty() and (is_quiet or not sys.stdout.isatty())
+    watched = sys.stderr is not None and sys.stderr.isatty() and (is_quiet or not is_terminal())
     return _Bar(capture, name) if watched else nullcontext(lambda: None)
 
 

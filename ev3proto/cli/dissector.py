@@ -8,7 +8,8 @@ from pathlib import Path
 import click
 
 from ev3proto.cli.groups import Group
-from ev3proto.cli.output import complain, say
+from ev3proto.cli.output import binary_output, complain, say
+from ev3proto.whole_files import write_whole
 
 
 @click.group(cls=Group)
@@ -34,12 +35,12 @@ def build_command(output: Path | None, check: bool) -> None:
         raise click.UsageError("--check needs -o: the file to check")
     data = build().encode()
     if output is None:
-        sys.stdout.buffer.write(data)
-        sys.stdout.buffer.flush()
+        with binary_output() as stream:
+            stream.write(data)
         return
     try:
         if not check:
-            output.write_bytes(data)
+            write_whole(output, data)
         elif output.read_bytes() != data:
             complain(f"{output} is out of date: run ev3proto dissector build -o {output}")
             sys.exit(1)
@@ -113,9 +114,9 @@ def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> N
         complain(str(error))
         sys.exit(1)
     for path, outcome in outcomes:
-        click.echo(f"{path}: {outcome.value}")
+        say(f"{path}: {outcome.value}")
     if any(outcome is Outcome.KEPT for _, outcome in outcomes):
-        click.echo("To remove what was changed, add --force.")
+        say("To remove what was changed, add --force.")
 
 
 def _install(folder: Path | None, with_profile: bool, tshark: str | None, force: bool) -> None:

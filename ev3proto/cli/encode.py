@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import itertools
 import json
 import re
@@ -11,12 +10,13 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, BinaryIO, Protocol, Self
 
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
-from ev3proto.cli.output import complain, say
+from ev3proto.cli.output import binary_output, complain, is_terminal, say
 from ev3proto.cli.programs import RBF, SUFFIX, encode_program
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.cli.texts import Unread
@@ -28,6 +28,7 @@ from ev3proto.text.heading import Seen, heading
 from ev3proto.text.paste import Pasted, read_argument, read_text
 from ev3proto.text.spans import plain_text
 from ev3proto.text.split import Piece
+from ev3proto.whole_files import whole_file
 
 if TYPE_CHECKING:
     from ev3proto.text.assembly.errors import AssemblyError
@@ -42,7 +43,9 @@ _MOST_LOOKED_AT = 500
 
 
 class Output:
-    """Where frames go, in one form. Its file is opened with the first of them, so that none is left behind for none.
+    """Where frames go, in one form, as a context manager: a file is there at its end, whole.
+
+    There is none where there are no frames, and what was there before stays.
 
     form  one of FORMS
     path  None for standard output
@@ -54,7 +57,7 @@ class Output:
         self._path = path
         self._stack = ExitStack()
         self._dialogue = Dialogue()
-        self._stream: io.BufferedIOBase | None = None
+        self._stream: BinaryIO | None = None
 
     def write(self, message: Message) -> None:
         """One frame."""
@@ -64,23 +67,17 @@ class Output:
             say(data)
             return
         if self._stream is None:
-            self._stream = self._opened()
+            target = binary_output() if self._path is None else whole_file(Path(self._path))
+            self._stream = self._stack.enter_context(target)
         self._stream.write(data if isinstance(data, bytes) else f"{data}\n".encode())
 
-    def close(self) -> None:
-        """Everything is written."""
-        if self._stream is not None:
-            self._stream.flush()
-        self._stack.close()
+    def __enter__(self) -> Self:
+        return self
 
-    def _opened(self) -> io.BufferedIOBase:
-        if self._path is None:
-            return click.get_binary_stream("stdout")  # type: ignore[return-value]
-        try:
-            return self._stack.enter_context(Path(self._path).open("wb"))
-        except OSError as error:
-            complain(f"{self._path}: cannot be written: {error.strerror or error}")
-            sys.exit(1)
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
+    ) -> None:
+        self._stack.__exit__(kind, error, where)
 
 
 def _hex(message: Message, _number: int, _dialogue: Dialogue) -> str:
@@ -385,15 +382,16 @@ def encode(
     if is_for_program:
         raise click.UsageError("--source, --version and --shortest are for programs: give --to rbf, or -o FILE.rbf")
     form = form or "hex"
-    if form == RAW and path is None and sys.stdout.isatty():
+    if form == RAW and path is None and is_terminal():
         raise click.UsageError("raw bytes would garble the terminal: give -o FILE, or pipe them into another program")
-    output = Output(form, path)
-    encoding = Encoding(output, reading, Wants(counter, reply))
     try:
-        for source in sources(names):
-            encoding.read(source)
-    finally:
-        output.close()
+        with Output(form, path) as output:
+            encoding = Encoding(output, reading, Wants(counter, reply))
+            for source in sources(names):
+                encoding.read(source)
+    except OSError as error:
+        complain(f"{error.filename or path}: cannot be written: {error.strerror or error}")
+        sys.exit(1)
     if not output.count and not encoding.at_fault:
         encoding.complain(f"there is nothing in the input that can be encoded: {_EXPECTED}")
     sys.exit(1 if encoding.at_fault else 0)

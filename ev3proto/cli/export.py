@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-import os
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.groups import Group
-from ev3proto.cli.output import complain
+from ev3proto.cli.output import binary_output, complain, is_terminal
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
+from ev3proto.whole_files import whole_file, write_whole
 
 if TYPE_CHECKING:
     from ev3proto.generate.captures import CaptureWriter, TimedFrame
@@ -56,15 +55,15 @@ def _write(text: str, output: Path | None, *, check: bool) -> None:
     if check and output is None:
         raise click.UsageError("--check needs -o: the file to check")
     if output is None:
-        sys.stdout.buffer.write(text.encode())
-        sys.stdout.buffer.flush()
+        with binary_output() as stream:
+            stream.write(text.encode())
     elif not (_is_current(text, output) if check else _is_written(text, output)):
         sys.exit(1)
 
 
 def _is_written(text: str, output: Path) -> bool:
     try:
-        output.write_bytes(text.encode())
+        write_whole(output, text.encode())
     except OSError as error:
         complain(f"{output}: cannot be written: {error.strerror or error}")
         return False
@@ -241,10 +240,10 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
     """  # noqa: D301
     from ev3proto.generate.captures import CaptureWriter
 
-    if output is None and sys.stdout.isatty():
+    if output is None and is_terminal():
         raise click.UsageError("a capture is no text for a terminal: name a file with -o, or pipe it on")
     try:
-        with _target(output) as stream:
+        with binary_output() if output is None else whole_file(output) as stream:
             writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
             carrying = _Carrying(writer, reading)
             for source in sources(names):
@@ -258,27 +257,6 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
                 sys.exit(1)
             writer.close()
     except OSError as error:
-        if output is None:
-            raise
-        complain(f"{output}: cannot be written: {error.strerror or error}")
+        complain(f"{error.filename or output}: cannot be written: {error.strerror or error}")
         sys.exit(1)
     sys.exit(1 if carrying.at_fault else 0)
-
-
-@contextmanager
-def _target(output: Path | None) -> Iterator[BinaryIO]:
-    """Takes bytes. A file is put in its place when all of it is there: it may be one of those that are read."""
-    if output is None:
-        yield sys.stdout.buffer
-        sys.stdout.buffer.flush()
-    elif output.exists() and not output.is_file():
-        with output.open("wb") as stream:
-            yield stream
-    else:
-        new = output.with_name(f".{output.name}.{os.getpid()}")
-        try:
-            with new.open("xb") as stream:
-                yield stream
-            new.replace(output)
-        finally:
-            new.unlink(missing_ok=True)

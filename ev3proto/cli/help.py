@@ -6,6 +6,8 @@ import re
 
 import click
 
+from ev3proto.cli.output import say
+
 
 @click.command()
 @click.argument("words", nargs=-1)
@@ -30,7 +32,7 @@ def help(context: click.Context, words: tuple[str, ...]) -> None:  # noqa: A001 
             _look_up(words)
             return
         command, found = below, click.Context(below, info_name=word, parent=found)
-    click.echo(command.get_help(found))
+    say(command.get_help(found))
 
 
 def _look_up(words: tuple[str, ...]) -> None:

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import signal
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import click
 
 from ev3proto.cli.captures import MOST_COMPLAINTS, CaptureOptions, reading_options
+from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain
 from ev3proto.cli.show import Show
 
 if TYPE_CHECKING:
     from ev3proto.capture import Announcement, Event
     from ev3proto.capture.dialogues import RequestReply
-    from ev3proto.capture.wireshark.live import Live
 
 PATIENCE_NS = 2_000_000_000
 """After so long without a reply a command is shown without one, as soon as anything else happens."""
@@ -61,7 +59,7 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
             tshark=reading.tshark,
             on_start=lambda: complain(f"Capturing on {names}. Ctrl-C ends it."),
         )
-        with _ended_by_signals(capture):
+        with stopped_by_signals(capture.stop):
             _Watching(reading, as_json=as_json).show(capture.events())
     except EngineError as error:
         complain(str(error))
@@ -71,24 +69,6 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
 for _option in live.params:
     if isinstance(_option, click.Option) and _option.name == "engine":
         _option.hidden = True  # only one of them captures
-
-
-@contextmanager
-def _ended_by_signals(capture: Live) -> Iterator[None]:
-    """While it lasts, Ctrl-C and being asked to terminate end the capture, and nothing else; a second Ctrl-C, all."""
-    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
-
-    def end(number: int, _frame: object) -> None:
-        signal.signal(number, before[signal.Signals(number)])
-        capture.stop()
-
-    for number in before:
-        signal.signal(number, end)
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 class _Watching:

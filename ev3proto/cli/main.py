@@ -6,14 +6,15 @@ import errno
 import gc
 import os
 import sys
-from collections.abc import Sequence
-from contextlib import suppress
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from importlib import import_module
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TextIO
 
 import click
 
+from ev3proto.cli.ending import ended_by_signals
 from ev3proto.cli.groups import Group
 from ev3proto.cli.output import OutputError, complain, flush
 from ev3proto.text.visible import visible_lines
@@ -67,27 +68,41 @@ class Commands(Group):
         command: click.Command = getattr(import_module(f"ev3proto.cli.{name}"), name)
         return command
 
+    def make_context(self, *args: Any, **extra: Any) -> click.Context:
+        """Reads the arguments."""
+        with _printing_help():
+            return super().make_context(*args, **extra)
+
+    def invoke(self, context: click.Context) -> Any:
+        """Runs the subcommand."""
+        with _printing_help():
+            return super().invoke(context)
+
     def main(  # type: ignore[override]
         self, args: Sequence[str] | None = None, prog_name: str | None = None, **extra: Any
     ) -> NoReturn:
-        """Runs a command, and exits with 0 (fine), 1 (the input is at fault), 2 (the call is) or 70 (ev3proto is)."""
+        """Runs a command, and exits with 0 (fine), 1 (the input is at fault), 2 (the call is) or 70 (ev3proto is).
+
+        A signal gives 128 and its number. Where nobody reads the output any more, that is no fault: 0.
+        """
         extra["standalone_mode"] = False
         try:
             status = super().main(args, prog_name, **extra)
         except click.ClickException as error:
             error.message = visible_lines(error.message)
-            error.show()
+            with suppress(OSError):
+                error.show()
             status = error.exit_code
         except click.Abort:
-            _say_last("interrupted")
             status = 1
         except OutputError as error:
-            _forget_output()
-            if error.number != errno.EPIPE:
+            _forget(sys.stdout)
+            status = 0 if error.number == errno.EPIPE else 1
+            if status:
                 complain(str(error))
-            status = 1
         except OSError as error:
-            _say_last(f"the output cannot be written: {error.strerror or error}")
+            place = "reading or writing failed" if error.filename is None else error.filename
+            _say_last(f"{place}: {error.strerror or error}")
             status = 1
         except (Exception, RecursionError) as error:
             if os.environ.get(DEBUG):
@@ -97,15 +112,34 @@ class Commands(Group):
                 f" (with {DEBUG}=1 in the environment it says where)"
             )
             status = INTERNAL_ERROR
+        _forget_unwritten()
         sys.exit(status if isinstance(status, int) else 0)
 
 
-def _forget_output() -> None:
+@contextmanager
+def _printing_help() -> Iterator[None]:
+    """Takes a pipe that was closed for what it is. Click prints help and versions, and would exit with 1."""
+    try:
+        yield
+    except BrokenPipeError as error:
+        raise OutputError.of(error) from None
+
+
+def _forget_unwritten() -> None:
+    """Lets what could not be written to standard error go."""
+    if sys.stderr is not None:
+        try:
+            sys.stderr.flush()
+        except OSError:
+            _forget(sys.stderr)
+
+
+def _forget(stream: TextIO | None) -> None:
     """Lets what could not be written go: Python would try once more at its end, and report that it cannot."""
-    if sys.stdout is None:
+    if stream is None:
         return
     with suppress(OSError, ValueError), Path(os.devnull).open("wb") as nowhere:
-        os.dup2(nowhere.fileno(), sys.stdout.fileno())
+        os.dup2(nowhere.fileno(), stream.fileno())
 
 
 def _say_last(sentence: str) -> None:
@@ -119,11 +153,22 @@ def _say_last(sentence: str) -> None:
 def cli() -> None:
     """The wire protocol of the LEGO MINDSTORMS EV3: read frames and captures, look operations up.
 
-    Exit status: 0 fine, 1 the input is at fault, 2 the call is, 70 ev3proto itself is.
+    Exit status: 0 fine, 1 the input is at fault, 2 the call is, 70 ev3proto itself is, 130 after Ctrl-C.
     """
 
 
 def main() -> None:
     """Runs the command line."""
     gc.set_threshold(_OBJECTS)
-    cli(prog_name="ev3proto")
+    _open_what_is_closed()
+    with ended_by_signals():
+        cli(prog_name="ev3proto")
+
+
+def _open_what_is_closed() -> None:
+    """Opens nothing in the place of a closed standard stream: the next file would get its number, and its output."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)

@@ -2,6 +2,7 @@
 
 Standard output is written in blocks, and line by line on a terminal. What was printed is also written before anything
 goes to standard error, and before more input is waited for. No control character gets through, wherever it comes from.
+Standard output and standard error may both be closed, full, or a pipe that nobody reads.
 """
 
 from __future__ import annotations
@@ -9,8 +10,9 @@ from __future__ import annotations
 import io
 import os
 import sys
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, TextIO
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING, BinaryIO, TextIO, cast
 
 import click
 
@@ -18,7 +20,7 @@ from ev3proto.text.spans import Line, Role, plain_text
 from ev3proto.text.visible import visible, visible_lines
 
 if TYPE_CHECKING:
-    from _typeshed import WriteableBuffer
+    from _typeshed import ReadableBuffer, WriteableBuffer
 
 STYLES = {
     Role.PLAIN: "",
@@ -45,6 +47,11 @@ class OutputError(Exception):
     def __init__(self, number: int | None, reason: str) -> None:
         super().__init__(f"the output cannot be written: {reason}")
         self.number = number
+
+    @classmethod
+    def of(cls, error: OSError) -> OutputError:
+        """What an error of the operating system means where it comes from standard output."""
+        return cls(error.errno, error.strerror or str(error))
 
 
 class _Output:
@@ -75,7 +82,7 @@ class _Output:
                 self.stream.write(text)
                 self.stream.flush()
             except OSError as error:
-                raise OutputError(error.errno, error.strerror or str(error)) from None
+                raise OutputError.of(error) from None
 
 
 _outputs: list[_Output] = []
@@ -165,11 +172,64 @@ def say(text: str = "") -> None:
 
 
 def complain(sentence: str) -> None:
-    """Prints a sentence to standard error, after all that was printed before it."""
+    """Prints a sentence to standard error, after all that was printed before it.
+
+    Where standard error cannot be written, there is nobody left to say so to, and the exit status has to do.
+    """
     flush()
     if sys.stderr is not None:
-        sys.stderr.write(visible_lines(sentence) + "\n")
-        sys.stderr.flush()
+        with suppress(OSError):
+            sys.stderr.write(visible_lines(sentence) + "\n")
+            sys.stderr.flush()
+
+
+def is_terminal() -> bool:
+    """Whether standard output is a terminal."""
+    return sys.stdout is not None and sys.stdout.isatty()
+
+
+@contextmanager
+def binary_output() -> Iterator[BinaryIO]:
+    """Standard output for bytes, after all that was printed before, and written when the `with` ends.
+
+    Raises:
+        OutputError: It cannot be written.
+    """
+    flush()
+    if sys.stdout is None:
+        raise OutputError(None, "standard output is closed")
+    stream = _Bytes(sys.stdout.buffer)
+    yield cast(BinaryIO, stream)
+    stream.flush()
+
+
+class _Bytes(io.BufferedIOBase):
+    """Standard output, whose errors are not taken for those of what is read."""
+
+    def __init__(self, stream: BinaryIO) -> None:
+        super().__init__()
+        self._stream = stream
+
+    def writable(self) -> bool:
+        """True, as for every output."""
+        return True
+
+    def write(self, data: ReadableBuffer, /) -> int:
+        """Writes bytes, now or with what follows them. Raises OutputError."""
+        try:
+            return self._stream.write(data)
+        except OSError as error:
+            raise OutputError.of(error) from None
+
+    def flush(self) -> None:
+        """Writes what waits. Raises OutputError."""
+        try:
+            self._stream.flush()
+        except OSError as error:
+            raise OutputError.of(error) from None
+
+    def close(self) -> None:
+        """Nothing is closed: standard output belongs to whoever opened it."""
 
 
 class Awaited(io.RawIOBase):

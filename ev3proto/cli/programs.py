@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.output import Printer, binary_output, complain, is_terminal
 from ev3proto.errors import counted
 from ev3proto.tables.program import SIGN
 from ev3proto.text.spans import Line, Role
+from ev3proto.whole_files import write_whole
 
 if TYPE_CHECKING:
     from ev3proto.checking.codes import Code
@@ -158,7 +158,7 @@ def encode_program(
     if len(found) != 1:
         raise click.UsageError(f"a program is made of one source, and here are {len(found)}")
     source = found[0]
-    if path is None and sys.stdout.isatty():
+    if path is None and is_terminal():
         raise click.UsageError("an image would garble the terminal: give -o FILE, or pipe it into another program")
     text = _text_of(source)
     if text is None:
@@ -171,12 +171,11 @@ def encode_program(
         return 1
     complain_of_warnings(label, made.warnings)
     if path is None:
-        stdout = click.get_binary_stream("stdout")
-        stdout.write(made.image)
-        stdout.flush()
+        with binary_output() as stream:
+            stream.write(made.image)
     else:
         try:
-            Path(path).write_bytes(made.image)
+            write_whole(Path(path), made.image)
         except OSError as error:
             complain(f"{path}: cannot be written: {error.strerror or error}")
             return 1

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import ipaddress
-import signal
 import sys
-from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 from random import Random
 from typing import TYPE_CHECKING, BinaryIO
 
 import click
 
-from ev3proto.cli.output import complain
+from ev3proto.cli.ending import stopped_by_signals
+from ev3proto.cli.output import binary_output, complain, flush, is_terminal, say
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType
 from ev3proto.tables.declaration import DIALECTS
@@ -20,7 +19,6 @@ from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
 
 if TYPE_CHECKING:
     from ev3proto.capture.dialogues import RequestReply
-    from ev3proto.link.proxy import Proxy
     from ev3proto.link.targets import Target
 
 _LOOPBACK = "127.0.0.1"
@@ -103,16 +101,16 @@ def proxy(
         shown.start_ns = standing.records.start_ns
         if not ipaddress.ip_address(address).is_loopback:
             complain(f"Everybody who reaches {address} can talk to the brick through this proxy (--from, --read-only).")
-        say = complain if record == "-" else click.echo
+        tell = complain if record == "-" else say
         if beacon:
             from ev3proto.link.announcing import Announcement
             from ev3proto.schema.discovery import Beacon
 
             said = Beacon(target.serial_number or _UNKNOWN_SERIAL, str(standing.port))
             stack.callback(Announcement(said, address, BEACON_PORT).stop)
-        with _ended_by_signals(standing):
-            say(f"listening on {f'[{address}]' if ':' in address else address}:{standing.port}")
-            sys.stdout.flush()
+        with stopped_by_signals(standing.stop):
+            tell(f"listening on {f'[{address}]' if ':' in address else address}:{standing.port}")
+            flush()
             standing.serve()
     if standing.lost is not None:
         complain(str(standing.lost))
@@ -129,7 +127,7 @@ class _Shown:
     def __call__(self, pair: RequestReply) -> None:
         if self._show is not None:
             self._show.dialogue(pair, self.start_ns)
-            sys.stdout.flush()
+            flush()
 
 
 def _place(listen: str) -> tuple[str, int]:
@@ -161,23 +159,11 @@ def _recorded_to(record: str | None, stack: ExitStack) -> BinaryIO | None:
     if record is None:
         return None
     if record == "-":
-        if sys.stdout.isatty():
+        if is_terminal():
             raise click.UsageError("a capture would garble the terminal: pipe it, or give --record FILE")
-        return click.get_binary_stream("stdout")
+        return stack.enter_context(binary_output())
     try:
         return stack.enter_context(open(record, "wb"))  # noqa: PTH123 - a name as it was typed
     except OSError as error:
         complain(f"{record}: cannot be written: {error.strerror or error}")
         sys.exit(1)
-
-
-@contextmanager
-def _ended_by_signals(standing: Proxy) -> Iterator[None]:
-    """While it lasts, Ctrl-C and being asked to terminate end the proxy in order."""
-    numbers = (signal.SIGINT, signal.SIGTERM)
-    before = {number: signal.signal(number, lambda *_: standing.stop()) for number in numbers}
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.brick import ended_by_signals, folder, read_script_file
-from ev3proto.cli.output import complain
+from ev3proto.cli.brick import folder, interrupted, read_script_file
+from ev3proto.cli.output import complain, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of, is_image
 
 if TYPE_CHECKING:
@@ -120,10 +120,10 @@ async def _run(image: bytes, name: str, options: Options, root: Path, limit: flo
 
     try:
         async with running(options, root, complain) as now:
-            with ended_by_signals() as ended:
+            with interrupted() as ended:
                 if now.link:
-                    click.echo(f"page at {now.link}")
-                    sys.stdout.flush()
+                    say(f"page at {now.link}")
+                    flush()
                     await _first(now.looked, ended)
                 program = _start(now.brick, image, name)
                 if program is None:
@@ -192,8 +192,8 @@ async def _show(now: Running, program: Program, ended: asyncio.Event, limit: flo
             draw()
             await asyncio.sleep(_PERIOD)
         draw()
-    if not sys.stdout.isatty():
-        click.echo("\n".join(_lines(now.brick)))
+    if not is_terminal():
+        say("\n".join(_lines(now.brick)))
 
 
 def _lines(brick: Brick) -> list[str]:
@@ -206,7 +206,7 @@ def _lines(brick: Brick) -> list[str]:
 @contextmanager
 def _screen(brick: Brick) -> Iterator[Callable[[], None]]:
     """Something that draws the display and the light on the terminal; nothing where there is none."""
-    if not sys.stdout.isatty():
+    if not is_terminal():
         yield lambda: None
         return
     from rich.console import Group
@@ -247,7 +247,7 @@ def _keyboard(now: Running) -> Iterator[None]:
     except ImportError:
         yield
         return
-    if not sys.stdin.isatty():
+    if sys.stdin is None or not sys.stdin.isatty():
         yield
         return
     loop = asyncio.get_running_loop()

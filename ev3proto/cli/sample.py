@@ -9,7 +9,7 @@ from itertools import islice
 
 import click
 
-from ev3proto.cli.output import complain, say
+from ev3proto.cli.output import binary_output, complain, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
 from ev3proto.extras import install_command
@@ -104,4 +104,5 @@ def _writer(style: str, dialect: str) -> Callable[[bytes], None]:
 
 
 def _write_raw(frame: bytes) -> None:
-    sys.stdout.buffer.write(frame)
+    with binary_output() as stream:
+        stream.write(frame)

@@ -15,6 +15,7 @@ from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.tables import Tables
 from ev3proto.text.visible import visible
+from ev3proto.whole_files import write_whole
 
 if TYPE_CHECKING:
     from ev3proto.capture.series import Cell, Series
@@ -82,13 +83,13 @@ def _print_csv(found: Series) -> None:
     writer.writerow(["time", "packet", "peer", *_titles(found)])
     for row in found.rows:
         writer.writerow([row.time, row.packet, row.peer, *(_text(row.cells.get(name)) for name in found.units)])
-    click.echo(text.getvalue(), nl=False)
+    say(text.getvalue().removesuffix("\n"))
 
 
 def _print_json(found: Series) -> None:
     for row in found.rows:
         record = {"time": row.time, "packet": row.packet, "peer": row.peer, "values": row.cells}
-        click.echo(json.dumps(record, ensure_ascii=False))
+        say(json.dumps(record, ensure_ascii=False))
 
 
 _PRINTERS = {None: _print_table, "csv": _print_csv, "json": _print_json}
@@ -99,7 +100,7 @@ def _draw(found: Series, path: Path, title: str) -> None:
     from ev3proto.capture.timeline import MissingLibraryError
 
     try:
-        path.write_bytes(draw(found, path.suffix, Path(title).name))
+        write_whole(path, draw(found, path.suffix, Path(title).name))
     except (ValueError, MissingLibraryError) as error:
         raise click.UsageError(str(error)) from None
     except OSError as error:

@@ -17,12 +17,13 @@ from ev3proto.compose import Draft
 from ev3proto.link import file_moves, questions
 from ev3proto.link.channel import Ticket
 from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
-from ev3proto.link.ev3 import EV3, system_reply, write_whole
+from ev3proto.link.ev3 import EV3, system_reply
 from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
 from ev3proto.link.modes import SyncMode
 from ev3proto.link.printing import RECEIVED, SENT
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
+from ev3proto.whole_files import write_whole
 
 T = TypeVar("T")
 

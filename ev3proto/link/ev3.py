@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 import weakref
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -23,6 +22,7 @@ from ev3proto.link.sharing import Shared
 from ev3proto.link.targets import Target, chosen_target
 from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
+from ev3proto.whole_files import write_whole
 
 T = TypeVar("T")
 
@@ -477,26 +477,6 @@ def print_frame(direction: str, frame: bytes, level: int, request: bytes | None,
     print(frame_line(direction, frame))
     if level > 1:
         print(meaning_line(frame, request, dialect))
-
-
-def write_whole(path: Path, data: bytes) -> None:
-    """Writes a file that appears only when it is complete.
-
-    Args:
-        path: Where it goes; what is there is replaced.
-        data: Its contents.
-
-    Raises:
-        OSError: It cannot be written; nothing has changed then.
-    """
-    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
-        try:
-            file.write(data)
-            file.flush()
-        except BaseException:
-            Path(file.name).unlink()
-            raise
-    Path(file.name).replace(path)
 
 
 def _known_verbosity(value: int) -> int:

@@ -23,6 +23,7 @@ from ev3proto.brick.servers.serial_port import SerialError, SerialPort
 from ev3proto.brick.servers.wifi import Wifi, WifiError
 from ev3proto.extras import install_command
 from ev3proto.tables.discovery import TCP_PORT
+from ev3proto.whole_files import write_whole
 
 LOOPBACK = "127.0.0.1"
 SCREENSHOT_SCALE = 3
@@ -160,7 +161,7 @@ def is_loopback(address: str) -> bool:
 
 def save_screenshot(brick: Brick, path: Path) -> None:
     """Writes the display as a picture. OSError where that cannot be."""
-    path.write_bytes(write_png(brick.display.rows, WIDTH, SCREENSHOT_SCALE))
+    write_whole(path, write_png(brick.display.rows, WIDTH, SCREENSHOT_SCALE))
 
 
 def _save_screenshot(brick: Brick, path: Path, say: Say) -> None:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import re
-import tempfile
 from enum import Enum
 from importlib.util import find_spec
 from pathlib import Path
@@ -13,6 +11,7 @@ from ev3proto.capture.timeline.layout import lay_out
 from ev3proto.capture.timeline.marks import Timeline
 from ev3proto.capture.timeline.wording import clean
 from ev3proto.extras import install_command
+from ev3proto.whole_files import write_whole
 
 LIBRARY = "vl_convert"
 """What draws, and is not installed with everything else."""
@@ -120,24 +119,4 @@ def write(timeline: Timeline, path: Path, title: str) -> None:
         OSError: The file cannot be written.
         MissingLibraryError: The library that draws is not installed.
     """
-    data = render(timeline, Form.of(path), title)
-    if path.exists() and not path.is_file():
-        path.write_bytes(data)  # a device or a pipe, which nothing can take the place of
-        return
-    target = path.resolve()
-    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-        Path(name).chmod(target.stat().st_mode if target.exists() else 0o666 & ~_umask())
-        Path(name).replace(target)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
-
-
-def _umask() -> int:
-    """The bits that files are made without. There is no way to ask but to set it."""
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+    write_whole(path, render(timeline, Form.of(path), title))

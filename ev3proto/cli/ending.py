@@ -1,0 +1,107 @@
+"""How the command line ends where it is not by itself: Ctrl-C, being asked to terminate, a reader that went away.
+
+All of that is silent. A signal unwinds the program like any other end, so that temporary folders are removed and other
+programs are stopped; the exit status is 128 and the number of the signal, as shells have it: 130 for Ctrl-C.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+_NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
+
+_SIGNALLED = 128
+"""What is added to a signal's number in the exit status."""
+
+_SAME = 1.0
+"""Seconds within which signals are one: the terminal and the program that started this one may both send it."""
+
+_SOON = 0.01
+
+Handler = Callable[[int, object], object]
+
+
+class Ended(SystemExit):
+    """A signal ends the program."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(_SIGNALLED + number)
+        self.number = number
+
+
+def _ending_signals() -> list[signal.Signals]:
+    """The signals that end the program, without those that whoever started it wants ignored, as `nohup` does."""
+    numbers = [signal.Signals[name] for name in _NAMES if hasattr(signal, name)]
+    return [number for number in numbers if signal.getsignal(number) is not signal.SIG_IGN]
+
+
+@contextmanager
+def _handled_by(handler: Handler) -> Iterator[None]:
+    """While it lasts, a function is called in place of what the signals that end the program do otherwise."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = {number: signal.signal(number, handler) for number in _ending_signals()}
+    try:
+        yield
+    finally:
+        for number, former in before.items():
+            signal.signal(number, former)
+
+
+@contextmanager
+def stopped_by_signals(stop: Callable[[], object]) -> Iterator[None]:
+    """While it lasts, the first signal stops something in order; the next does what it did before.
+
+    Args:
+        stop: Is called once, between any two steps of the program.
+    """
+    before = {number: signal.getsignal(number) for number in _ending_signals()}
+
+    def handle(_number: int, _frame: object) -> None:
+        for number, former in before.items():
+            signal.signal(number, former)
+        stop()
+
+    with _handled_by(handle):
+        yield
+
+
+@contextmanager
+def ended_by_signals() -> Iterator[None]:
+    """While it lasts, a signal ends the program by an exception, and another one somewhat later ends it at once."""
+    first: float | None = None
+
+    def end(number: int, _frame: object) -> None:
+        nonlocal first
+        now = time.monotonic()
+        if first is None:
+            first = now
+            raise Ended(number)
+        if now - first > _SAME:
+            os._exit(_SIGNALLED + number)
+
+    def unraisable(lost: sys.UnraisableHookArgs) -> None:
+        nonlocal first
+        if isinstance(lost.exc_value, Ended):
+            # It came while Python removed something, where nobody can take an exception: soon once more.
+            first = None
+            again = threading.Timer(_SOON, os.kill, (os.getpid(), lost.exc_value.number))
+            again.daemon = True
+            again.start()
+        else:
+            before(lost)
+
+    before = sys.unraisablehook
+    sys.unraisablehook = unraisable
+    try:
+        with _handled_by(end):
+            yield
+    finally:
+        sys.unraisablehook = before

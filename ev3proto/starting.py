@@ -1,0 +1,34 @@
+"""The first thing that the command line does: Ctrl-C ends it silently from now on, also while modules are loaded.
+
+Loading this module does that, because the package's own modules are loaded before any function of the command line can
+run. Whoever uses the package in a program of their own keeps their signals as they are.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+
+_INTERRUPTED = 130
+
+_SCRIPTS = ("ev3proto", "ev3proto.exe", "ev3proto-script.py")
+
+
+def is_command_line() -> bool:
+    """Whether this process is `ev3proto` or `python -m ev3proto`, and no other program that uses the package."""
+    name = sys.argv[0] if getattr(sys, "argv", None) else ""
+    if name == "-m":  # what Python has there while it looks for the module that it was told to run
+        words = sys.orig_argv
+        return "-m" in words[:-1] and words[words.index("-m") + 1] == "ev3proto"
+    return os.path.basename(name) in _SCRIPTS  # noqa: PTH119 - pathlib takes long to load
+
+
+def end_silently() -> None:
+    """Ends the process without a word when Ctrl-C is pressed. There is nothing yet that would have to be cleaned up."""
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, lambda *_: os._exit(_INTERRUPTED))
+
+
+if is_command_line():
+    end_silently()

@@ -1,0 +1,87 @@
+"""How the command line ends: by signals, closed pipes and closed streams. Silently, and never with a traceback."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+TONE = "0e002a0080000094010182b80182e803"
+SCRIPT = Path(sys.executable).with_name("ev3proto")
+
+INTERRUPTS_ITSELF = """
+import os, signal, sys
+class AtImport:
+    left = int(sys.argv.pop(1))
+    def find_spec(self, name, path, target=None):
+        AtImport.left -= 1
+        if AtImport.left == 0:
+            os.kill(os.getpid(), signal.SIGINT)
+sys.meta_path.insert(0, AtImport())
+sys.argv[0] = "ev3proto"
+from ev3proto.cli.main import main
+main()
+"""
+"""A program that is `ev3proto` but for the Ctrl-C that it gets when so many modules were looked for."""
+
+
+@pytest.mark.parametrize("number", [3, 10, 40, 90, 140])
+def test_ctrl_c_while_modules_are_loaded(number: int) -> None:
+    words = [sys.executable, "-c", INTERRUPTS_ITSELF, str(number), "decode", TONE]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (130, "")
+
+
+@pytest.mark.parametrize("words", [[SCRIPT], [sys.executable, "-m", "ev3proto"]])
+def test_ctrl_c_while_input_is_awaited(words: list[str]) -> None:
+    with subprocess.Popen(
+        [*words, "decode"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(TONE.encode() + b"\n")
+        process.stdin.flush()
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=30)
+    assert (process.returncode, said) == (130, b"")
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_other_signals_are_as_silent(number: signal.Signals) -> None:
+    with subprocess.Popen(
+        [SCRIPT, "decode"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(TONE.encode() + b"\n")
+        process.stdin.flush()
+        process.stdout.readline()
+        process.send_signal(number)
+        _, said = process.communicate(timeout=30)
+    assert (process.returncode, said) == (128 + number, b"")
+
+
+@pytest.mark.parametrize("words", [[SCRIPT], [sys.executable, "-m", "ev3proto"]])
+def test_what_nobody_reads_is_no_fault(words: list[str], tmp_path: Path) -> None:
+    (tmp_path / "long").write_text(f"{TONE}\n" * 20_000)
+    call = " ".join(map(str, words))
+    for command in ("decode --json long", "ops", "ops --json", "--help", "export json", "stats --help"):
+        line = f"set -o pipefail; {call} {command} | head -n 1"
+        done = subprocess.run(["bash", "-c", line], cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stderr, done.stdout.count("\n")) == (0, "", 1), command
+
+
+@pytest.mark.parametrize(
+    ("redirection", "status"), [(">&-", 1), ("2>&-", 0), ("<&-", 0), (">/dev/full", 1), ("2>/dev/full", 0)]
+)
+def test_streams_that_are_closed_or_full(redirection: str, status: int) -> None:
+    line = f"{SCRIPT} decode {TONE} {redirection}"
+    done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, check=False)
+    assert done.returncode == status
+    assert done.stderr.count("\n") <= 1
+    if status:
+        assert done.stderr.startswith("the output cannot be written: ")

@@ -7,10 +7,11 @@ parsed gives the same bytes, whatever encodings it has.
 from __future__ import annotations
 
 from collections import namedtuple
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from dataclasses import fields as dataclass_fields
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
+from functools import partial
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol, cast
 
 from ev3proto.errors import BuildError, Fault
 from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
@@ -411,6 +412,27 @@ class DirectCommand(Message):
         return write_memory(self.global_size, self.local_size) + b"".join(
             [one[1][one[2] : one[3]] for one in self.operations]
         )
+
+
+_operations: Any = DirectCommand.operations  # type: ignore[misc]
+
+set_operations: Callable[[DirectCommand, tuple[Operation, ...] | partial[tuple[Operation, ...]]], None] = (
+    _operations.__set__
+)
+"""Gives a new direct command its operations, or what makes them when somebody first asks for them."""
+
+
+def _operations_of(command: DirectCommand) -> tuple[Operation, ...]:
+    """What is to be run."""
+    found: tuple[Operation, ...] | partial[tuple[Operation, ...]] = _operations.__get__(command)
+    if type(found) is partial:
+        found = found()
+        set_operations(command, found)
+    return cast("tuple[Operation, ...]", found)
+
+
+# It remains a field: it stands in the constructor, in comparisons and in copies, and nobody else can set it.
+DirectCommand.operations = property(_operations_of, set_operations)  # type: ignore[assignment,misc]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)

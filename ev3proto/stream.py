@@ -84,9 +84,9 @@ class Decoder:
 
     def _message(self, frame: bytes, start: int) -> Message:
         if not self._strict:
-            return self._schema.read_frame(frame, strict=False)
+            return self._schema.read_for_later(frame, strict=False)
         try:
-            return self._schema.read_frame(frame)
+            return self._schema.read_for_later(frame)
         except DecodeError as error:
             reason = f"in the frame that starts at offset {start} of the stream: {error.reason}"
             raise DecodeError(start + error.offset, reason, error.truncated) from None

@@ -266,7 +266,7 @@ class Cutter:
 
     def _is_flawless(self, frame: bytes) -> bool:
         try:
-            self._schema.read_frame(frame)
+            self._schema.read_for_later(frame)
         except DecodeError:
             return False
         return True

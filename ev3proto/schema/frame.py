@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import TypeVar, overload
 
 from construct import Bytes, GreedyBytes, Int8ul, Struct
@@ -22,10 +23,18 @@ from ev3proto.messages import (
     SensorReport,
     SystemCommand,
     SystemReply,
+    set_operations,
 )
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.fields import REPLIES, REQUESTS
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, unpack_header, unpack_memory
+from ev3proto.schema.header import (
+    COMMAND_HEADER_SIZE,
+    HEADER_SIZE,
+    frame_size,
+    unpack_command_header,
+    unpack_header,
+    unpack_memory,
+)
 from ev3proto.schema.instructions import InstructionSet, instruction_set
 from ev3proto.tables import daisy, system
 from ev3proto.tables.frame import (
@@ -57,9 +66,8 @@ Body = tuple[Message | None, bytes, DecodeError | None]
 BodyReader = Callable[[bytes, int, int, MessageType], Body]
 
 
-_set_type, _set_counter, _set_flaw, _set_globals, _set_locals, _set_operations = (
-    getattr(DirectCommand, name).__set__
-    for name in ("type", "counter", "flaw", "global_size", "local_size", "operations")
+_set_type, _set_counter, _set_flaw, _set_globals, _set_locals = (
+    getattr(DirectCommand, name).__set__ for name in ("type", "counter", "flaw", "global_size", "local_size")
 )
 _set_reply_type, _set_reply_counter, _set_reply_flaw, _set_memory = (
     getattr(DirectReply, name).__set__ for name in ("type", "counter", "flaw", "memory")
@@ -70,7 +78,11 @@ _new = object.__new__
 
 
 def new_direct_command(
-    member: MessageType, counter: int, global_size: int, local_size: int, operations: tuple[Operation, ...]
+    member: MessageType,
+    counter: int,
+    global_size: int,
+    local_size: int,
+    operations: tuple[Operation, ...] | partial[tuple[Operation, ...]],
 ) -> DirectCommand:
     """Makes a direct command faster than its class does. Nothing is checked.
 
@@ -79,7 +91,7 @@ def new_direct_command(
         counter: The message counter, 0 to 65535.
         global_size: Bytes of global memory, 0 to 1023.
         local_size: Bytes of local memory, 0 to 63.
-        operations: The operations, where they stand in the frame.
+        operations: The operations, where they stand in the frame, or what makes them when somebody asks for them.
 
     Returns:
         The command.
@@ -91,7 +103,7 @@ def new_direct_command(
     _set_flaw(message, NO_FLAW)
     _set_globals(message, global_size)
     _set_locals(message, local_size)
-    _set_operations(message, operations)
+    set_operations(message, operations)
     return message
 
 
@@ -102,6 +114,9 @@ def _direct_reply(member: MessageType, counter: int, memory: bytes) -> DirectRep
     _set_reply_flaw(message, NO_FLAW)
     _set_memory(message, memory)
     return message
+
+
+_DIRECT_COMMANDS = {member.value: member for member in MessageType if member.kind == "direct-command"}
 
 
 class FrameSchema(Bytewise):
@@ -175,6 +190,36 @@ class FrameSchema(Bytewise):
         if strict:
             raise self._envelope_error(frame)
         return self._read_faulty(frame)
+
+    def read_for_later(self, frame: bytes, *, strict: bool = True) -> Message:
+        """Reads exactly one frame, but makes the operations of a direct command only when somebody asks for them.
+
+        That is for streams and captures, where many messages are only counted or paired. It takes a third of the time;
+        with all arguments looked at in the end it takes a quarter longer: `pytest benchmarks -k ratios`.
+
+        Args:
+            frame: From its length field to its last byte.
+            strict: As for `read_frame`.
+
+        Returns:
+            The message that `read_frame` gives.
+
+        Raises:
+            DecodeError: As `read_frame` does.
+
+        """
+        size = len(frame)
+        if COMMAND_HEADER_SIZE <= size <= MAX_FRAME:
+            length, counter, code, memory = unpack_command_header(frame)
+            member = _DIRECT_COMMANDS.get(code)
+            if (
+                member is not None
+                and length + LENGTH_FIELD == size
+                and self.instructions.is_flawless(frame, COMMAND_HEADER_SIZE)
+            ):
+                read = partial(self.instructions.operations, frame, COMMAND_HEADER_SIZE)
+                return new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, read)
+        return self.read_frame(frame, strict=strict)
 
     def _envelope_error(self, frame: bytes) -> DecodeError:
         """What is wrong around the body; the body itself is not looked at."""

@@ -38,10 +38,14 @@ COMMAND_HEADER_SIZE = HEADER_SIZE + MEMORY_SIZE
 
 _header = packed(HEADER)
 _memory = packed(Struct("memory" / Int16ul))
+_command = packed(Struct(*HEADER.subcons, "memory" / Int16ul))
 _length = packed(Struct("length" / Int16ul))
 
 unpack_header = _header.unpack_from
 """Length field, counter and type number of the header in `(data, offset)`. There must be `HEADER_SIZE` bytes."""
+
+unpack_command_header = _command.unpack_from
+"""The same of a direct command, and the number that asks for memory. There must be `COMMAND_HEADER_SIZE` bytes."""
 
 unpack_memory = _memory.unpack_from
 """The number in `(data, offset)` that asks for memory. Its lower `GLOBAL_BITS` bits are for global memory."""

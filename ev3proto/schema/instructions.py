@@ -5,8 +5,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from ev3proto.errors import BuildError, DecodeError, near_misses
@@ -14,6 +15,7 @@ from ev3proto.messages import Argument, Operation, PartialOperation
 from ev3proto.schema.argument import SHORT, Reader
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.operation import CMD, FamilySchema, OperationSchema, operation_schema
+from ev3proto.schema.pattern import byte_code_pattern
 from ev3proto.tables import OPCODES, check_dialect
 from ev3proto.tables.encoding import CONSTANT, STRING_CODING
 
@@ -102,6 +104,28 @@ class InstructionSet(Bytewise):
         if fault is not None:
             raise fault
         return tuple(operations), len(data)
+
+    @cached_property
+    def _flawless(self) -> re.Pattern[bytes]:
+        # Made for the first frame that is looked at: it takes longer than reading a few frames.
+        return byte_code_pattern(self.by_name.values())
+
+    def is_flawless(self, data: bytes, at: int) -> bool:
+        """Says whether operations without a fault stand from an offset to the end of the bytes, without making any.
+
+        Args:
+            data: The bytes that the byte code is in.
+            at: The offset of the first opcode.
+
+        Returns:
+            True: `scan` finds no fault. False: only `scan` can say.
+
+        """
+        return self._flawless.fullmatch(data, at) is not None
+
+    def operations(self, data: bytes, at: int) -> tuple[Operation, ...]:
+        """Reads all operations from an offset to the end of bytes in which there is no fault."""
+        return tuple(self.scan(data, at, len(data))[0])
 
     def scan(self, data: bytes, at: int, end: int) -> tuple[list[Operation], DecodeError | None]:
         """Reads the operations from one offset to another, up to the first that is faulty.

@@ -144,8 +144,8 @@ class Reports:
         if (member.carries == "daisy") != (reported != _BIG_REPORT):
             return False
         if _is_overwritten(frame, is_from_host):
-            return self._context.schema.read_frame(frame, strict=False).fault is None
-        message = self._context.schema.read_frame(frame, strict=False)
+            return self._context.schema.read_for_later(frame, strict=False).fault is None
+        message = self._context.schema.read_for_later(frame, strict=False)
         is_taken = message.fault is None and makes_sense(message)
         claim = self._claims.get(found.device)
         # Bricks in a chain send commands both ways.

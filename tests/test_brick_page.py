@@ -16,10 +16,10 @@ from urllib.parse import urlsplit
 
 import aiohttp
 import pytest
-from selenium.webdriver import Chrome, ChromeOptions
-from selenium.webdriver.chrome.service import Service
+from selenium.webdriver import Chrome
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
+from support.browser import chromium, complaints
 from support.server import Client, Served, command, served
 
 from ev3proto.brick.servers.server import Options
@@ -117,31 +117,13 @@ def test_actions_and_what_is_wrong_with_them(brick: Served) -> None:
 def test_page_in_a_browser(tmp_path: Path) -> None:
     (tmp_path / "prjs").mkdir()
     (tmp_path / "<img src=x>.rbf").write_bytes(b"12345")
-    options = ChromeOptions()
-    for argument in (
-        "--headless",
-        "--no-sandbox",
-        "--disable-gpu",
-        "--disable-quic",
-        "--no-first-run",
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--disable-sync",
-        "--window-size=1400,1000",
-        f"--user-data-dir={tmp_path / 'profile'}",
+    with (
+        served(tmp_path, replace(WITH_PAGE, clients=2)) as brick,
+        Client(brick.port) as client,
+        chromium(tmp_path / "profile") as browser,
     ):
-        options.add_argument(argument)
-    options.binary_location = "/usr/bin/chromium"
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    with served(tmp_path, replace(WITH_PAGE, clients=2)) as brick, Client(brick.port) as client:
-        browser = Chrome(options, Service("/usr/bin/chromedriver"))
-        try:
-            _look(browser, brick, client)
-            log: Any = browser
-            severe = [entry["message"] for entry in log.get_log("browser") if entry["level"] == "SEVERE"]
-            assert [message for message in severe if "favicon" not in message] == []
-        finally:
-            browser.quit()
+        _look(browser, brick, client)
+        assert complaints(browser) == []
 
 
 def _look(browser: Chrome, brick: Served, client: Client) -> None:

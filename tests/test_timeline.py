@@ -392,6 +392,8 @@ def test_places_and_labels() -> None:
         # Here they stand to the left: the picture ends to the right.
         (1.0, None, None, "5 %, 440 Hz, 250 ms", True),
     ]
+    # In a narrower window the words would stand on the next mark, or beyond the edge.
+    assert [mark.get("w") for mark in picture.marks] == [121, None, 109, 134]
     assert picture.marks[0]["tip"] == {
         "title": "UI_READ.GET_VBATT",
         "outcome": "answered",
@@ -554,14 +556,14 @@ def test_page(drawn: Timeline) -> None:
     assert policy.startswith("default-src 'none';")
     assert not re.search(r"https?:", policy)
     chart = json.loads(page.scripts[0])
-    assert [view["name"] for view in chart["params"]] == ["time", "picked"]
+    assert [parameter["name"] for parameter in chart["params"]] == ["time", "picked", "margin", "kinds", "room"]
     marks = chart["datasets"]["marks"]
     assert [mark["tip"]["moved"] for mark in marks if mark.get("f")] == ["6 of 6 bytes"]
     assert [mark["tip"]["path"] for mark in marks if mark.get("f")] == [
         "../prjs/</script><script>alert(1)</script>.rbf"
     ]
     assert "vegaEmbed" in page.scripts[1]
-    assert '"#timeline"' in page.scripts[2]
+    assert "vegaEmbed(place, chart" in page.scripts[2]
 
 
 def test_names_of_kinds_are_not_clipped_off(drawn: Timeline) -> None:

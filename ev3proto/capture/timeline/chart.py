@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ev3proto.capture.timeline.layout import LATENCY_MARGIN, SHADES, WIDTH, Picture
+from ev3proto.capture.timeline.layout import KINDS_WIDTH, LATENCY_MARGIN, SHADES, WIDTH, Picture
 from ev3proto.capture.timeline.marks import Outcome
 
 VERSION = "6.1"
@@ -57,6 +57,7 @@ Json = dict[str, Any]
 
 _FONT = "Helvetica, Arial, 'Liberation Sans', sans-serif"
 _TIP = {"expr": "datum.tip"}
+_MARGIN = {"expr": "margin"}
 
 
 def specification(picture: Picture) -> Json:
@@ -85,6 +86,11 @@ def specification(picture: Picture) -> Json:
                 "select": {"type": "point", "fields": ["o"], "toggle": "true"},
                 "views": ["legend"],
             },
+            # Pixels, which the page sets to what the window has room for: left of the rows, of that for the names of
+            # kinds, and for what is drawn over time.
+            {"name": "margin", "value": picture.margin},
+            {"name": "kinds", "value": KINDS_WIDTH},
+            {"name": "room", "value": WIDTH},
         ],
         "vconcat": views,
         "spacing": 20,
@@ -228,10 +234,10 @@ class _Panel:
                 "ticks": False,
                 "domain": False,
                 "labelExpr": "slice(datum.value, indexof(datum.value, '/') + 1)",
-                "labelLimit": picture.label_width,
+                "labelLimit": {"expr": "margin - kinds"},
                 "labelPadding": 8,
-                "minExtent": picture.margin,
-                "maxExtent": picture.margin,
+                "minExtent": _MARGIN,
+                "maxExtent": _MARGIN,
             },
         }
 
@@ -266,7 +272,12 @@ class _Panel:
                     "color": "#444444",
                     "clip": False,
                 },
-                {"x": {"value": -self._picture.margin}, "y": self._y, "text": {"field": "kind"}},
+                {
+                    "x": {"value": {"expr": "-margin"}},
+                    "y": self._y,
+                    "text": {"field": "kind"},
+                    "opacity": {"value": {"expr": "kinds ? 1 : 0"}},
+                },
             ),
         ]
 
@@ -302,7 +313,7 @@ class _Panel:
         style = {"type": "text", "fontSize": 11, "color": "#222222", "clip": True, "tooltip": _TIP}
         encoding = {"x": self._x_of_words, "y": self._y, "text": {"field": "l"}, "opacity": _faded()}
         return [
-            _layer("marks", style | place, encoding, self._ours("isValid(datum.l)", where))
+            _layer("marks", style | place, encoding, self._ours("isValid(datum.l)", "datum.w <= room", where))
             for place, where in (
                 ({"align": "left", "dx": 8}, "!datum.back"),
                 ({"align": "right", "dx": -8}, "datum.back"),
@@ -327,8 +338,8 @@ def _latency(picture: Picture) -> Json:
         "tickCount": 6,
         "format": "~g",
         "labelExpr": "datum.label ? datum.label + ' ms' : ''",
-        "minExtent": picture.margin,
-        "maxExtent": picture.margin,
+        "minExtent": _MARGIN,
+        "maxExtent": _MARGIN,
     }
     if picture.is_logarithmic:
         axis["values"] = picture.latency_ticks

@@ -30,8 +30,12 @@ _LETTER = 6.0
 
 _CAPITAL = 7.8
 _LEGEND_LETTER = 6.1
-_LEGEND_HEIGHT = 20
-_KINDS_WIDTH = 124
+LEGEND_HEIGHT = 20
+"""Pixels from one row of the legend to the next."""
+
+KINDS_WIDTH = 124
+"""Pixels for the names of kinds, at the left edge."""
+
 _MOST_LABEL_WIDTH = 300
 _SYMBOL = 12
 _SYMBOL_SIZES = ((300, 75.0), (3000, 40.0))
@@ -80,10 +84,11 @@ class Picture:
     panels       one a brick, one below the other
     marks        symbols, bars and labels: `p` panel, `row`, `t` and `e` begin and end in seconds, `o` outcome, `bad`
                  for trouble, `f` for files, `ms` latency, `l` label, `x` where in time it stands, `back` whether to the
-                 left of that, `tip` what is said of it
+                 left of that, `w` the least width of the picture in which it has room, `tip` what is said of it
     cells        counts in bins: `p`, `row`, `t`, `e`, `s` shade from 1 to SHADES, `tip`
     latencies    in bins: `t`, `ms` the slowest and `low` the fastest answer, `tip`
-    legend       symbols with their words: `o`, `text`, `x`, `x2`, `y` in pixels, `s` instead of `o` for shades
+    legend       symbols with their words: `o`, `text`, `x`, `x2`, `y` in pixels, `s` instead of `o` for shades,
+                 `breaks` where a row must begin
     latency_ms   shortest and longest latency, None where nothing was answered
     """
 
@@ -106,7 +111,7 @@ class Picture:
     @property
     def margin(self) -> float:
         """Pixels left of the rows: names of kinds, and what stands beside the rows."""
-        return _KINDS_WIDTH + self.label_width
+        return KINDS_WIDTH + self.label_width
 
     @property
     def symbol_size(self) -> float:
@@ -132,7 +137,7 @@ class Picture:
     @property
     def legend_height(self) -> float:
         """Pixels of the legend's rows."""
-        return float(max((entry["y"] for entry in self.legend), default=0)) + _LEGEND_HEIGHT / 2
+        return float(max((entry["y"] for entry in self.legend), default=0)) + LEGEND_HEIGHT / 2
 
 
 def _dialogue_begin(timeline: Timeline) -> int:
@@ -152,11 +157,39 @@ def lay_out(timeline: Timeline, title: str) -> Picture:
             panel = Panel(brick, brick_summary(tally))
             picture.panels.append(panel)
             _Rows(timeline, picture, panel, {name for name, home in homes.items() if home == brick}).fill()
+    _least_widths(picture)
     # What went wrong stands on top of the rest.
     picture.marks.sort(key=lambda datum: "bad" in datum)
     _latencies(timeline, picture)
     picture.legend = _legend(picture, timeline)
     return picture
+
+
+def _least_widths(picture: Picture) -> None:
+    """How wide the picture must be for each label: a narrow window has no room for some of them."""
+    low, high = picture.domain
+    rows: dict[tuple[int, str], list[Datum]] = {}
+    for datum in picture.marks:
+        rows.setdefault((datum["p"], datum["row"]), []).append(datum)
+    for row in rows.values():
+        row.sort(key=lambda datum: float(datum["t"]))
+        # Beside each mark, the one before it and the one after it, where there is one.
+        for datum, before, after in zip(row, [None, *row], [*row[1:], None], strict=False):
+            if "l" not in datum:
+                continue
+            if datum["back"]:
+                width = _words_width(datum["l"]) + (_words_width(before.get("l", "")) if before else 0)
+                room = datum["x"] - (before.get("e", before["t"]) if before else low)
+            else:
+                width = _words_width(datum["l"])
+                room = (after["t"] if after else high) - datum["x"]
+            # What had room in the whole picture is shown there, however it was rounded.
+            datum["w"] = min(round(width * (high - low) / room), WIDTH) if room > 0 else WIDTH
+
+
+def _words_width(words: str) -> float:
+    """Pixels of a label, and of the space around it."""
+    return 1.5 * _SYMBOL + _LETTER * len(words)
 
 
 def _homes(timeline: Timeline) -> dict[str, str]:
@@ -227,7 +260,7 @@ class _Rows:
             if mark.lane.brick not in self._bricks:
                 continue
             left, right = self._pixel(mark.begin_ns), self._pixel(mark.end_ns or mark.begin_ns)
-            width = 1.5 * _SYMBOL + _LETTER * len(mark.label)
+            width = _words_width(mark.label)
             # In the bar, or after it where it is too short, or before it where the picture ends.
             after = left + width > right
             words = right if after else max(left, 0.0)
@@ -265,7 +298,7 @@ class _Rows:
         for index, (mark, datum) in enumerate(found):
             left = self._pixel(mark.begin_ns)
             right = left if mark.end_ns is None else self._pixel(mark.end_ns)
-            width = 1.5 * _SYMBOL + _LETTER * len(mark.label)
+            width = _words_width(mark.label)
             is_last = index + 1 == len(found)
             limit = WIDTH if is_last else self._pixel(found[index + 1][0].begin_ns) - _SYMBOL / 2
             # In the bar, or after it where it is too short.
@@ -376,11 +409,11 @@ def _legend(picture: Picture, timeline: Timeline) -> list[Datum]:
         for number in shade_starts(most):
             text = f"{number:,} or more in {duration(timeline.bin_ns)}"
             entries.append({"s": shade(number, most), "text": text, "breaks": number == 1})
-    x, y = 0.0, _LEGEND_HEIGHT / 2
+    x, y = 0.0, LEGEND_HEIGHT / 2
     for entry in entries:
         width = _SYMBOL + _LEGEND_LETTER * len(entry["text"])
-        if entry.pop("breaks", False) or (x and x + width > WIDTH):
-            x, y = 0.0, y + _LEGEND_HEIGHT
+        if entry.get("breaks") or (x and x + width > WIDTH):
+            x, y = 0.0, y + LEGEND_HEIGHT
         entry |= {"x": x + _SYMBOL / 2, "x2": x + width, "y": y}
         x += width + 2 * _SYMBOL
     return entries

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from enum import Enum
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -88,12 +89,21 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
     picture = lay_out(timeline, title)
     chart = specification(picture)
     if form is Form.HTML:
-        javascript = vl_convert.javascript_bundle(_SNIPPET, vl_version=VERSION)
-        return page(chart, title, picture.margin, javascript).encode()
+        return page(chart, title, picture.margin, _javascript()).encode()
     # No address is allowed: a picture is made of nothing but the capture.
     if form is Form.SVG:
         return _renumbered(vl_convert.vegalite_to_svg(chart, vl_version=VERSION, allowed_base_urls=[])).encode()
     return vl_convert.vegalite_to_png(chart, vl_version=VERSION, scale=PNG_SCALE, allowed_base_urls=[])
+
+
+@cache
+def _javascript() -> str:
+    """The libraries that the page needs, made into one script, which takes seconds."""
+    import vl_convert
+
+    from ev3proto.capture.timeline.chart import VERSION
+
+    return vl_convert.javascript_bundle(_SNIPPET, vl_version=VERSION)
 
 
 def _renumbered(svg: str) -> str:

@@ -7,6 +7,7 @@ length field fits it exactly, wherever it stands in a text and whatever stands a
     blanking      what is no byte is blanked: times, casts, indexes, comments
     columns       so are the offsets and the text of dumps
     values        the values in a line, the runs that they form, and the readings that a run may have
+    familiar      the short way for lines like those before
     fitting       which bytes of a run are frames, and what looks like one
     scanner       lines to frames, also those that are wrapped
     forms         what is no frame: where a piece breaks off, and the few bytes that an argument may be

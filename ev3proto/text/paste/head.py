@@ -79,6 +79,12 @@ def head_before(line: str, start: int, end: int) -> Head:
     return Head(word and _direction(word), time and time[0], clean.end, clean.said, is_clean=False)
 
 
+def time_before(line: str, end: int) -> str | None:
+    """The time that stands in front of a column, as printed; None where there is none."""
+    found = _TIME_SEARCH.search(line, 0, end) if ":" in line[:end] else None
+    return found and found[0]
+
+
 def _direction(match: re.Match[str]) -> Direction | None:
     """The direction that the matched word tells, if it is such a word."""
     if match["sent"]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
+from ev3proto.text.paste.familiar import Familiar
 from ev3proto.text.paste.fitting import bare_reason, reason
 from ev3proto.text.paste.forms import Forms
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, Pasted, Wants, short
@@ -22,6 +23,7 @@ class Reader:
     def __init__(self) -> None:
         self._scanner = Scanner()
         self._forms = Forms(Wants(LEAST, is_sure=False))
+        self._familiar = Familiar()
         self._held: list[Pasted] = []
 
     def read(self, lines: Iterable[str]) -> Iterator[Pasted]:
@@ -33,8 +35,15 @@ class Reader:
                 yield from self._kept(self._forms.close())
                 problem = f"the line has {len(line)} characters, more than {MAX_LINE}, and was not read"
                 yield Pasted(b"", number, short(line, MAX_TEXT), problem=problem)
-            else:
+            elif self._forms.is_open or self._scanner.is_open:
                 yield from self._all(self._scanner.feed(line.rstrip("\r\n"), number))
+            elif (piece := self._familiar.read(line, number)) is not None:
+                self._scanner.skip()
+                yield piece
+            else:
+                pieces = [*self._all(self._scanner.feed(line.rstrip("\r\n"), number))]
+                self._familiar.learn(pieces)
+                yield from pieces
         yield from self._all(self._scanner.close())
         yield from self._kept(self._forms.close())
 

@@ -215,6 +215,16 @@ class Scanner:
     def __init__(self) -> None:
         self._pending: Pending | None = None
         self._opens = self._was_opened = False
+        self._last: tuple[str, list[Run]] = ("", [])
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the next line may go on with one before."""
+        return self._pending is not None
+
+    def skip(self) -> None:
+        """Takes notice of a line that was read elsewhere."""
+        self._opens = False
 
     def feed(self, line: str, number: int) -> Iterator[Pasted | Row]:
         """Takes a line.
@@ -232,11 +242,14 @@ class Scanner:
             yield Row(number, line, None)
             return
         whole = clean(line)
-        row, index, in_comment = self._row(line, number, whole, 0, is_inside=False)
-        plain = self._plain(line)
+        plain = self._plain(whole)
         found = list(self._frames(line, number, plain))
+        if any(piece.data for piece in found):
+            yield from found
+            return
+        row, index, in_comment = self._row(line, number, whole, 0, is_inside=False)
         is_other = row.run is not None and not any(run.values == row.run.values for run in plain)
-        if is_other and row.run is not None and not any(piece.data for piece in found):
+        if is_other and row.run is not None:
             # Comments and offsets among the values hide a frame from the plain reading.
             stripped = list(self._frames(line, number, [row.run]))
             if any(piece.data for piece in stripped):
@@ -269,7 +282,7 @@ class Scanner:
                 yield from found
                 return
         for row in pending.rows:
-            pieces = [] if row.run is None else list(self._frames(row.line, row.number, self._plain(row.line)))
+            pieces = [] if row.run is None else list(self._frames(row.line, row.number, self._plain(clean(row.line))))
             if any(piece.data for piece in pieces):
                 found += pieces
             else:
@@ -279,11 +292,18 @@ class Scanner:
             found[0] = replace(pending.rows[0], looks=looks)
         yield from found
 
-    def _plain(self, line: str) -> list[Run]:
-        """The runs of a line, whatever else stands in it."""
-        whole = clean(line)
+    def _plain(self, whole: str) -> list[Run]:
+        """The runs of a line that was cleaned, whatever else stands in it."""
         listed, count = without_indexes(whole, 0)
-        return runs(without_columns(listed if count >= LEAST else whole))
+        return self._runs(without_columns(listed if count >= LEAST else whole))
+
+    def _runs(self, line: str, *, is_text: bool = False) -> list[Run]:
+        """The runs of a line; those of the last line are remembered."""
+        if is_text:
+            return runs(line, is_text=True)
+        if line != self._last[0]:
+            self._last = line, runs(line)
+        return self._last[1]
 
     # Lines that belong together
 
@@ -294,7 +314,7 @@ class Scanner:
         bare = without_columns(bare, self._counts())
         goes_on = self._pending is not None and character_cells(self._pending.rows[0].line) is not None
         cells = character_cells(line, goes_on=goes_on)
-        found = runs(bare, is_text=self._is_text()) if cells is None else [cells]
+        found = [cells] if cells is not None else self._runs(bare, is_text=self._is_text())
         if not found and not bare.strip():
             return Row(number, line, None), index, in_comment
         run = _without_prefix(found[-1], bare) if found else None
@@ -409,6 +429,8 @@ class Scanner:
         """The frames in the runs of a line, and what looks like one."""
         position = 0
         for run in found:
+            if run.most_bytes < LEAST:
+                continue
             row = Row(number, line, run)
             pieces = list(self._pieces([row], run, position))
             yield from pieces

@@ -93,6 +93,11 @@ class Run:
         return self.values[-1].end
 
     @property
+    def most_bytes(self) -> int:
+        """More bytes than these it has in no reading."""
+        return sum(len(value.text if value.data is None else value.data) for value in self.values)
+
+    @property
     def is_text(self) -> bool:
         """Whether its values are string literals."""
         return self.values[0].style is Style.STRING
@@ -134,6 +139,7 @@ _TAIL = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013._!?$-]*+(?:[uU]?8?[;\s]*)$
 _ELLIPSIS = re.compile(r"[\s,;:|\"'-]*+(?:\.{3}|\u2026)")
 _HEX_ONLY = re.compile(rf"[\s,:{_HEX}-]*")
 _NAMED = re.compile(r"(?P<name>[A-Za-z_]\w*)(?P<call>\s?\([^()]{0,80}\))?")
+_AFTER_WORD = re.compile(r"\s*(?:[(,}\])]|$)")
 _AFTER_NAME = re.compile(r"\s*(?:[,}\])]|$)")
 _BEFORE_NAME = re.compile(r"(?:[,{(\[]|^)\s*$")
 _MOST_GAP = 160
@@ -167,9 +173,12 @@ def runs(line: str, *, is_text: bool = False) -> list[Run]:
         rest = line[run.end : following]
         run.is_cut = _ELLIPSIS.match(rest) is not None
         run.has_comma = rest.lstrip("'\" )").startswith(",")
-        inside = _between(line, run)
+        inside = _between(line, run) if _BRACKET.search(line, run.start, run.end) is not None else 0
         run.depth = run.opened + inside + _balance(rest if run.is_tail else "")
     return found
+
+
+_BRACKET = re.compile(r"[\[\](){}]")
 
 
 def _between(line: str, run: Run) -> int:
@@ -313,7 +322,7 @@ def values(line: str, *, is_text: bool = False) -> Iterator[Value]:
                 else:
                     closers.add(body.end())
             case "base64" | "word":
-                named = _named(line, start)
+                named = _named(line, start) if _AFTER_WORD.match(line, position) is not None else None
                 if named is not None:
                     position = named.end
                     yield named

@@ -13,7 +13,8 @@ import pytest
 from support.wireshark import Tshark
 
 import ev3proto
-from ev3proto.capture.filter.names import NAMES, TIME
+from ev3proto.capture.filter.fields import parameter_names
+from ev3proto.capture.filter.names import NAMES
 from ev3proto.checking.checking import check
 from ev3proto.generate.pages.examples import example_of, explained, system_example
 from ev3proto.generate.pages.markdown import anchor
@@ -115,8 +116,11 @@ def test_the_calls_of_the_examples_give_their_frames() -> None:
 
 
 def test_every_name_of_filters_is_on_their_page() -> None:
-    text = (DOCS / "filters.md").read_text(encoding="utf-8")
-    assert set(re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)) == {*NAMES, TIME}
+    text = (DOCS / "reference" / "filters.md").read_text(encoding="utf-8")
+    every_frame = text.partition("## Of every frame\n")[2].partition("\n## ")[0]
+    assert re.findall(r"^\| `(\w+)` \|", every_frame, re.MULTILINE) == [*NAMES]
+    listed = re.findall(r"^\| `(\w+)` \|", text.partition("## All parameters and fields\n")[2], re.MULTILINE)
+    assert listed == parameter_names()
 
 
 def test_no_page_says_where_something_is_in_memory() -> None:

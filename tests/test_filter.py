@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import struct
-from collections.abc import Iterable
+import time
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -13,13 +16,22 @@ from hypothesis import strategies as st
 
 import ev3proto
 from ev3proto import GV, LV
-from ev3proto.capture import Carrier, Direction, Record, Route, read
-from ev3proto.capture.filter import FilterError, compile_filter
-from ev3proto.capture.filter.grammar import MAX_DEPTH, MAX_LENGTH
+from ev3proto.capture import Carrier, Direction, Event, Record, Route, read
+from ev3proto.capture.dialogues import RequestReply
+from ev3proto.capture.filter import Choosing, FilterError, compile_filter
+from ev3proto.capture.filter.comparisons import Durations
+from ev3proto.capture.filter.fields import operation_names, parameter_names
+from ev3proto.capture.filter.grammar import MAX_DEPTH, MAX_LENGTH, Relation, Word
+from ev3proto.capture.filter.manual import Entry, entries
+from ev3proto.capture.filter.names import NAMES
+from ev3proto.capture.filter.pattern import PatternError, compile_pattern
+from ev3proto.capture.record import Answered
+from ev3proto.capture.text_log import read_log
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyReply, Message, SensorReport
 from ev3proto.schema.frame import frame_schema
 from ev3proto.tables.frame import MessageType
+from ev3proto.text.paste import read_text
 
 CAPTURES = Path(__file__).parent.parent / "captures"
 WIFI = Route(Carrier.WIFI, "192.0.2.1:49152", "192.0.2.10:5555", Direction.SENT, "eth0", "192.0.2.10:5555")
@@ -308,7 +320,15 @@ def test_names_that_both_the_frame_and_a_parameter_have(lower: str, upper: str, 
         ("FREQUENCY==LED_RED", 12, "FREQUENCY is a number, LED_RED is none"),
         ("FREQUENCY=='440'", 12, "FREQUENCY is a number"),
         ("FREQUENCY contains 4", 20, "FREQUENCY is a number"),
-        ("latency>10ms", 9, "latency is a number of seconds, 10ms is none"),
+        ("latency>10kg", 9, "latency is a time in seconds, 10kg is none: write 4ms or 0.004"),
+        ("latency>10 ms", 12, "a unit stands right after its number: 4ms"),
+        ("FREQUENCY>10ms", 11, "FREQUENCY is measured in Hz, which 10ms is not: write FREQUENCY > 5Hz"),
+        ("ev3.msg_num==4", 1, "ev3.msg_num is a name of Wireshark: here it is counter"),
+        ("ev3.counter==4", 1, "here it is counter"),
+        ("ev3.sound.tone.frequency==4", 1, "here it is SOUND.TONE.FREQUENCY"),
+        ("frame.number==4", 1, "here it is packet"),
+        ("SUOND.TONE.FREQUENCY>4", 1, "did you mean SOUND.TONE.FREQUENCY?"),
+        ("zzzzzzz", 1, "nothing is called zzzzzzz: --help-filter lists the names that there are"),
         ("path==hello", 7, 'texts stand in quotes: path == "hello"'),
         ("status==SUCESS", 9, "SUCESS is no system status: did you mean SUCCESS?"),
         ("type==TYPE_TOUCH", 7, "it is a value of the parameter TYPE, in upper case"),
@@ -316,7 +336,9 @@ def test_names_that_both_the_frame_and_a_parameter_have(lower: str, upper: str, 
         ("direction==in", 12, "in is no direction: there are sent, received"),
         ("error>1", 7, "error is true or false: write error or not error"),
         ("op=SOUND.TONE", 3, "= stands where a comparison such as ==, in, && or || should; equal is =="),
-        ("path matches 'x'", 6, "there is like, which takes a pattern with * and ?"),
+        ("path matches 'x('", 16, "the group that starts here has no ) at its end"),
+        ('path matches "[a"', 15, "the set that starts here has no ] at its end"),
+        ("path ~ 'x'", 6, "matches takes a regular expression"),
         ("error & fault", 7, "& stands where a comparison such as ==, in, && or || should; and is &&"),
         ("error fault", 7, "fault stands where"),
         ("(error", 7, "the filter ends where ) should stand"),
@@ -363,10 +385,257 @@ def test_a_pattern_takes_no_ages() -> None:
     assert not holds(f"STRING like '{'*a' * 60}b'", text)
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("path matches 'HELLO/'", True),
+        ("path matches r'hel+o\\.rbf$'", True),
+        ("path matches '^/'", False),
+        ("path matches '(?-i)HELLO'", False),
+        ("path matches r'(prjs|apps)/\\w{5}/'", True),
+        ("arg.size matches '2'", None),
+        ("command matches '^begin_'", True),
+        ("kind matches 'reply$'", False),
+        ("target matches r'192\\.0\\.2\\.[0-9]+'", True),
+    ],
+)
+def test_regular_expressions(text: str, expected: bool | None) -> None:
+    if expected is None:
+        with pytest.raises(FilterError, match="size is a number"):
+            compile_filter(text)
+    else:
+        assert holds(text, BEGIN) is expected
+
+
+def test_a_regular_expression_in_data() -> None:
+    assert holds(r"data matches r'^LEGO\x01'", PIECE)
+    assert not holds(r"data matches r'^lego$'", PIECE)
+
+
+SYMBOLS = [
+    "a",
+    "b",
+    ".",
+    "[ab]",
+    "[^a]",
+    "(a|b)",
+    "(?:ab)",
+    "(ab)*",
+    "a*",
+    "b+?",
+    "a?",
+    "a{2}",
+    "b{1,2}",
+    "a{1,}",
+    "(a|)",
+    "^",
+    "$",
+]
+
+
+@given(st.lists(st.sampled_from([*SYMBOLS, "|", r"\b", r"\w", r"\."]), max_size=6), st.text("abA. ", max_size=8))
+def test_a_regular_expression_finds_what_python_finds(symbols: list[str], text: str) -> None:
+    pattern = "".join(symbols)
+    assert compile_pattern(pattern)(text) is (re.search(pattern, text, re.IGNORECASE) is not None)
+
+
+@pytest.mark.parametrize(
+    "pattern",
+    [
+        "(a+)+$",
+        "(a*)*b",
+        "(a|a)*b",
+        "(a|aa)+$",
+        "(.*a){20}b",
+        "((a{0,5}){0,5}){0,5}b",
+        "(){999}b",
+        "(((){999}){999}){999}b",
+    ],
+)
+def test_no_regular_expression_takes_ages(pattern: str) -> None:
+    text = seen(ev3proto.direct_command(ev3proto.operation("UI_DRAW.TEXT", 1, 0, 0, "a" * 900 + "c")))
+    begun = time.process_time()
+    assert not holds(f"STRING matches '{pattern}'", text)
+    assert time.process_time() - begun < 5
+
+
+@pytest.mark.parametrize(
+    ("pattern", "reason"),
+    [
+        ("a**", "two numbers of repetitions stand side by side"),
+        ("*", "repeats what stands before it, and nothing does"),
+        ("a)", "there is no ( for it"),
+        ("(?=a)", "groups must be"),
+        (r"(a)\1", "must be one of"),
+        ("x{1000}", "repeats what stands before it"),
+        ("x{3,2}", "has its larger number first"),
+        ("(x{99}){99}", "more than 500 steps"),
+        ("(" * 40 + ")" * 40, "more than 30 deep"),
+        ("[z-a]", "is no set of characters"),
+        ("\\", "must be one of"),
+    ],
+)
+def test_what_is_no_regular_expression(pattern: str, reason: str) -> None:
+    with pytest.raises(PatternError) as caught:
+        compile_pattern(pattern)
+    assert reason in str(caught.value)
+    assert 0 <= caught.value.position <= len(pattern)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("latency == 250ms", True),
+        ("latency == 0.25s", True),
+        ("latency > 249.9ms", True),
+        ("latency > 250000us", False),
+        ("latency < 1min", True),
+        ("latency in {200ms..300ms}", True),
+        ("VALUE == 7.92V", True),
+        ("VALUE > 7.9v", True),
+        ("VALUE < 1e60V", True),
+        # Nothing here is measured in percent.
+        ("VALUE < 100%", False),
+        ("VALUE > 1e60", False),
+        ("VALUE < 1e999", True),
+        (f"VALUE < {10**400}", True),
+        ("latency < 1e999s", True),
+    ],
+)
+def test_quantities(text: str, expected: bool) -> None:
+    assert holds(text, ANSWER) is expected
+
+
+def test_times_of_parameters_in_any_unit() -> None:
+    assert holds("DURATION == 0.25s && DURATION == 250ms && DURATION == 250", COMMAND)
+    assert not holds("DURATION > 1s", COMMAND)
+
+
+def test_a_time_in_units_is_the_same_number_as_in_seconds() -> None:
+    for milliseconds in (4.1, 0.07, 2.3, 1.1, 16.7):
+        assert Durations().test("latency", Relation.EQ, Word(f"{milliseconds}ms", 1))(float(f"{milliseconds}e-3"))
+
+
+def answered(command: Record, after: float, *, failed: bool = False) -> Record:
+    """A command and its reply; the command comes to know of it as it does in a capture."""
+    reply = seen(
+        ev3proto.direct_reply(b"" if failed else bytes(4), counter=command.message.counter, error=failed),
+        after=after,
+        request=command,
+    )
+    command.answered = Answered(reply.time_ns, failed)
+    return reply
+
+
+def asked(counter: int, after: float) -> Record:
+    question = ev3proto.operation("UI_READ.GET_VBATT", GV(0))
+    return seen(
+        ev3proto.direct_command(question, counter=counter, reply=True, global_size=4), numbers=(counter,), after=after
+    )
+
+
+def test_what_is_only_known_with_the_reply() -> None:
+    events: list[Record] = []
+    fine, lost, broken, slow = (asked(number, number) for number in range(4))
+
+    def arriving() -> Iterator[Record]:
+        # A capture gives a command before anybody knows of its reply.
+        yield fine
+        yield answered(fine, 0.01)
+        yield lost
+        yield broken
+        yield answered(broken, 2.01, failed=True)
+        yield slow
+        yield answered(slow, 3.2)
+
+    for text, expected in (
+        ("unanswered", [1]),
+        ("not unanswered && wants_reply", [0, 2, 3]),
+        ("failed", [2, 2]),
+        ("late", [3, 3]),
+        ("late || unanswered || failed", [1, 2, 2, 3, 3]),
+        ("unanswered || op", [0, 0, 1, 2, 2, 3, 3]),
+    ):
+        for record in (fine, lost, broken, slow):
+            record.answered = None
+        events = list(Choosing(compile_filter(text)).chosen(arriving()))
+        assert [record.message.counter for record in events] == expected, text
+        assert events == sorted(events, key=lambda record: record.time_ns), text
+
+
+def test_what_waits_for_replies_has_a_limit() -> None:
+    commands = [asked(number, number) for number in range(1000)]
+    given: list[int] = []
+
+    def arriving() -> Iterator[Record]:
+        for command in commands:
+            yield command
+            given.append(len(found))
+
+    found: list[Record] = []
+    choosing = Choosing(compile_filter("unanswered"), memory=100_000)
+    for record in choosing.chosen(arriving()):
+        found.append(record)
+    assert found == commands
+    # A record counts for 900 bytes besides its frame.
+    assert choosing.given_up == 1000 - 100_000 // (900 + len(commands[0].frame))
+    assert max(number - before for number, before in enumerate(given)) < 110
+
+
+def test_a_command_with_its_reply() -> None:
+    command = asked(1, 0)
+    pair = RequestReply(command, answered(command, 0.01))
+    for text, expected in (
+        ("op == UI_READ && latency > 4ms", True),
+        ("kind == direct-command && kind == direct-reply", True),
+        ("unanswered", False),
+        ("!error", True),
+        ("failed", False),
+    ):
+        assert compile_filter(text).of_dialogue(pair) is expected, text
+    lost = RequestReply(asked(2, 1), None)
+    assert compile_filter("unanswered").of_dialogue(lost)
+    failed = asked(3, 2)
+    assert not compile_filter("!error").of_dialogue(RequestReply(failed, answered(failed, 2.1, failed=True)))
+
+
 def test_the_words_of_the_language_are_no_reserved_words() -> None:
     record = seen(COMMAND.frame, route=replace(WIFI, interface="in"))
     assert holds("interface == in and op", record)
     assert not holds("interface == or or error", record)
+
+
+MATCHES_NOTHING = {'fault contains "opcode"', "interface", "orphan"}
+"""Examples for what no capture here has."""
+
+
+@cache
+def captured() -> list[list[Event]]:
+    """What all captures here have."""
+    found = []
+    for path in CAPTURES.glob("*.pcap*"):
+        with read(path) as capture:
+            found.append(list(capture.events()))
+    with read_log(read_text((CAPTURES / "real-bricks.log").read_text(encoding="utf-8").splitlines())) as capture:
+        found.append(list(capture.events()))
+    return found
+
+
+@pytest.mark.parametrize("entry", entries(), ids=lambda entry: entry.example)
+def test_every_example_of_the_manual_finds_something(entry: Entry) -> None:
+    found = any(any(Choosing(compile_filter(entry.example)).chosen(events)) for events in captured())
+    assert found is (entry.example not in MATCHES_NOTHING)
+
+
+@given(st.sampled_from([*NAMES, *parameter_names(), *operation_names()]), st.integers(0, 30), st.sampled_from("AXe_."))
+def test_no_suggestion_is_the_word_that_was_wrong(name: str, at: int, letter: str) -> None:
+    word = f"{name[:at]}{letter}{name[at:]}"
+    reason = ""
+    try:
+        compile_filter(word)
+    except FilterError as error:
+        reason = error.reason
+    assert word.lower() not in re.findall(r"[\w.]+", reason.partition("did you mean")[2].lower())
 
 
 def numbers_of(name: str, text: str) -> Iterable[int]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ev3proto.bounded import Budget
-from ev3proto.capture.record import Record, Route
-from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.capture.record import Answered, Record, Route
+from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, read_memory, unpack_header
 from ev3proto.semantics.pairing import Pairing
@@ -28,6 +28,11 @@ _RECORD_SIZE = 700
 
 def _size_of(record: Record) -> int:
     return _RECORD_SIZE + len(record.frame)
+
+
+def _is_failure(message: Message) -> bool:
+    """Whether a system reply says that its command failed; END_OF_FILE is how an upload ends."""
+    return isinstance(message, SystemReply) and message.is_error
 
 
 class Conversation:
@@ -67,7 +72,10 @@ class Conversation:
             if wants_reply:
                 self._pairing.remember(key, size or 0, record)
         else:
-            record.request = self._pairing.answered(key, size)
+            request = record.request = self._pairing.answered(key, size)
+            if request is not None:
+                failed = is_error if carries != _SYSTEM else _is_failure(record.message)
+                request.answered = Answered(time_ns, failed)
         if carries == _SYSTEM:
             self._follow_transfer(record)
         return record
@@ -76,7 +84,9 @@ class Conversation:
         """The record of a reply whose first bytes are those of the command that it answers, its type included."""
         record = Record(frame, numbers, time_ns, route, self._schema)
         key = (_SYSTEM, Header.read(frame).counter, frame[HEADER_SIZE])
-        record.request = self._pairing.answered(key, None)
+        request = record.request = self._pairing.answered(key, None)
+        if request is not None:
+            request.answered = Answered(time_ns, failed=_is_failure(record.message))
         return record
 
     def _follow_transfer(self, record: Record) -> None:

@@ -6,7 +6,7 @@ from collections import deque
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from enum import StrEnum
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
 from ev3proto.messages import Message
@@ -54,6 +54,17 @@ class Route:
     peer: str
 
 
+class Answered(NamedTuple):
+    """What a command's record knows of its reply. It does not keep the reply itself, which keeps the command.
+
+    time_ns  when the reply was captured, in nanoseconds since 1970-01-01 UTC
+    failed   the reply says that the command failed
+    """
+
+    time_ns: int
+    failed: bool
+
+
 class FrameReader(Protocol):
     """What a record needs of the schema of frames."""
 
@@ -69,6 +80,7 @@ class Record:
     time_ns   when its last packet was captured, in nanoseconds since 1970-01-01 UTC
     route     from where to where, and by what
     request   for a reply: the record of the command that it answers; None when no such command was seen
+    answered  for a command: what is known of its reply; None as long as none was seen
     transfer  the file that a system message is about, None where it is about none; it counts on while reading
     note      a sentence on what is odd about it beside its contents, None where nothing is
     """
@@ -78,6 +90,7 @@ class Record:
         "_message",
         "_reader",
         "_values",
+        "answered",
         "frame",
         "note",
         "numbers",
@@ -103,6 +116,7 @@ class Record:
         self.time_ns = time_ns
         self.route = route
         self.request = request
+        self.answered: Answered | None = None
         self.transfer = transfer
         self.note = note
         self._reader = reader

@@ -13,14 +13,15 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from ev3proto.bounded import DEFAULT_MEMORY
-from ev3proto.cli.output import complain, is_terminal
+from ev3proto.cli.output import complain, is_terminal, say
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture import Account, Capture, Event, Record
-    from ev3proto.capture.filter import Filter
+    from ev3proto.capture.dialogues import RequestReply
+    from ev3proto.capture.filter import Filter, FilterError
     from ev3proto.capture.formats import CaptureFile
     from ev3proto.text.paste import Missing, Pasted
 
@@ -94,13 +95,41 @@ class CaptureSource:
         """Reads the capture. What cannot be read is complained about; nothing is raised.
 
         Yields:
-            The events that the filter lets through.
+            All events, or with a filter the frames that it lets through and nothing else.
         """
+        chosen = self.options.filter
+        if chosen is None:
+            yield from self._all_events()
+            return
+        from ev3proto.capture.filter import Choosing
+
+        choosing = Choosing(chosen, self.options.memory * _MIB)
+        yield from choosing.chosen(self._all_events())
+        if choosing.given_up:
+            complain(
+                f"{self.label}: {choosing.given_up} commands were taken for unanswered before the capture ended: what"
+                f" waits may take {self.options.memory} MiB (--memory)"
+            )
+
+    def dialogues(self) -> Iterator[RequestReply]:
+        """Reads the capture in the same way.
+
+        Yields:
+            Each command with its reply, as far as the filter lets the two of them through.
+        """
+        from ev3proto.capture.dialogues import dialogues
+
+        chosen = self.options.filter
+        for pair in dialogues(self._all_events()):
+            if chosen is None or chosen.of_dialogue(pair):
+                yield pair
+
+    def _all_events(self) -> Iterator[Event]:
         from ev3proto.capture import CaptureError
 
         try:
             with self._opened() as capture, _progress(capture, self.label, is_quiet=self.is_quiet) as advance:
-                for count, event in enumerate(self._filtered(capture)):
+                for count, event in enumerate(self._read(capture)):
                     if count % _EVERY == 0:
                         advance()
                     yield event
@@ -173,20 +202,23 @@ class CaptureSource:
         count = self.account.packets
         return f"{count} {'packet' if self.lines is None else 'frame'}{'s' * (count != 1)}"
 
-    def _filtered(self, capture: Capture) -> Iterator[Event]:
-        """The events that the filter lets through; skipped bytes are complained about."""
-        from ev3proto.capture import Record, Skipped
+    def _read(self, capture: Capture) -> Iterator[Event]:
+        """The events; skipped bytes are complained about."""
+        from ev3proto.capture import Skipped
 
         chosen = self.options.filter
+        is_begun = False
         places = lost = 0
         for event in capture.events():
+            if chosen is not None and not is_begun:
+                # From the first packet on, as the times that are shown.
+                chosen.begin(event.time_ns if capture.account.first_ns is None else capture.account.first_ns)
+                is_begun = True
             if isinstance(event, Skipped):
                 places += 1
                 lost += len(event.data)
                 if places <= MOST_COMPLAINTS:
                     self._complain(str(event))
-            elif isinstance(event, Record) and chosen is not None and not chosen(event):
-                continue
             yield event
         if capture.account.forgotten:
             complain(
@@ -213,7 +245,30 @@ def _compiled(_context: click.Context, _parameter: click.Parameter, text: str | 
     try:
         return compile_filter(text)
     except FilterError as error:
-        raise click.BadParameter(f"{error}\n  {text}\n  {' ' * (error.column - 1)}^") from None
+        raise click.BadParameter(f"{error}\n{_underlined(text, error)}") from None
+
+
+_WINDOW = 60
+"""Characters of a filter that are shown on either side of what is wrong in it."""
+
+
+def _underlined(text: str, error: FilterError) -> str:
+    """Two lines: the filter, and below it what is wrong in it."""
+    at = error.column - 1
+    start, end = max(at - _WINDOW, 0), at + _WINDOW
+    shown = "".join(character if character.isprintable() else " " for character in text[start:end])
+    before, after = "..." * (start > 0), "..." * (end < len(text))
+    sign = "^" * min(error.length, max(len(shown) - (at - start), 1))
+    return f"  {before}{shown}{after}\n  {' ' * (len(before) + at - start)}{sign}"
+
+
+def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wanted: bool) -> None:
+    if not is_wanted or context.resilient_parsing:
+        return
+    from ev3proto.capture.filter.manual import manual
+
+    say("\n".join(manual()))
+    context.exit()
 
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -244,7 +299,15 @@ _OPTIONS = (
         "chosen",
         callback=_compiled,
         metavar="EXPRESSION",
-        help="Only frames of a capture for which this is true, such as 'op==SOUND.TONE && FREQUENCY>400'.",
+        help="Only frames for which this is true, such as 'op==SOUND.TONE && FREQUENCY>400'.",
+    ),
+    click.option(
+        "--help-filter",
+        is_flag=True,
+        is_eager=True,
+        expose_value=False,
+        callback=_explain_filters,
+        help="List all that a filter can ask for, with examples, and exit.",
     ),
     click.option(
         "--no-length",

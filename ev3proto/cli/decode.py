@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 import tempfile
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,7 +20,7 @@ from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
-    from ev3proto.capture import Event
+    from ev3proto.capture import Record
     from ev3proto.capture.files import RecoveredFile
 
 _SIGN = 4
@@ -48,20 +47,23 @@ class Decoding(SourceReader):
     def capture(self, capture: CaptureSource) -> int:
         """Its frames and texts, or its dialogues."""
         from ev3proto.capture import Announcement, Record
-        from ev3proto.capture.dialogues import dialogues
 
         before = self._show.count
         if self._as_programs:
             self._moved_programs(capture)
         elif self._as_dialogues:
-            for pair in dialogues(self._faults(capture)):
+            for pair in capture.dialogues():
                 self._show.dialogue(pair, capture.account.first_ns or 0)
+                for record in pair:
+                    if record is not None:
+                        self._fault(record, capture)
         else:
-            for event in self._faults(capture):
+            for event in capture.events():
                 if isinstance(event, Announcement):
                     self._show.announcement(event, capture.account.first_ns or 0)
                 elif isinstance(event, Record):
                     self._show.record(event, capture.account.first_ns or 0)
+                    self._fault(event, capture)
         return self._show.count - before
 
     def _moved_programs(self, capture: CaptureSource) -> None:
@@ -85,14 +87,10 @@ class Decoding(SourceReader):
                     origin = f"{capture.label}, {capture.unit} {file.packets[0]}: {printable(file.path)}"
                     self._shown(origin, origin, image)
 
-    def _faults(self, capture: CaptureSource) -> Iterator[Event]:
-        """The events of a capture; faulty frames are complained about."""
-        from ev3proto.capture import Record
-
-        for event in capture.events():
-            yield event
-            if isinstance(event, Record) and event.message.fault is not None:
-                self.complain(f"{capture.label}, {capture.unit} {event.number}: fault at {event.message.fault}")
+    def _fault(self, record: Record, capture: CaptureSource) -> None:
+        """Complains about a frame that is faulty."""
+        if record.message.fault is not None:
+            self.complain(f"{capture.label}, {capture.unit} {record.number}: fault at {record.message.fault}")
 
     def program(self, source: Source, image: bytes) -> None:
         """A program image, in the format that was asked for."""

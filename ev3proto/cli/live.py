@@ -110,7 +110,7 @@ class _Watching:
 
     def _is_wanted(self, pair: RequestReply) -> bool:
         chosen = self._chosen
-        return chosen is None or any(record is not None and chosen(record) for record in pair)
+        return chosen is None or chosen.of_dialogue(pair)
 
     def _is_new(self, announcement: Announcement) -> bool:
         from ev3proto.capture import Said

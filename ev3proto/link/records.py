@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import time
 
-from ev3proto.capture.record import HOST, Direction, Record, Route
+from ev3proto.capture.dialogues import is_error
+from ev3proto.capture.record import HOST, Answered, Direction, Record, Route
 from ev3proto.schema.frame import frame_schema
 from ev3proto.tables.carriers import Carrier
 
@@ -41,4 +42,7 @@ class Records:
 
     def _record(self, frame: bytes, route: Route, request: Record | None) -> Record:
         self._count += 1
-        return Record(frame, (self._count,), time.time_ns(), route, self._schema, request)
+        record = Record(frame, (self._count,), time.time_ns(), route, self._schema, request)
+        if request is not None:
+            request.answered = Answered(record.time_ns, failed=is_error(record.message))
+        return record

@@ -10,17 +10,20 @@ Conditions
     NAME < VALUE              some value is less; so are <= > >=, and `lt le gt ge`
     NAME contains VALUE       some text or data has it in it
     NAME like PATTERN         some text is like a pattern: * is any characters, ? one, [abc] one of these; in any case
+    NAME matches PATTERN      a regular expression is found in some text; in any case
     NAME in {VALUE, 1..5}     some value is equal to one of these or in one of these ranges; also `not in`
     && || !, and or not, ( )  `not` binds tighter than `and`, `and` tighter than `or`
 
-Values are numbers (440, 0x94, 7.92), texts ("text", 'text', or r"text" without escapes), names of an operation, an
-enumeration's member, a status, ... (SOUND.TONE, LED_RED, END_OF_FILE), addresses (192.0.2.10, 192.0.2.10:5555), bytes
-(4c:45:47:4f). `ev3proto.capture.filter.names` says which names there are.
+Values are numbers (440, 0x94, 7.92), quantities (4ms, 7.9V), texts ("text", 'text', or r"text" without escapes), names
+of an operation, an enumeration's member, a status, ... (SOUND.TONE, LED_RED, END_OF_FILE), addresses (192.0.2.10,
+192.0.2.10:5555), bytes (4c:45:47:4f). `ev3proto.capture.filter.names` says which names there are, and
+`ev3proto decode --help-filter` lists them.
 """
 
 from __future__ import annotations
 
+from ev3proto.capture.filter.choosing import Choosing
 from ev3proto.capture.filter.compiling import Filter, compile_filter
 from ev3proto.capture.filter.grammar import FilterError
 
-__all__ = ["Filter", "FilterError", "compile_filter"]
+__all__ = ["Choosing", "Filter", "FilterError", "compile_filter"]

@@ -8,9 +8,11 @@ import re
 import struct
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any, NamedTuple, Protocol
 
-from ev3proto.capture.filter.grammar import FilterError, Relation, Word
+from ev3proto.capture.filter.grammar import TIME_UNITS, FilterError, Relation, Word
+from ev3proto.capture.filter.pattern import PatternError, compile_pattern
 from ev3proto.errors import near_misses
 from ev3proto.tables.declaration import Enumeration
 from ev3proto.tables.encoding import STRING_CODING
@@ -54,9 +56,29 @@ def number_in(word: Word) -> Number | None:
         return int(word.text, 16)
     if re.fullmatch(r"[+-]?[0-9]+", word.text):
         return int(word.text)
-    if re.fullmatch(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?", word.text):
+    if re.fullmatch(_DECIMAL, word.text):
         return float(word.text)
     return None
+
+
+_DECIMAL = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
+_QUANTITY = re.compile(rf"({_DECIMAL})([^\W\d_]+(?:/s)?|%|°C)")
+
+
+def quantity_in(word: Word) -> tuple[float, str] | None:
+    """4ms, 7.9V, 50%: a number and its unit; None for anything else."""
+    found = None if word.quoted else _QUANTITY.fullmatch(word.text)
+    return None if found is None else (float(found[1]), found[2])
+
+
+def converted(number: float, unit: str, wanted: str) -> float | None:
+    """A number of a unit in another unit; None where they measure different things."""
+    if unit.lower() == wanted.lower():
+        return number
+    if unit not in TIME_UNITS or wanted not in TIME_UNITS:
+        return None
+    # In decimals, so that 4.1ms is the same float as 0.0041.
+    return float(Decimal(repr(number)) * TIME_UNITS[unit] / TIME_UNITS[wanted])
 
 
 def bytes_in(word: Word) -> bytes | None:
@@ -72,13 +94,27 @@ def bytes_in(word: Word) -> bytes | None:
 
 
 def _refused(name: str, relation: Relation, value: Word, what: str) -> FilterError:
-    return FilterError(value.column, f"{name} {relation.value} does not go: {name} is {what}")
+    return value.trouble(f"{name} cannot be compared by {relation.value} with {_written(value)}: {name} is {what}")
 
 
-def text_test(relation: Relation, text: str) -> Test | None:
-    """Whether a text is another, has it in it, or fits it as a pattern; None for relations that texts have not."""
+def _written(value: Word) -> str:
+    return f'"{value.text}"' if value.quoted else value.text
+
+
+def text_test(relation: Relation, value: Word) -> Test | None:
+    """Whether a text is another, has it in it, or fits it as a pattern; None for relations that texts do not have.
+
+    Raises:
+        FilterError: The value is to be a regular expression, and is none.
+    """
+    text = value.text
     if relation is Relation.EQ:
         return text.__eq__
+    if relation is Relation.MATCHES:
+        try:
+            return compile_pattern(text)
+        except PatternError as error:
+            raise value.trouble(str(error), error.position) from None
     if relation is Relation.CONTAINS:
         return lambda value: text in value
     if relation is Relation.LIKE:
@@ -98,24 +134,41 @@ class Flags:
         """`error == true`, for those who are used to it."""
         meant = {"true": True, "1": True, "false": False, "0": False}.get(value.text.lower())
         if meant is None or relation is not Relation.EQ:
-            raise FilterError(value.column, f"{name} is true or false: write {name} or not {name}")
+            raise value.trouble(f"{name} is true or false: write {name} or not {name}")
         return lambda held: held is meant
 
 
 class Numbers:
-    """Numbers, `of` what: " of seconds", or nothing."""
-
-    def __init__(self, of: str = "") -> None:
-        self._what = f"a number{of}"
+    """Whole numbers."""
 
     def test(self, name: str, relation: Relation, value: Word) -> Test:
         """`size > 100`."""
         compare = _ORDER.get(relation)
         if compare is None:
-            raise _refused(name, relation, value, self._what)
+            raise _refused(name, relation, value, "a number")
         number = number_in(value)
         if number is None:
-            raise FilterError(value.column, f"{name} is {self._what}, {value.text} is none")
+            raise value.trouble(f"{name} is a number, {_written(value)} is none")
+        return lambda held: compare(held, number)
+
+
+class Durations:
+    """Times in seconds."""
+
+    def test(self, name: str, relation: Relation, value: Word) -> Test:
+        """`latency > 4ms`, `time < 1.5s`, `time < 90`."""
+        compare = _ORDER.get(relation)
+        if compare is None:
+            raise _refused(name, relation, value, "a time")
+        number = number_in(value)
+        quantity = quantity_in(value)
+        if quantity is not None:
+            number = converted(*quantity, "s")
+        if number is None:
+            units = ", ".join(unit for unit in TIME_UNITS if unit.isascii())
+            raise value.trouble(
+                f"{name} is a time in seconds, {_written(value)} is none: write 4ms or 0.004; the units are {units}"
+            )
         return lambda held: compare(held, number)
 
 
@@ -128,10 +181,10 @@ class Texts:
     def test(self, name: str, relation: Relation, value: Word) -> Test:
         """`peer == 192.0.2.10`."""
         if not value.quoted and not self._bare:
-            raise FilterError(value.column, f'{name} is a text, and texts stand in quotes: "{value.text}"')
-        test = text_test(relation, value.text)
+            raise value.trouble(f'{name} is a text, and texts stand in quotes: "{value.text}"')
+        test = text_test(relation, value)
         if test is None:
-            raise _refused(name, relation, value, "a text, which has no order: use ==, !=, contains or like")
+            raise _refused(name, relation, value, "a text, which has no order: use ==, !=, contains, like or matches")
         return test
 
 
@@ -161,11 +214,10 @@ class Choice:
         """`op == SOUND.TONE`, `status == END_OF_FILE`."""
         if relation is Relation.EQ:
             return frozenset(self._meant(value)).__contains__
-        if relation not in (Relation.CONTAINS, Relation.LIKE):
+        test = _caseless(relation, value)
+        if test is None:
             raise _refused(name, relation, value, f"{self._what}, which has no order: use == or !=")
-        test = text_test(relation, value.text.upper())
-        assert test is not None
-        fitting = (values for known, values in self._known.items() if test(known.upper()))
+        fitting = (values for known, values in self._known.items() if test(known))
         return frozenset(held for values in fitting for held in values).__contains__
 
     def _meant(self, value: Word) -> Iterable[Any]:
@@ -180,7 +232,15 @@ class Choice:
             hint = "; like takes patterns"
         if not hint and len(self._known) <= MOST_LISTED:
             hint = f": there are {', '.join(self._known)}"
-        raise FilterError(value.column, f"{value.text} is no {self._what.partition(' ')[2]}{hint}")
+        raise value.trouble(f"{value.text} is no {self._what.partition(' ')[2]}{hint}")
+
+
+def _caseless(relation: Relation, value: Word) -> Test | None:
+    """A test of texts in which the case of letters does not count; None for relations that texts do not have."""
+    if relation is Relation.CONTAINS:
+        wanted = value.text.upper()
+        return lambda known: wanted in known.upper()
+    return text_test(relation, value)
 
 
 MOST_LISTED = 16
@@ -188,10 +248,16 @@ MOST_LISTED = 16
 
 
 class Held(NamedTuple):
-    """A value of a parameter or field in a frame; None for an argument that is a variable, whose value is not known."""
+    """A value of a parameter or field in a frame, with what the tables say of the parameter.
+
+    value  None for an argument that is a variable, whose value is not known
+    enum   the names of its numbers, None where they have none
+    unit   what it is measured in, None where the tables do not say
+    """
 
     value: int | float | str | bytes | None
     enum: Enumeration | None = None
+    unit: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,12 +268,14 @@ class Arguments:
     number  it can be a number
     text    it can be a text
     data    it can be bytes
+    units   what it is measured in, in one operation or the other
     """
 
     enums: tuple[Enumeration, ...]
     number: bool
     text: bool
     data: bool
+    units: tuple[str, ...] = ()
 
     def test(self, name: str, relation: Relation, value: Word) -> Test:
         """`FREQUENCY > 400`, `PATTERN == LED_RED`, `path contains "prjs"`, `data contains 4c:45:47:4f`."""
@@ -236,6 +304,12 @@ class Arguments:
                 )
             )
             return
+        quantity = quantity_in(value)
+        if quantity is not None:
+            numbers = {unit: converted(*quantity, unit) for unit in self.units}
+            if any(number is not None for number in numbers.values()):
+                yield _quantity_test(compare, {unit: it for unit, it in numbers.items() if it is not None})
+                return
         members = {enum.name: _member(enum, value.text) for enum in self.enums}
         symbols = {enum: number for enum, number in members.items() if number is not None}
         if symbols:
@@ -249,13 +323,22 @@ class Arguments:
             )
 
     def _of_texts(self, relation: Relation, value: Word) -> Iterable[Test]:
-        test = text_test(relation, value.text)
-        if self.text and value.quoted and test is not None:
+        if not (self.text and value.quoted):
+            return
+        test = text_test(relation, value)
+        if test is not None:
             yield lambda held: isinstance(held.value, str) and test(held.value)
 
     def _of_bytes(self, relation: Relation, value: Word) -> Iterable[Test]:
+        if not self.data:
+            return
+        if relation is Relation.MATCHES and value.quoted:
+            found = text_test(relation, value)
+            assert found is not None
+            yield lambda held: isinstance(held.value, bytes) and found(held.value.decode(STRING_CODING))
+            return
         data = bytes_in(value)
-        if not self.data or data is None:
+        if data is None:
             return
         if relation is Relation.EQ:
             yield lambda held: held.value == data
@@ -263,30 +346,52 @@ class Arguments:
             yield lambda held: isinstance(held.value, bytes) and data in held.value
 
     def _trouble(self, name: str, relation: Relation, value: Word) -> FilterError:
-        """Why the value does not go with the parameter."""
+        """Why the value cannot be compared with the parameter."""
         named = [enum for enum in self.enums if enum.members]
+        quantity = quantity_in(value)
         if relation not in _ORDER and not (self.text or self.data):
             return _refused(name, relation, value, "a number")
-        if value.quoted or number_in(value) is not None or (relation in _ORDER and relation is not Relation.EQ):
-            what = " or ".join(
-                text
-                for there, text in (
-                    (self.number, "a number"),
-                    (self.text, "a text in quotes"),
-                    (self.data, "bytes such as 4c:45:47:4f"),
-                )
-                if there
+        if quantity is not None and self.units:
+            units = " or ".join(self.units)
+            return value.trouble(
+                f"{name} is measured in {units}, which {value.text} is not: write {name} > 5{self.units[0]}"
             )
-            return _refused(name, relation, value, what)
+        if value.quoted or number_in(value) is not None or (relation in _ORDER and relation is not Relation.EQ):
+            return _refused(name, relation, value, self._what)
         if named:
             members = [member for enum in named for member in enum.members]
             hint = near_misses(value.text, members) or f": there are {', '.join(members[:4])}, ..."
-            return FilterError(value.column, f"{value.text} is no name that {name} has{hint}")
+            return value.trouble(f"{value.text} is no name that {name} has{hint}")
         if self.text:
-            return FilterError(value.column, f'texts stand in quotes: {name} {relation.value} "{value.text}"')
+            return value.trouble(f'texts stand in quotes: {name} {relation.value} "{value.text}"')
         if self.data:
-            return FilterError(value.column, f"{name} has bytes, which are written so: 4c:45:47:4f")
-        return FilterError(value.column, f"{name} is a number, {value.text} is none")
+            return value.trouble(f"{name} has bytes, which are written so: 4c:45:47:4f")
+        return value.trouble(f"{name} is a number, {value.text} is none")
+
+    @property
+    def _what(self) -> str:
+        """`a number or a text in quotes`."""
+        return " or ".join(
+            text
+            for there, text in (
+                (self.number, "a number"),
+                (self.text, "a text in quotes"),
+                (self.data, "bytes such as 4c:45:47:4f"),
+            )
+            if there
+        )
+
+
+def _quantity_test(compare: Callable[[Any, Any], bool], numbers: Mapping[str, float]) -> Test:
+    """Compares what is measured in one of these units with the number in it."""
+    singles = {unit: _single(number) for unit, number in numbers.items()}
+
+    def holds(held: Held) -> bool:
+        if held.unit is None or held.unit not in numbers or not isinstance(held.value, int | float):
+            return False
+        return compare(held.value, (singles if isinstance(held.value, float) else numbers)[held.unit])
+
+    return holds
 
 
 def _member(enum: Enumeration, word: str) -> int | None:
@@ -297,6 +402,6 @@ def _single(number: Number) -> Number:
     """The number as a frame's four bytes hold it: 7.92 is not the same in them."""
     try:
         rounded: float = _SINGLE.unpack(_SINGLE.pack(number))[0]
-    except OverflowError:
+    except (OverflowError, struct.error):
         return number
     return rounded

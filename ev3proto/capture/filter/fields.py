@@ -23,6 +23,8 @@ ANY = "arg"
 _LIST = "["
 """What follows a parameter's name in the names of its values: `VALUES[0]`."""
 
+_BETWEEN_BRICKS = "messages from brick to brick"
+
 _TEXTS = (Kind.TEXT, Kind.COUNTED_TEXT, Kind.LISTING)
 
 _DAISY = {
@@ -68,8 +70,10 @@ class NamedFields:
             for parameter in self.operations.values()
         }
         enums = {parameter.enum.name: parameter.enum for parameter in self.operations.values() if parameter.enum}
+        units = dict.fromkeys(parameter.unit for parameter in self.operations.values() if parameter.unit)
         return Arguments(
             tuple(enums.values()),
+            units=tuple(units),
             number=bool(types - {Type.STRING} or kinds - {*_TEXTS, Kind.DATA}),
             text=bool(Type.STRING in types or kinds.intersection(_TEXTS)),
             data=Kind.DATA in kinds,
@@ -108,14 +112,14 @@ class NamedFields:
                 continue
             for argument in operation.arguments:
                 if self._is_meant(argument.name, parameter):
-                    yield Held(None if argument.is_variable else argument.value, parameter.enum)
+                    yield Held(None if argument.is_variable else argument.value, parameter.enum, parameter.unit)
 
     def _values(self, record: Record) -> Iterator[Held]:
         for value in record.values:
             parameter = self.operations.get(value.op if value.command is None else f"{value.op}.{value.command}")
             if parameter is not None and self._is_meant(value.name, parameter):
                 for item in value.value if isinstance(value.value, list) else (value.value,):
-                    yield Held(item, parameter.enum)
+                    yield Held(item, parameter.enum, parameter.unit)
 
     def _is_meant(self, name: str, parameter: Parameter) -> bool:
         if self.element:
@@ -160,6 +164,17 @@ def is_parameter(name: str) -> bool:
 def parameter_names() -> list[str]:
     """The names of all parameters and fields, as the tables spell them."""
     return sorted({parameter.name for entry in _declared() for parameter in entry.parameters} | {*_fields()})
+
+
+def places_of() -> dict[str, list[str]]:
+    """The names of all parameters and fields, each with the operations and system commands that have it."""
+    found: dict[str, list[str]] = {name: [] for name in parameter_names()}
+    for entry in _declared():
+        for parameter in entry.parameters:
+            found[parameter.name].append(entry.name)
+    for name, places in _fields().items():
+        found[name] += [command or _BETWEEN_BRICKS for command, _ in places]
+    return {name: list(dict.fromkeys(owners)) for name, owners in found.items()}
 
 
 @cache

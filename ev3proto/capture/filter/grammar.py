@@ -37,11 +37,11 @@ _AND: "&&" | /and\b/i
 _OR: "||" | /or\b/i
 _NOT.2: /!(?!=)/ | /not\b/i
 _IN.2: /in\b/i
-RELATION.2: "==" | "!=" | "<=" | ">=" | "<" | ">" | /(eq|ne|lt|le|gt|ge|contains|like)\b/i
+RELATION.2: "==" | "!=" | "<=" | ">=" | "<" | ">" | /(eq|ne|lt|le|gt|ge|contains|like|matches)\b/i
 
 // SOUND.TONE.FREQUENCY, VALUES[0]
 NAME: /[A-Za-z_][A-Za-z0-9_]*(\.[A-Za-z0-9_]+)*(\[[0-9]+\])?/
-// Whatever needs no quotes: 440, 0x94, -1.5, 1..5, SOUND.TONE, direct-reply, 192.0.2.1:5555, 00:16:53:00:00:0a
+// Whatever needs no quotes: 440, 4ms, 0x94, -1.5, 1..5, SOUND.TONE, direct-reply, 192.0.2.1:5555, 00:16:53:00:00:0a
 WORD: /[^\s"'(){},!=<>&|]+/
 TEXT: /"(\\.|[^"\\])*"/s | /'(\\.|[^'\\])*'/s
 // As Wireshark has it: no escapes in these.
@@ -51,20 +51,26 @@ RAW.2: /r"[^"]*"/ | /r'[^']*'/
 """
 
 
+TIME_UNITS = {"ns": 1, "us": 10**3, "µs": 10**3, "ms": 10**6, "s": 10**9, "min": 60 * 10**9}
+"""Nanoseconds in each unit that a time can have."""
+
+
 class FilterError(ValueError):
     """A text that is no filter.
 
     column  of the character where the trouble starts; the first one is 1
     reason  one sentence: what stands there, what was expected
+    length  how many characters are in trouble, at least 1
     """
 
-    def __init__(self, column: int, reason: str) -> None:
+    def __init__(self, column: int, reason: str, length: int = 1) -> None:
         self.column = column
         self.reason = reason
+        self.length = max(length, 1)
         super().__init__(f"column {column}: {reason}")
 
-    def __reduce__(self) -> tuple[type[FilterError], tuple[int, str]]:
-        return (type(self), (self.column, self.reason))
+    def __reduce__(self) -> tuple[type[FilterError], tuple[int, str, int]]:
+        return (type(self), (self.column, self.reason, self.length))
 
 
 class Relation(Enum):
@@ -78,6 +84,7 @@ class Relation(Enum):
     GE = ">="
     CONTAINS = "contains"
     LIKE = "like"
+    MATCHES = "matches"
 
 
 _RELATIONS = {relation.value: relation for relation in Relation} | {
@@ -89,14 +96,24 @@ _RELATIONS = {relation.value: relation for relation in Relation} | {
 class Word:
     """A name or a value as it was written.
 
-    text    without quotes, escapes resolved
-    column  of its first character, from 1 on
-    quoted  it stood in quotes, so it is a text and nothing else
+    text     without quotes, escapes resolved
+    column   of its first character, from 1 on
+    quoted   it stood in quotes, so it is a text and nothing else
+    opening  how many characters stand before the text: a quote, or r and a quote
+    length   how many characters were written in all, 0 for as many as the text has
     """
 
     text: str
     column: int
     quoted: bool = False
+    opening: int = 0
+    length: int = 0
+
+    def trouble(self, reason: str, position: int | None = None) -> FilterError:
+        """What is wrong with it, as a whole or from one of its characters on."""
+        length = self.length or len(self.text)
+        shift = 0 if position is None else min(position + self.opening, length - 1)
+        return FilterError(self.column + shift, reason, length - shift)
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,8 +200,9 @@ def _parser() -> Lark:
             if token.type == "WORD":
                 return Word(str(token), _column(token))
             if token.type == "RAW":
-                return Word(token[2:-1], _column(token), quoted=True)
-            return Word(_unescaped(token[1:-1], _column(token) + 1), _column(token), quoted=True)
+                return Word(token[2:-1], _column(token), quoted=True, opening=2, length=len(token))
+            text = _unescaped(token[1:-1], _column(token) + 1)
+            return Word(text, _column(token), quoted=True, opening=1, length=len(token))
 
         def presence(self, name: Token) -> Presence:
             return Presence(_name(name))
@@ -238,6 +256,7 @@ def _unescaped(text: str, column: int) -> str:
             raise FilterError(
                 column + found.start(),
                 f'\\{escape} is no escape: there are \\" \\\' \\\\ \\n \\r \\t \\0 \\x41, and none in r"..."',
+                len(found[0]),
             )
         return _ESCAPES[escape]
 
@@ -261,15 +280,17 @@ _PHRASES = {
     "_OR": "||",
     "$END": "the end",
 }
-"""What the grammar's terminals are to people, in the order of telling them."""
+"""What people call the grammar's terminals, in the order in which they are listed."""
 
 _HINTS = {
     "=": "; equal is ==",
     "&": "; and is &&",
     "|": "; or is ||",
-    "~": "; like takes a pattern with * and ?",
-    "matches": "; there is like, which takes a pattern with * and ?",
+    "~": "; matches takes a regular expression",
+    "=~": "; matches takes a regular expression",
     "is": "; equal is ==",
+    "xor": "; there are and, or, not",
+    **dict.fromkeys(TIME_UNITS, "; a unit stands right after its number: 4ms"),
 }
 """What people write who know other languages."""
 
@@ -294,8 +315,9 @@ def _explained(text: str, error: UnexpectedInput) -> FilterError:
     if found is None:
         return FilterError(len(text) + 1, f"the filter ends where {expected} should stand")
     if found[0] in "\"'" and "a value" in expected:
-        return FilterError(at + 1, f"the text that starts here has no {found[0]} at its end")
-    return FilterError(at + 1, f"{found[0]} stands where {expected} should{_HINTS.get(found[0].lower(), '')}")
+        return FilterError(at + 1, f"the text that starts here has no {found[0]} at its end", len(text) - at)
+    hint = _HINTS.get(found[0].lower(), "")
+    return FilterError(at + 1, f"{found[0]} stands where {expected} should{hint}", len(found[0]))
 
 
 def _expected(terminals: Iterable[str], before: str) -> str:

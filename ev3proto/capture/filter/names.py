@@ -9,13 +9,12 @@ With a dot   a parameter of one operation, family or system command (`SOUND.TONE
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from ev3proto.capture.dialogues import is_error
-from ev3proto.capture.filter.comparisons import Choice, Flags, Held, Numbers, Texts, ValueType
+from ev3proto.capture.filter.comparisons import Choice, Durations, Flags, Held, Numbers, Texts, ValueType
 from ev3proto.capture.filter.fields import (
     PATH,
     command_names,
@@ -23,20 +22,23 @@ from ev3proto.capture.filter.fields import (
     is_parameter,
     operation_names,
     operations_of_opcode,
-    parameter_names,
 )
-from ev3proto.capture.filter.grammar import FilterError, Word
+from ev3proto.capture.filter.grammar import Word
+from ev3proto.capture.filter.unknown_names import unknown
 from ev3proto.capture.record import NANOSECONDS, Direction, Record
 from ev3proto.messages import DaisyCommand, Message, Operation, SystemCommand, SystemReply
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SystemStatus
 
-Read = Callable[[Record], Iterable[Any]]
-"""The values that a record has for a name."""
+Read = Callable[[Any], Iterable[Any]]
+"""The values that a record has for a name, or the records of a dialogue."""
 
 TIME = "time"
 """The one name that is about more than the record alone."""
+
+LATE_MS = 100
+"""Milliseconds after which a reply is late. Bricks answer within 10 by USB and WiFi, within 60 by Bluetooth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +54,25 @@ class Name:
     text: str
     kind: ValueType
     read: Read
-    there: Callable[[Record], bool]
+    there: Callable[[Any], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What can be asked about every frame.
+
+    kind         what its values can be compared with
+    read         the values that a record has for it; None for `time`, which depends on the frame that came first
+    text         what it is, as people are told
+    example      a filter that uses it
+    looks_ahead  of a command, it is only known when its reply was seen, or can no longer come
+    """
+
+    kind: ValueType
+    read: Read | None
+    text: str
+    example: str
+    looks_ahead: bool = False
 
 
 class Clock:
@@ -69,17 +89,26 @@ class Clock:
 def find_name(word: Word, clock: Clock) -> Name:
     """What a name means. FilterError names the nearest ones for a name that there is not."""
     lower = word.text.lower()
-    if lower in NAMES and not (word.text.isupper() and is_parameter(lower)):
-        kind, read = NAMES[lower]
-        return Name(word.text, kind, read, (lambda record: any(read(record))) if kind is _FLAG else _has(read))
-    if lower == TIME and not word.text.isupper():
-        return Name(word.text, Numbers(" of seconds"), lambda record: (clock.elapsed(record),), lambda _: True)
+    known = None if word.text.isupper() and is_parameter(lower) else NAMES.get(lower)
+    if known is not None:
+        read = known.read
+        if read is None:
+            return Name(word.text, known.kind, lambda record: (clock.elapsed(record),), lambda _: True)
+        return Name(
+            word.text, known.kind, read, (lambda record: any(read(record))) if known.kind is _FLAG else _has(read)
+        )
     places = find_fields(lower)
     if not places:
-        raise FilterError(word.column, _unknown(word.text))
+        raise word.trouble(unknown(word.text, NAMES))
     # The path is said once, when a transfer begins; it is asked for to find all of the transfer.
     read_held = places.read_with_path if lower == PATH else places.read
     return Name(word.text, places.kind, lambda record: _known(read_held(record)), _has(read_held))
+
+
+def looks_ahead(word: Word) -> bool:
+    """Whether the name means something that a command's record does not know before its reply was seen."""
+    known = NAMES.get(word.text.lower())
+    return known is not None and known.looks_ahead
 
 
 def _has(read: Read) -> Callable[[Record], bool]:
@@ -89,19 +118,6 @@ def _has(read: Read) -> Callable[[Record], bool]:
 def _known(found: Iterable[Held]) -> list[Held]:
     """Those with a value: what a variable holds is not known."""
     return [held for held in found if held.value is not None]
-
-
-def _unknown(text: str) -> str:
-    owner, _, name = text.upper().rpartition(".")
-    if owner in operation_names() and is_parameter(name):
-        return f"{owner} has no parameter {name}"
-    if text.upper() in operation_names():
-        return f"{text} is an operation, which is asked for so: op=={text.upper()}"
-    if text.upper() in command_names():
-        return f"{text} is a command, which is asked for so: command=={text.upper()}"
-    known = {name.lower(): name for name in (*parameter_names(), *NAMES, TIME)}
-    near = [known[found] for found in difflib.get_close_matches(name.lower(), known, 3, 0.6)]
-    return f"nothing is called {text}" + (f": did you mean {' or '.join(near)}?" if near else "")
 
 
 # What a frame is and how it came
@@ -167,14 +183,42 @@ def _is_a_member(word: str, name: str) -> str:
     return f": it is a value of the parameter {name.upper()}, in upper case" if known else ""
 
 
+def _failed(record: Record) -> bool:
+    return is_error(record.message) or (record.answered is not None and record.answered.failed)
+
+
+def _unanswered(record: Record) -> bool:
+    # A bootloader's reply may have its command's type, and it is none all the same.
+    return record.message.wants_reply and record.answered is None and record.request is None
+
+
+def _late(record: Record) -> bool:
+    begin, end = record.time_ns, record.time_ns
+    if record.request is not None:
+        begin = record.request.time_ns
+    elif record.answered is not None:
+        end = record.answered.time_ns
+    return end - begin > LATE_MS * NANOSECONDS // 1000
+
+
 _KINDS = dict.fromkeys([*(member.kind for member in MessageType), Message().kind])
 
 _FLAG = Flags()
 
-NAMES: Mapping[str, tuple[ValueType, Read]] = {
-    "op": (Choice("an operation", operation_names(), operations_of_opcode, _is_a_command), _operation_names),
-    "command": (Choice("a command", command_names(), None, _is_an_operation), _command_names),
-    "type": (
+NAMES: Mapping[str, Known] = {
+    "op": Known(
+        Choice("an operation", operation_names(), operations_of_opcode, _is_a_command),
+        _operation_names,
+        "operation by its full name, its family's, or the opcode's number; of a reply: that of its command",
+        "op == SOUND.TONE",
+    ),
+    "command": Known(
+        Choice("a command", command_names(), None, _is_an_operation),
+        _command_names,
+        "name of the CMD, or of the system or daisy command; of a reply: that of its command",
+        "command == LIST_FILES",
+    ),
+    "type": Known(
         Choice(
             "a message type",
             {member.name: (member.value,) for member in MessageType},
@@ -182,9 +226,16 @@ NAMES: Mapping[str, tuple[ValueType, Read]] = {
             lambda word: _is_a_member(word, "type"),
         ),
         _type,
+        "message type by name or number",
+        "type == DIRECT_COMMAND_NO_REPLY",
     ),
-    "kind": (Choice("a kind of message", {kind: (kind,) for kind in _KINDS}), lambda record: (record.message.kind,)),
-    "status": (
+    "kind": Known(
+        Choice("a kind of message", {kind: (kind,) for kind in _KINDS}),
+        lambda record: (record.message.kind,),
+        f"one of {', '.join(_KINDS)}",
+        "kind like system-*",
+    ),
+    "status": Known(
         Choice(
             "a system status",
             {member.name: (member.value,) for member in SystemStatus},
@@ -192,42 +243,93 @@ NAMES: Mapping[str, tuple[ValueType, Read]] = {
             lambda word: _is_a_member(word, "status"),
         ),
         _status,
+        "status of a system reply by name or number",
+        "status == END_OF_FILE",
     ),
-    "error": (_FLAG, lambda record: (is_error(record.message) or record.message.fault is not None,)),
-    "fault": (Texts(), lambda record: () if record.message.fault is None else (record.message.fault.reason,)),
-    "orphan": (_FLAG, lambda record: (record.exchange.is_orphan,)),
-    "wants_reply": (_FLAG, lambda record: (record.message.wants_reply,)),
-    "counter": (Numbers(), _counter),
-    "size": (Numbers(), lambda record: (len(record.frame),)),
-    "packet": (Numbers(), lambda record: record.numbers),
-    "latency": (Numbers(" of seconds"), lambda record: _optional(record.latency)),
-    "peer": (Texts(bare=True), lambda record: _address(record, record.peer)),
-    "source": (Texts(bare=True), lambda record: _address(record, record.source)),
-    "target": (Texts(bare=True), lambda record: _address(record, record.target)),
-    "carrier": (Choice("a carrier", {carrier: (carrier,) for carrier in Carrier}), lambda record: (record.carrier,)),
-    "direction": (
+    "error": Known(
+        _FLAG,
+        lambda record: (is_error(record.message) or record.message.fault is not None,),
+        "a reply that says that its command failed, or a frame with a fault",
+        "error",
+    ),
+    "failed": Known(
+        _FLAG,
+        lambda record: (_failed(record),),
+        "a command that failed, as its reply says, and that reply",
+        "failed && op",
+        looks_ahead=True,
+    ),
+    "late": Known(
+        _FLAG,
+        lambda record: (_late(record),),
+        f"a reply that came more than {LATE_MS} ms after its command, and that command",
+        "late",
+        looks_ahead=True,
+    ),
+    "unanswered": Known(
+        _FLAG,
+        lambda record: (_unanswered(record),),
+        "a command that wants a reply and got none before the capture ended",
+        "unanswered",
+        looks_ahead=True,
+    ),
+    "fault": Known(
+        Texts(),
+        lambda record: () if record.message.fault is None else (record.message.fault.reason,),
+        "what is wrong with the frame, as a sentence",
+        'fault contains "opcode"',
+    ),
+    "orphan": Known(_FLAG, lambda record: (record.exchange.is_orphan,), "a reply whose command was not seen", "orphan"),
+    "wants_reply": Known(
+        _FLAG, lambda record: (record.message.wants_reply,), "a command that the brick is to answer", "wants_reply"
+    ),
+    "counter": Known(Numbers(), _counter, "message counter", "counter == 1"),
+    "size": Known(Numbers(), lambda record: (len(record.frame),), "bytes of the frame", "size > 100"),
+    "packet": Known(
+        Numbers(),
+        lambda record: record.numbers,
+        "number of each packet that carried it, from 1 on; of a text: its line",
+        "packet in {10..20}",
+    ),
+    "latency": Known(
+        Durations(), lambda record: _optional(record.latency), "time from a command to its reply", "latency > 4ms"
+    ),
+    TIME: Known(Durations(), None, "time since the capture began, as it is shown before each frame", "time < 1.5s"),
+    "peer": Known(
+        Texts(bare=True),
+        lambda record: _address(record, record.peer),
+        "address of the brick; on WiFi with its port or without",
+        "peer == 192.0.2.10",
+    ),
+    "source": Known(
+        Texts(bare=True),
+        lambda record: _address(record, record.source),
+        "address of the sender, in the same way",
+        'source like "192.0.2.*"',
+    ),
+    "target": Known(
+        Texts(bare=True),
+        lambda record: _address(record, record.target),
+        "address of the receiver, in the same way",
+        "target == 192.0.2.10:5555",
+    ),
+    "carrier": Known(
+        Choice("a carrier", {carrier: (carrier,) for carrier in Carrier}),
+        lambda record: (record.carrier,),
+        f"one of {', '.join(Carrier)}",
+        "carrier == bluetooth",
+    ),
+    "direction": Known(
         Choice("a direction", {direction: (direction,) for direction in Direction}),
         lambda record: _optional(record.direction),
+        f"one of {', '.join(Direction)}, where the capture says so",
+        "direction == received",
     ),
-    "interface": (Texts(bare=True), lambda record: _optional(record.interface)),
+    "interface": Known(
+        Texts(bare=True),
+        lambda record: _optional(record.interface),
+        "interface on which it was captured",
+        "interface",
+    ),
 }
-"""What can be asked about every frame, but for `time`, which depends on the frame that came first.
-
-op           full name, or the family's, or the opcode's number; of a reply: that of the command it answers
-command      name of the CMD, or of the system or daisy command; of a reply: that of the command it answers
-type         name or number of the message type
-kind         direct-command, direct-reply, system-command, ...
-status       of a system reply, by name or number
-error        the reply says that its command failed, or the frame has a fault
-fault        what is wrong with the frame, as a sentence
-orphan       a reply whose command was not seen
-wants_reply  a command that the brick is to answer
-counter      message counter
-size         bytes of the frame
-packet       number of each packet that carried it, the first in the file is 1
-latency      seconds from a command to its reply
-peer         address of the brick; on WiFi with its port or without, as `source` and `target` are
-carrier      usb, bluetooth or wifi
-direction    sent or received, where the capture says so
-interface    that it was captured on
-"""
+"""What can be asked about every frame."""

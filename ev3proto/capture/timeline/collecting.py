@@ -14,6 +14,7 @@ from typing import NamedTuple
 from ev3proto.bounded import Bounded
 from ev3proto.capture.conversation import MOST_PENDING
 from ev3proto.capture.dialogues import is_error
+from ev3proto.capture.filter import Filter
 from ev3proto.capture.moving import begins
 from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Route, Skipped
 from ev3proto.capture.timeline.bins import Bins
@@ -62,7 +63,8 @@ def collect(
 
     Args:
         events: The events of the capture.
-        chosen: Which records to draw, by default all. Of a command and its reply, one is enough for both.
+        chosen: Which records to draw, by default all, with everything else. Of a command and its reply, one is enough
+            for both.
         window: Which part of the capture to draw, by default all of it.
         most_marks: How many marks may be drawn one by one.
 
@@ -104,6 +106,8 @@ class Collector:
 
     def __init__(self, chosen: Callable[[Record], bool] | None, window: Window, most_marks: int) -> None:
         self._chosen = chosen
+        # Whether a command is chosen may only show with its reply.
+        self._is_patient = isinstance(chosen, Filter) and chosen.looks_ahead
         self._window = window
         # When the capture's first event was captured, and between which times something is drawn.
         self._origin: int | None = None
@@ -112,8 +116,8 @@ class Collector:
         self._most_marks = most_marks
         self._marks: list[Mark] = []
         self._bins: Bins | None = None
-        # The commands that wait, each with whether it is chosen.
-        self._waiting: Bounded[Record, tuple[Record, bool]] = Bounded(MOST_WAITING)
+        # The commands that wait, each with whether it is chosen: None where that is not known yet.
+        self._waiting: Bounded[Record, tuple[Record, bool | None]] = Bounded(MOST_WAITING)
         self._moves: dict[int, _Move] = {}
         self._lanes: set[Lane] = set()
         self._bricks: dict[str, Tally] = {}
@@ -127,9 +131,9 @@ class Collector:
         match event:
             case Record():
                 self._record(event)
-            case Announcement():
+            case Announcement() if self._chosen is None:
                 self._announcement(event)
-            case Skipped():
+            case Skipped() if self._chosen is None:
                 self._skipped(event)
 
     def _begin(self, origin: int) -> None:
@@ -164,15 +168,20 @@ class Collector:
         )
 
     def _record(self, record: Record) -> None:
-        is_chosen = self._chosen is None or self._chosen(record)
         message = record.message
+        if self._is_patient and message.wants_reply:
+            oldest = self._waiting.add(record, (record, None))
+            if oldest is not None:
+                self._give_up(*oldest)
+            return
+        is_chosen = self._is_chosen(record)
         if is_chosen:
             self._chosen_record(record)
         if message.type is None:
             return
         if not message.type.is_command:
             waited = None if record.request is None else self._waiting.pop(record.request, None)
-            was_chosen = waited is not None and waited[1]
+            was_chosen = waited is not None and self._settled(*waited)
             if is_chosen or was_chosen:
                 self._exchange(record.request, record)
         elif message.wants_reply:
@@ -181,6 +190,18 @@ class Collector:
                 self._give_up(*oldest)
         elif is_chosen:
             self._exchange(record, None)
+
+    def _is_chosen(self, record: Record) -> bool:
+        return self._chosen is None or self._chosen(record)
+
+    def _settled(self, command: Record, is_chosen: bool | None) -> bool:
+        """Whether a command is chosen, now that its reply was seen or can no longer come."""
+        if is_chosen is not None:
+            return is_chosen
+        is_chosen = self._is_chosen(command)
+        if is_chosen:
+            self._chosen_record(command)
+        return is_chosen
 
     def _chosen_record(self, record: Record) -> None:
         brick = self._brick(record.route)
@@ -191,9 +212,9 @@ class Collector:
         if record.transfer is not None:
             self._move(record, record.transfer, brick)
 
-    def _give_up(self, command: Record, is_chosen: bool) -> None:
+    def _give_up(self, command: Record, is_chosen: bool | None) -> None:
         """A command was never answered."""
-        if is_chosen:
+        if self._settled(command, is_chosen):
             self._exchange(command, None)
 
     def _exchange(self, command: Record | None, reply: Record | None) -> None:

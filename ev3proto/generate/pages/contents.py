@@ -14,6 +14,7 @@ OTHERS = {
     "enumerations.md": "Enumerations: the names of numbers",
     "numbers.md": "Everything by number and by name",
     "checker-codes.md": "What `check` finds: all codes with examples",
+    "filters.md": "Filters: all that `--filter` can ask for",
     "command-line.md": "The command line",
     "python.md": "The Python API",
 }

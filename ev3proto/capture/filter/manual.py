@@ -1,0 +1,112 @@
+"""All that can be written in a filter, with an example of each: what `--help-filter` and a page of the reference show.
+
+The names of frames are those of `NAMES`, the names of parameters those of the tables.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from ev3proto.capture.filter.fields import places_of
+from ev3proto.capture.filter.names import NAMES
+
+_WIDTH = 100
+_COLUMN = 12
+
+
+class Entry(NamedTuple):
+    """One thing that can be written.
+
+    written  how it is written
+    text     what it means
+    example  a filter that uses it
+    """
+
+    written: str
+    text: str
+    example: str
+
+
+COMPARISONS = (
+    Entry("NAME", "the frame has it", "FREQUENCY"),
+    Entry("==", "some value is equal; also eq", "FREQUENCY == 440"),
+    Entry("!=", "the frame has values, and none is equal; also ne", "FREQUENCY != 440"),
+    Entry("< <= > >=", "some value is less, ... ; also lt le gt ge", "FREQUENCY >= 440"),
+    Entry("contains", "some text or data has it in it", 'path contains "prjs"'),
+    Entry("like", "some text is like a pattern: * any characters, ? one, [abc] one of these", 'path like "*.rbf"'),
+    Entry("matches", "a regular expression is found in some text, in any case", r'path matches r"\.r[bt]f$"'),
+    Entry("in { }", "some value is equal to one of these, or in a range; also not in", "FREQUENCY in {262, 400..880}"),
+    Entry("!", "it does not hold; also not", "!error"),
+    Entry("&&", "both hold; also and", "op == SOUND.TONE && FREQUENCY > 400"),
+    Entry("||", "one holds or both do; also or", "error || fault"),
+    Entry("( )", "what belongs together", "op == SOUND.TONE && (VOLUME > 50 || DURATION > 100)"),
+)
+"""How names and values are compared, and how conditions are joined."""
+
+VALUES = (
+    Entry("440, 0x1b8", "a number, also 7.92 and 1e3", "FREQUENCY == 0x1b8"),
+    Entry("4ms, 7.9V", "a quantity: ns, us, ms, s and min for times, or the parameter's own unit", "VALUE > 7.9V"),
+    Entry("SOUND.TONE", "a name from the tables, in any case of its letters", "PATTERN == LED_ORANGE_PULSE"),
+    Entry(
+        '"text"', "a text; also 'text', and r\"text\" without escapes such as \\n or \\x41", "STRING contains 'world'"
+    ),
+    Entry("4c:45:47", "bytes", "data contains 3b:30"),
+    Entry("192.0.2.10", "an address; also 192.0.2.10:5555 and 00:16:53:00:00:0a", "peer == 192.0.2.10"),
+)
+"""How values are written."""
+
+PARAMETERS = (
+    Entry("FREQUENCY", "a parameter of any operation, in any case of its letters", "frequency > 400"),
+    Entry("SOUND.TONE.FREQUENCY", "the parameter of one operation", "SOUND.TONE.FREQUENCY > 400"),
+    Entry("VALUES[1]", "one element of a list", "VALUES[0] < 0"),
+    Entry("path", "a field of system messages; the path holds for all messages of a transfer", 'path like "*.rtf"'),
+    Entry("TYPE, arg.type", "a parameter that has the name of something above", "TYPE == TYPE_GYRO"),
+)
+"""How parameters and fields are named."""
+
+
+def names() -> list[Entry]:
+    """What can be asked about every frame."""
+    return [Entry(name, known.text, known.example) for name, known in NAMES.items()]
+
+
+def entries() -> list[Entry]:
+    """Everything with an example."""
+    return [*names(), *PARAMETERS, *COMPARISONS, *VALUES]
+
+
+def _shown(entry: Entry) -> Iterator[str]:
+    indent = " " * (_COLUMN + 3)
+    start = f"  {entry.written:{_COLUMN}} "
+    if len(entry.written) > _COLUMN:
+        yield start.rstrip()
+        start = indent
+    yield from textwrap.wrap(entry.text, _WIDTH, initial_indent=start, subsequent_indent=indent)
+    yield f"{indent}{entry.example}"
+
+
+def manual() -> Iterator[str]:
+    """Yields the lines that `--help-filter` prints."""
+    yield "A filter says which frames are wanted:"
+    yield ""
+    yield "  ev3proto decode --filter 'op == SOUND.TONE && FREQUENCY > 400' robot.pcapng"
+    yield ""
+    yield "Only frames for which it is true are let through. With --dialogues it is about a command together"
+    yield "with its reply."
+    for title, listed in (
+        ("Of every frame", names()),
+        ("Parameters and fields", PARAMETERS),
+        ("Comparisons", COMPARISONS),
+        ("Values", VALUES),
+    ):
+        yield ""
+        yield f"{title}:"
+        yield ""
+        for entry in listed:
+            yield from _shown(entry)
+    yield ""
+    yield "All parameters and fields, of which `ev3proto ops NAME` says more:"
+    yield ""
+    yield from textwrap.wrap(" ".join(places_of()), _WIDTH, initial_indent="  ", subsequent_indent="  ")

@@ -1,0 +1,111 @@
+"""What is said to a name that filters do not have: the name that was meant, as far as one can tell."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+from ev3proto.capture.filter.fields import (
+    ANY,
+    command_names,
+    find_fields,
+    is_parameter,
+    operation_names,
+    parameter_names,
+)
+
+OF_WIRESHARK = {
+    "_ws.col.info": "op",
+    "_ws.expert": "fault",
+    "_ws.malformed": "fault",
+    "btatt.handle": "peer",
+    "bluetooth.addr": "peer",
+    "bluetooth.dst": "target",
+    "bluetooth.src": "source",
+    "ev3.answers": "op",
+    "ev3.cmd": "op",
+    "ev3.cmd_type": "type",
+    "ev3.counter": "counter",
+    "ev3.daisy.command": "command",
+    "ev3.expert.error_reply": "failed",
+    "ev3.expert.fault": "fault",
+    "ev3.expert.orphan": "orphan",
+    "ev3.expert.unanswered": "unanswered",
+    "ev3.expert.unknown_opcode": "fault",
+    "ev3.latency": "latency",
+    "ev3.msg_len": "size",
+    "ev3.length": "size",
+    "ev3.msg_num": "counter",
+    "ev3.op": "op",
+    "ev3.opcode": "op",
+    "ev3.reply_status": "status",
+    "ev3.request_in": "latency",
+    "ev3.response_in": "latency",
+    "ev3.response_time": "latency",
+    "ev3.status": "status",
+    "ev3.sys_cmd": "command",
+    "ev3.transfer.path": "path",
+    "ev3.type": "type",
+    "frame.interface_name": "interface",
+    "frame.len": "size",
+    "frame.number": "packet",
+    "frame.time": "time",
+    "frame.time_delta": "latency",
+    "frame.time_relative": "time",
+    "ip.addr": "peer",
+    "ip.dst": "target",
+    "ip.src": "source",
+    "ipv6.addr": "peer",
+    "ipv6.dst": "target",
+    "ipv6.src": "source",
+    "tcp.port": "peer",
+    "usb.addr": "peer",
+    "usb.bus_id": "peer",
+    "usb.device_address": "peer",
+}
+"""Fields of Wireshark, and the names that come nearest to them here."""
+
+_PREFIX = "ev3."
+
+_LIKENESS = 0.6
+"""How like another a name must be to be named instead of it, from 0 to 1."""
+
+
+def unknown(text: str, names: Iterable[str]) -> str:
+    """A sentence about a name that there is not.
+
+    Args:
+        text: The name as it was written.
+        names: What can be asked about every frame.
+    """
+    lower = text.lower()
+    field = OF_WIRESHARK.get(lower) or _parameter(lower.removeprefix(_PREFIX) if lower.startswith(_PREFIX) else "")
+    if field is not None:
+        return f"{text} is a name of Wireshark: here it is {field}"
+    owner, _, name = text.upper().rpartition(".")
+    if owner in operation_names() and is_parameter(name):
+        return f"{owner} has no parameter {name}"
+    if text.upper() in operation_names():
+        return f"{text} is an operation, which is asked for so: op=={text.upper()}"
+    if text.upper() in command_names():
+        return f"{text} is a command, which is asked for so: command=={text.upper()}"
+    near = _near(lower.rpartition(".")[2], (*parameter_names(), *names))
+    if owner and owner.lower() != ANY and is_parameter(name):
+        owners = [found for found in _near(owner.lower(), operation_names()) if find_fields(f"{found}.{name}".lower())]
+        near = [f"{found}.{name}" for found in owners] or near
+    near = [found for found in near if found.lower() != lower]
+    hint = f"did you mean {' or '.join(near)}?" if near else "--help-filter lists the names that there are"
+    return f"nothing is called {text}: {hint}"
+
+
+def _near(lower: str, known: Iterable[str]) -> list[str]:
+    by_lower = {name.lower(): name for name in known}
+    return [by_lower[found] for found in difflib.get_close_matches(lower, by_lower, 3, _LIKENESS)]
+
+
+def _parameter(dotted: str) -> str | None:
+    """`SOUND.TONE.FREQUENCY` for `sound.tone.frequency`; None for what is no parameter of an operation."""
+    owner, _, name = dotted.rpartition(".")
+    if is_parameter(name) and (not owner or owner.upper() in operation_names()):
+        return dotted.upper() if owner else name
+    return None

@@ -1,0 +1,52 @@
+"""The page of filters: all that can be written in one, with the examples that `--help-filter` shows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ev3proto.capture.filter.fields import places_of
+from ev3proto.capture.filter.manual import COMPARISONS, PARAMETERS, VALUES, Entry, names
+from ev3proto.generate.pages.markdown import code, page, plain, table
+
+_MOST_PLACES = 4
+"""So many operations that have a parameter are named."""
+
+
+def text() -> str:
+    """The page."""
+    return page("Filters", _lines())
+
+
+def _lines() -> Iterator[str]:
+    yield (
+        "All that can be written after `--filter`. [How to use filters](../filters.md) shows it on captures;"
+        " `ev3proto decode --help-filter` prints this list."
+    )
+    yield ""
+    for title, entries in (
+        ("Of every frame", names()),
+        ("Parameters and fields", PARAMETERS),
+        ("Comparisons", COMPARISONS),
+        ("Values", VALUES),
+    ):
+        yield f"## {title}"
+        yield ""
+        yield from table(("written", "what it means", "example"), _rows(entries))
+    yield "## All parameters and fields"
+    yield ""
+    yield from table(("name", "of"), ((code(name), _owners(owners)) for name, owners in places_of().items()))
+
+
+def _rows(entries: Iterable[Entry]) -> Iterator[tuple[str, str, str]]:
+    for entry in entries:
+        yield _cell(entry.written), plain(entry.text), _cell(entry.example)
+
+
+def _cell(text: str) -> str:
+    """Code in a table, whose columns | would end."""
+    return code(text.replace("|", "\\|"))
+
+
+def _owners(owners: list[str]) -> str:
+    named = ", ".join(map(plain, owners[:_MOST_PLACES]))
+    return f"{named} and {len(owners) - _MOST_PLACES} more" if len(owners) > _MOST_PLACES else named

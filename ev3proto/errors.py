@@ -95,5 +95,6 @@ def near_misses(name: str, known: Iterable[str]) -> str:
     for full in known:
         targets.setdefault(full.rpartition(".")[2], full)
         targets[full] = full
-    near = dict.fromkeys(targets[found] for found in difflib.get_close_matches(name.upper(), targets, 3, 0.6))
+    close = difflib.get_close_matches(name.upper(), targets, 3, 0.6)
+    near = [full for full in dict.fromkeys(targets[found] for found in close) if full != name]
     return f": did you mean {' or '.join(near)}?" if near else ""

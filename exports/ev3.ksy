@@ -2726,8 +2726,8 @@ types:
       - {id: color, type: argument(false), doc: "colour to draw in (0 to 1; 0: white; 1: black)"}
       - {id: x0, type: argument(false), doc: column of the start (0 to 177 px)}
       - {id: y0, type: argument(false), doc: row of the start (0 to 127 px)}
-      - {id: x1, type: argument(false), doc: column of the end (0 to 177 px)}
-      - {id: y1, type: argument(false), doc: row of the end (0 to 127 px)}
+      - {id: x1, type: argument(false), doc: column of the end (0 to 178 px)}
+      - {id: y1, type: argument(false), doc: row of the end (0 to 128 px)}
   op_ui_draw_circle:
     doc: Draws a circle
     seq:
@@ -2901,8 +2901,8 @@ types:
       - {id: color, type: argument(false), doc: "colour to draw in (0 to 1; 0: white; 1: black)"}
       - {id: x0, type: argument(false), doc: column of the start (0 to 177 px)}
       - {id: y0, type: argument(false), doc: row of the start (0 to 127 px)}
-      - {id: x1, type: argument(false), doc: column of the end (0 to 177 px)}
-      - {id: y1, type: argument(false), doc: row of the end (0 to 127 px)}
+      - {id: x1, type: argument(false), doc: column of the end (0 to 178 px)}
+      - {id: y1, type: argument(false), doc: row of the end (0 to 128 px)}
       - {id: "on", type: argument(false), doc: length of a dash (px)}
       - {id: "off", type: argument(false), doc: length of a gap (px)}
   op_ui_draw_view_value:

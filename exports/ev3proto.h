@@ -2120,8 +2120,8 @@ enum {
      *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
      *   X0     DATA16  column of the start (0 to 177 px)
      *   Y0     DATA16  row of the start (0 to 127 px)
-     *   X1     DATA16  column of the end (0 to 177 px)
-     *   Y1     DATA16  row of the end (0 to 127 px)
+     *   X1     DATA16  column of the end (0 to 178 px)
+     *   Y1     DATA16  row of the end (0 to 128 px)
      */
     LINE = 3,
 
@@ -2314,8 +2314,8 @@ enum {
      *   COLOR  DATA8   colour to draw in (0 to 1; 0: white; 1: black)
      *   X0     DATA16  column of the start (0 to 177 px)
      *   Y0     DATA16  row of the start (0 to 127 px)
-     *   X1     DATA16  column of the end (0 to 177 px)
-     *   Y1     DATA16  row of the end (0 to 127 px)
+     *   X1     DATA16  column of the end (0 to 178 px)
+     *   Y1     DATA16  row of the end (0 to 128 px)
      *   ON     DATA16  length of a dash (px)
      *   OFF    DATA16  length of a gap (px)
      */

@@ -131,12 +131,14 @@ FORMS: dict[str, Callable[[Message, int, Dialogue], str | bytes]] = {
 class Wants:
     """What is asked for where the input leaves it open.
 
-    counter  of the first message without one
-    reply    whether the brick is to answer, None for what the operations need
+    counter    of the first message without one
+    reply      whether the brick is to answer, None for what the operations need
+    unchecked  values of assembly may mean nothing to the brick
     """
 
     counter: int = 0
     reply: bool | None = None
+    unchecked: bool = False
 
 
 class Sink(Protocol):
@@ -158,6 +160,7 @@ class Encoding(SourceReader):
         self._output = output
         self._counter = wants.counter
         self._reply = wants.reply
+        self._unchecked = wants.unchecked
 
     @property
     def wants_records(self) -> bool:
@@ -225,7 +228,13 @@ class Encoding(SourceReader):
 
         text = _joined(lines, "\n" if source.is_frame else "", MAX_TEXT + 1)
         try:
-            for message in assembled(text, dialect=self.reading.dialect, counter=self._counter, reply=self._reply):
+            for message in assembled(
+                text,
+                dialect=self.reading.dialect,
+                counter=self._counter,
+                reply=self._reply,
+                unchecked=self._unchecked,
+            ):
                 self._output.write(message)
                 self._counter = (message.counter + 1) % COUNTERS
         except AssemblyError as error:
@@ -341,6 +350,9 @@ class _Version(click.ParamType):
     help="Whether the brick is to answer assembly without a header; left out: where there is something to answer.",
 )
 @click.option(
+    "--unchecked", is_flag=True, help="Take values of assembly that mean nothing to the brick, such as motor port 16."
+)
+@click.option(
     "--source",
     "source_dialect",
     type=click.Choice(("strict", "lego")),
@@ -357,6 +369,7 @@ def encode(
     path: str | None,
     counter: int,
     reply: bool | None,
+    unchecked: bool,
     source_dialect: str | None,
     version: int | None,
     shortest: bool,
@@ -386,7 +399,7 @@ def encode(
         raise click.UsageError("raw bytes would garble the terminal: give -o FILE, or pipe them into another program")
     try:
         with Output(form, path) as output:
-            encoding = Encoding(output, reading, Wants(counter, reply))
+            encoding = Encoding(output, reading, Wants(counter, reply, unchecked))
             for source in sources(names):
                 encoding.read(source)
     except OSError as error:

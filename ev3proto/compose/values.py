@@ -8,12 +8,10 @@ from typing import Any
 from ev3proto.calls import REQUIRED, MissingValueError
 from ev3proto.compose.drafts import OMITTED, STAND_IN, Draft, Open
 from ev3proto.compose.meanings import (
-    check_arrays,
-    check_meaning,
     check_number,
-    check_places,
     check_text,
     no_variable,
+    objections,
     wrong_name,
 )
 from ev3proto.compose.placeholders import Placeholder
@@ -56,14 +54,10 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
         flat = _flat(declaration, values, unchecked)
         places = {number: value for number, value in enumerate(flat) if isinstance(value, Placeholder | Open)}
         operation = schema.make([_standing(value) for value in flat] if places else flat)
-        arguments = operation.arguments
-        used = footprints(operation, arguments)
         if not unchecked:
-            check_arrays(arguments)
-            for argument in arguments:
-                check_meaning(argument)
-            check_places(used)
-        _refuse_unknown_size(used, places)
+            for _, error in objections(operation):
+                raise error
+        _refuse_unknown_size(footprints(operation), places)
     except BuildError as error:
         sentence = str(error)
         prefix = "" if sentence.startswith(declaration.name) else f"{declaration.name}: "
@@ -146,10 +140,11 @@ def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False)
 def _check_name(parameter: Parameter, value: Any) -> None:
     """Refuses what names no member of the parameter's enumeration, or a member of another one."""
     assert parameter.enum is not None
-    if isinstance(value, str) and value not in parameter.enum.members and parameter.length is None:
+    if isinstance(value, str) and parameter.number_of(value) is None and parameter.length is None:
         raise wrong_name(parameter, value)
     meant = type(value)
-    if meant.__module__ == _ENUMS and meant.__name__ != parameter.enum.name:
+    is_of_another = meant.__module__ == _ENUMS and meant.__name__ != parameter.enum.name
+    if is_of_another and value.name not in parameter.names:
         raise BuildError(f"{parameter.name} takes a member of {parameter.enum.name}, not {value!r}")
 
 

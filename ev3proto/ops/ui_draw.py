@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         AnyN_ICON_NO,
         AnyVariable,
         Elements,
+        NamedNumber,
         Number,
         Output,
         Real,
@@ -83,7 +84,7 @@ def clean(*, unchecked: bool = False) -> Draft:
 
 
 @explained
-def pixel(color: Number, x0: Number, y0: Number, *, unchecked: bool = False) -> Draft:
+def pixel(color: NamedNumber, x0: Number, y0: Number, *, unchecked: bool = False) -> Draft:
     """Draws one pixel.
 
     Args:
@@ -96,22 +97,22 @@ def pixel(color: Number, x0: Number, y0: Number, *, unchecked: bool = False) -> 
 
 
 @explained
-def line(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
+def line(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Draws a line between two points.
 
     Args:
         color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Column of the start; 0 to 177 px; DATA16.
         y0: Row of the start; 0 to 127 px; DATA16.
-        x1: Column of the end; 0 to 177 px; DATA16.
-        y1: Row of the end; 0 to 127 px; DATA16.
+        x1: Column of the end; 0 to 178 px; DATA16.
+        y1: Row of the end; 0 to 128 px; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["UI_DRAW.LINE"].draft((color, x0, y0, x1, y1), unchecked)
 
 
 @explained
-def circle(color: Number, x0: Number, y0: Number, r: Number, *, unchecked: bool = False) -> Draft:
+def circle(color: NamedNumber, x0: Number, y0: Number, r: Number, *, unchecked: bool = False) -> Draft:
     """Draws a circle.
 
     Args:
@@ -125,7 +126,7 @@ def circle(color: Number, x0: Number, y0: Number, r: Number, *, unchecked: bool 
 
 
 @explained
-def text(color: Number, x0: Number, y0: Number, string: Text, *, unchecked: bool = False) -> Draft:
+def text(color: NamedNumber, x0: Number, y0: Number, string: Text, *, unchecked: bool = False) -> Draft:
     """Draws text in the font that SELECT_FONT has chosen.
 
     Args:
@@ -139,7 +140,15 @@ def text(color: Number, x0: Number, y0: Number, string: Text, *, unchecked: bool
 
 
 @explained
-def icon(color: Number, x0: Number, y0: Number, type: AnyICONTYPE, no: Number, *, unchecked: bool = False) -> Draft:
+def icon(
+    color: NamedNumber,
+    x0: Number,
+    y0: Number,
+    type: AnyICONTYPE,
+    no: Number,
+    *,
+    unchecked: bool = False,
+) -> Draft:
     """Draws one of the built-in icons.
 
     Args:
@@ -154,7 +163,7 @@ def icon(color: Number, x0: Number, y0: Number, type: AnyICONTYPE, no: Number, *
 
 
 @explained
-def picture(color: Number, x0: Number, y0: Number, ip: Number, *, unchecked: bool = False) -> Draft:
+def picture(color: NamedNumber, x0: Number, y0: Number, ip: Number, *, unchecked: bool = False) -> Draft:
     """Draws a picture that is in memory.
 
     Args:
@@ -169,7 +178,7 @@ def picture(color: Number, x0: Number, y0: Number, ip: Number, *, unchecked: boo
 
 @explained
 def value(
-    color: Number,
+    color: NamedNumber,
     x0: Number,
     y0: Number,
     value: Real,
@@ -193,7 +202,7 @@ def value(
 
 
 @explained
-def fillrect(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
+def fillrect(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Draws a filled rectangle.
 
     Args:
@@ -208,7 +217,7 @@ def fillrect(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, u
 
 
 @explained
-def rect(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
+def rect(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Draws the outline of a rectangle.
 
     Args:
@@ -224,7 +233,7 @@ def rect(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, unche
 
 @explained
 def notification(
-    color: Number,
+    color: NamedNumber,
     x0: Number,
     y0: Number,
     icon1: AnyL_ICON_NO,
@@ -254,7 +263,7 @@ def notification(
 
 @explained
 def question(
-    color: Number,
+    color: NamedNumber,
     x0: Number,
     y0: Number,
     icon1: AnyL_ICON_NO,
@@ -285,7 +294,7 @@ def question(
 
 @explained
 def keyboard(
-    color: Number,
+    color: NamedNumber,
     x0: Number,
     y0: Number,
     icon: AnyN_ICON_NO,
@@ -348,7 +357,7 @@ def browse(
 
 @explained
 def vertbar(
-    color: Number,
+    color: NamedNumber,
     x0: Number,
     y0: Number,
     x1: Number,
@@ -412,7 +421,7 @@ def topline(enable: Number, *, unchecked: bool = False) -> Draft:
 
 
 @explained
-def fillwindow(color: Number, y0: Number, y1: Number, *, unchecked: bool = False) -> Draft:
+def fillwindow(color: NamedNumber, y0: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Fills rows over the whole width, and returns to the normal font.
 
     Args:
@@ -437,7 +446,7 @@ def scroll(y: Number, *, unchecked: bool = False) -> Draft:
 
 @explained
 def dotline(
-    color: Number,
+    color: NamedNumber,
     x0: Number,
     y0: Number,
     x1: Number,
@@ -453,8 +462,8 @@ def dotline(
         color: Colour to draw in; 0 to 1; 0: white; 1: black; DATA8.
         x0: Column of the start; 0 to 177 px; DATA16.
         y0: Row of the start; 0 to 127 px; DATA16.
-        x1: Column of the end; 0 to 177 px; DATA16.
-        y1: Row of the end; 0 to 127 px; DATA16.
+        x1: Column of the end; 0 to 178 px; DATA16.
+        y1: Row of the end; 0 to 128 px; DATA16.
         on: Length of a dash; px; DATA16.
         off: Length of a gap; px; DATA16.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
@@ -464,7 +473,7 @@ def dotline(
 
 @explained
 def view_value(
-    color: Number,
+    color: NamedNumber,
     x0: Number,
     y0: Number,
     value: Real,
@@ -489,7 +498,7 @@ def view_value(
 
 @explained
 def view_unit(
-    color: Number,
+    color: NamedNumber,
     x0: Number,
     y0: Number,
     value: Real,
@@ -517,7 +526,7 @@ def view_unit(
 
 
 @explained
-def fillcircle(color: Number, x0: Number, y0: Number, r: Number, *, unchecked: bool = False) -> Draft:
+def fillcircle(color: NamedNumber, x0: Number, y0: Number, r: Number, *, unchecked: bool = False) -> Draft:
     """Draws a filled circle.
 
     Args:
@@ -554,7 +563,7 @@ def restore(no: Number, *, unchecked: bool = False) -> Draft:
 
 @explained
 def icon_question(
-    color: Number,
+    color: NamedNumber,
     x0: Number,
     y0: Number,
     state: AnyVariable,

@@ -14,6 +14,7 @@ from ev3proto.schema.identification import ENCODINGS, LABEL_BYTE, SHORT_VALUES
 from ev3proto.tables.declaration import Direction, Parameter, Type
 from ev3proto.tables.encoding import (
     ADDRESS_BIT,
+    BITS,
     CONSTANT,
     GLOBAL,
     HANDLE_BIT,
@@ -202,28 +203,36 @@ class ArgumentSchema(Bytewise):
     def _constant(self, value: Any) -> bytes:
         parameter = self.parameter
         if isinstance(value, str):
-            if parameter.enum is not None and value in parameter.enum.members:
-                return encode_integer(parameter.enum.members[value])
-            if parameter.type is not Type.STRING and parameter.length is None:
-                expected = f"a name of {parameter.enum.name} or a number" if parameter.enum else "a number"
+            number = parameter.number_of(value)
+            if number is not None:
+                return encode_integer(number)
+            if parameter.type is not Type.STRING and parameter.length is None and not parameter.any_type:
+                expected = "a number"
+                if parameter.enum is not None:
+                    expected = f"a name of {parameter.enum.name} or a number"
+                elif parameter.names:
+                    expected = f"one of {', '.join(parameter.names)} or a number"
                 raise BuildError(f"{parameter.name} takes {expected} or a variable, not {value!r}")
             return encode_string(value, parameter.name)
         if not isinstance(value, int | float):
             raise BuildError(f"{parameter.name} cannot be {value!r}: it is a {parameter.type}")
         if parameter.type is Type.STRING:
             raise BuildError(f"{parameter.name} takes a string or a variable, not {value!r}")
-        if parameter.type is Type.DATAF:
+        if parameter.type is Type.DATAF or (parameter.any_type and isinstance(value, float)):
             return encode_float(value, parameter.name)
         return self._integer(value)
 
     def _integer(self, value: float) -> bytes:
-        limits = RANGES[self.parameter.type]
+        parameter = self.parameter
+        limits = RANGES[parameter.type]
+        if parameter.unsigned and limits.high < value <= BITS[parameter.type][-1]:
+            value += 2 * limits.nan
         if value != value or value == limits.nan:
-            return encode_as(_NAN_ENCODING.get(self.parameter.type.size, "LC4"), limits.nan)
+            return encode_as(_NAN_ENCODING.get(parameter.type.size, "LC4"), limits.nan)
         if not limits.low <= value <= limits.high or value != int(value):
             raise BuildError(
-                f"{self.parameter.name} cannot be {value}: a {self.parameter.type} is a whole number from"
-                f" {limits.low} to {limits.high}"
+                f"{parameter.name} cannot be {value}: a {parameter.type} is a whole number from {limits.low} to"
+                f" {BITS[parameter.type][-1] if parameter.unsigned else limits.high}"
             )
         return encode_integer(int(value))
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
-from ev3proto.tables.encoding import RANGES
+from ev3proto.tables.encoding import BITS, RANGES
 
 _MOST_NAMES = 12
 """So many names of an enumeration are listed in a sentence."""
@@ -48,6 +48,11 @@ class Domain:
             self.mask = sum(members.values()) if parameter.enum.flags else 0
             self.has_names = True
             self.text = _names(parameter.enum)
+        elif parameter.unsigned:
+            numbers = BITS[parameter.type]
+            self.spans = ((numbers[0], numbers[-1]),)
+            self.is_documented = False
+            self.text = f"0 to {numbers[-1]} (or {numbers[0]} to -1, which are the same bits)"
         else:
             low, high, nan = RANGES[parameter.type]
             self.spans = ((low, high),)
@@ -70,6 +75,8 @@ class Domain:
 def domain_of(parameter: Parameter) -> Domain | None:
     """The legal numbers of a parameter; None where every number that can be encoded is legal, and for texts."""
     if parameter.range is None and parameter.enum is None and parameter.type not in RANGES:
+        return None
+    if parameter.any_type and parameter.type is not Type.COUNT:
         return None
     return None if parameter.type is Type.STRING else Domain(parameter)
 

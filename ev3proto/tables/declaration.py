@@ -168,6 +168,9 @@ class Parameter(NamedTuple):
     role       what else depends on it, None where nothing does
     indexed_by  for arrays of which one element is used: the parameter that tells which
     stores     the operation writes that element, so the array is no output that starts at the variable's own place
+    names      names of its values besides those of `enum`: the letters of motor ports, names of another enumeration
+    unsigned   the firmware reads its bits without sign, so there are numbers up to all bits set
+    any_type   for counts: the values that follow have types that others declare, so each is written as what it is
     """
 
     name: str
@@ -187,11 +190,24 @@ class Parameter(NamedTuple):
     role: Role | None = None
     indexed_by: str | None = None
     stores: bool = False
+    names: Mapping[str, int] = MappingProxyType({})
+    unsigned: bool = False
+    any_type: bool = False
 
     @property
     def is_output(self) -> bool:
         """True where the operation writes the value."""
         return self.direction is not Direction.IN
+
+    def number_of(self, name: str) -> int | None:
+        """The value that a name stands for, None where it is no name of its values.
+
+        Args:
+            name: As the firmware spells it; of a mask of motor ports also some joined, `A+B`.
+        """
+        if self.enum is not None and name in self.enum.members:
+            return self.enum.members[name]
+        return self.names.get(name)
 
     def __hash__(self) -> int:
         return hash((self.name, self.text))
@@ -211,6 +227,9 @@ class Facts(TypedDict, total=False):
     role: Role
     indexed_by: str
     stores: bool
+    names: Mapping[str, int]
+    unsigned: bool
+    any_type: bool
 
 
 def In(name: str, type: Type, text: str, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802 - a word of the tables' language

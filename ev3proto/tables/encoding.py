@@ -60,6 +60,11 @@ RANGES = {
 }
 """What an integer constant of each type may be. A label is a number 0 to 31 or a jump; a count fits a signed byte."""
 
+BITS = {
+    kind: range(RANGES[kind].nan, -2 * RANGES[kind].nan) for kind in (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)
+}
+"""What a constant may be where only its bits count: each number with a sign, and the same bits read without one."""
+
 NAN_FLOAT = b"\x00\x00\xc0\x7f"
 """The bytes of the float that means "not a number" (0x7FC00000)."""
 

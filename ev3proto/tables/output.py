@@ -22,10 +22,20 @@ PORTS = {0: "A", 1: "B", 2: "C", 3: "D"}
 PORT_SETS = {0: "none"} | {
     mask: "+".join(port for bit, port in PORTS.items() if mask & 1 << bit) for mask in range(1, 16)
 }
+LETTERS = {letter: number for number, letter in PORTS.items()}
+MASKS = {letters: mask for mask, letters in PORT_SETS.items() if mask}
 
 LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3), role=Role.LAYER)
-NO = In("NO", DATA8, "port, counted from 0", range=(0, 3), special=PORTS, role=Role.MOTOR)
-NOS = In("NOS", DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", range=(0, 15), special=PORT_SETS, role=Role.MOTORS)
+NO = In("NO", DATA8, "port, counted from 0", range=(0, 3), special=PORTS, names=LETTERS, role=Role.MOTOR)
+NOS = In(
+    "NOS",
+    DATA8,
+    "ports as a bit mask: A 1, B 2, C 4, D 8",
+    range=(0, 15),
+    special=PORT_SETS,
+    names=MASKS,
+    role=Role.MOTORS,
+)
 BRAKE = In("BRAKE", DATA8, "what the motors do at the end", range=(0, 1), special={0: "coast", 1: "brake and hold"})
 POWER = In("POWER", DATA8, "unregulated power, negative: backward", unit="%", range=(-100, 100))
 SPEED = In("SPEED", DATA8, "regulated speed, negative: backward", unit="%", range=(-100, 100))
@@ -202,6 +212,7 @@ OUTPUT = (
                 "port, counted from 0",
                 range=(0, 3),
                 special=PORTS,
+                names=LETTERS,
                 role=Role.MOTOR,
                 note="named as a bit mask, used by the firmware as the number of one port",
             ),

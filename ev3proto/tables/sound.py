@@ -37,6 +37,7 @@ SOUND = (
                         "how long, read without sign (-1 is 65535)",
                         unit="ms",
                         special={0: "until BREAK or the next sound"},
+                        unsigned=True,
                     ),
                 ),
                 effects=(Effect.STARTS_SOUND,),

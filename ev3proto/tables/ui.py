@@ -5,6 +5,7 @@ TEXTBOX, ...) keep the program or direct command waiting until somebody presses 
 """
 
 from ev3proto.tables import paths
+from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import (
     DATA8,
     DATA16,
@@ -55,22 +56,24 @@ FIGURES = In("FIGURES", DATA8, "characters in all, decimal point included")
 FIGURES_SIGNED = In("FIGURES", DATA8, "characters in all, decimal point included; negative aligns left")
 DECIMALS = In("DECIMALS", DATA8, "digits after the decimal point")
 
-COLOR = In("COLOR", DATA8, "colour to draw in", range=(0, 1), special={0: "white", 1: "black"})
+COLORS = {name: int(CONSTANTS[name]) for name in ("FG_COLOR", "BG_COLOR")}
+COLOR = In("COLOR", DATA8, "colour to draw in", range=(0, 1), special={0: "white", 1: "black"}, names=COLORS)
 X0 = In("X0", DATA16, "left edge", range=(0, 177), unit="px")
 Y0 = In("Y0", DATA16, "top edge", range=(0, 127), unit="px")
 WIDTH = In("X1", DATA16, "width", range=(0, 178), unit="px")
 HEIGHT = In("Y1", DATA16, "height", range=(0, 128), unit="px")
 X_START = In("X0", DATA16, "column of the start", range=(0, 177), unit="px")
 Y_START = In("Y0", DATA16, "row of the start", range=(0, 127), unit="px")
-X_END = In("X1", DATA16, "column of the end", range=(0, 177), unit="px")
-Y_END = In("Y1", DATA16, "row of the end", range=(0, 127), unit="px")
+X_END = In("X1", DATA16, "column of the end", range=(0, 178), unit="px")
+Y_END = In("Y1", DATA16, "row of the end", range=(0, 128), unit="px")
 X_CENTRE = In("X0", DATA16, "column of the centre", range=(0, 177), unit="px")
 Y_CENTRE = In("Y0", DATA16, "row of the centre", range=(0, 127), unit="px")
 RADIUS = In("R", DATA16, "radius", unit="px", special={0: "draws nothing"})
 
-ICON1 = In("ICON1", DATA8, "first large icon", enum=L_ICON_NO, special={-1: "none"})
-ICON2 = In("ICON2", DATA8, "second large icon", enum=L_ICON_NO, special={-1: "none"})
-ICON3 = In("ICON3", DATA8, "third large icon", enum=L_ICON_NO, special={-1: "none"})
+NO_ICON = {"ICON_NONE": N_ICON_NO.members["ICON_NONE"]}
+ICON1 = In("ICON1", DATA8, "first large icon", enum=L_ICON_NO, special={-1: "none"}, names=NO_ICON)
+ICON2 = In("ICON2", DATA8, "second large icon", enum=L_ICON_NO, special={-1: "none"}, names=NO_ICON)
+ICON3 = In("ICON3", DATA8, "third large icon", enum=L_ICON_NO, special={-1: "none"}, names=NO_ICON)
 DIALOGUE_STATE = InOut(
     "STATE",
     DATA8,
@@ -291,7 +294,7 @@ UI = (
                 10,
                 "VALUE16",
                 "Writes a whole number to the terminal, without its sign",
-                (In("VALUE", DATA16, "number to write"),),
+                (In("VALUE", DATA16, "number to write", unsigned=True),),
             ),
             Command(11, "VALUE32", "Writes a whole number to the terminal", (In("VALUE", DATA32, "number to write"),)),
             Command(12, "VALUEF", "Writes a number to the terminal", (In("VALUE", DATAF, "number to write"),)),
@@ -766,6 +769,7 @@ UI = (
                         DATA8,
                         "colour to fill with; any other value makes a test pattern",
                         special={0: "white", 1: "black"},
+                        names=COLORS,
                     ),
                     Y0,
                     In(

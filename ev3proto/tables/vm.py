@@ -133,6 +133,7 @@ VM = (
                 "how many parameters follow; the subroutine declares their types and directions",
                 element=DATA32,
                 elements=Direction.IN,
+                any_type=True,
             ),
         ),
         effects=(

@@ -14,6 +14,7 @@ _ALIASES = {
     "Real": "float | AnyVariable",
     "Text": "str | AnyVariable",
     "Elements": "int | str | AnyVariable",
+    "NamedNumber": "int | str | AnyVariable",
     "Untyped": "float | str | AnyVariable",
     "Output": "AnyVariable | None",
     "Outputs": "Sequence[Output] | Variable | Placeholder | int | None",
@@ -33,7 +34,7 @@ def argument_type(parameter: Parameter) -> str:
     if parameter.type is Type.COUNT and parameter.elements is not Direction.IN:
         return "Outputs"
     if parameter.type in LISTS:
-        element = parameter.element
+        element = None if parameter.any_type else parameter.element
         return f"Sequence[{_SCALARS.get(element, 'Number') if isinstance(element, Type) else 'Untyped'}]"
     if parameter.direction is Direction.OUT:
         return "Output"
@@ -43,6 +44,8 @@ def argument_type(parameter: Parameter) -> str:
         return _alias(parameter.enum)
     if parameter.type is not Type.STRING and parameter.length is not None:
         return "Elements"
+    if parameter.names:
+        return "NamedNumber"
     return _SCALARS.get(parameter.type, "Number")
 
 

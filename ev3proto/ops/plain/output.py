@@ -12,7 +12,7 @@ from ev3proto.compose.drafts import Draft
 from ev3proto.compose.functions import drafts
 
 if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyTYPE, Number, Output
+    from ev3proto.ops.argument_types import AnyTYPE, NamedNumber, Number, Output
 
 __all__ = [
     "output_clr_count",
@@ -40,7 +40,7 @@ _OPERATIONS = drafts("official")
 
 
 @explained
-def output_set_type(layer: Number, no: Number, type: AnyTYPE, *, unchecked: bool = False) -> Draft:
+def output_set_type(layer: Number, no: NamedNumber, type: AnyTYPE, *, unchecked: bool = False) -> Draft:
     """Declares which type of motor is at a port.
 
     Args:
@@ -53,7 +53,7 @@ def output_set_type(layer: Number, no: Number, type: AnyTYPE, *, unchecked: bool
 
 
 @explained
-def output_reset(layer: Number, nos: Number, *, unchecked: bool = False) -> Draft:
+def output_reset(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
     """Sets the tacho counts that moves and OUTPUT_READ use to zero.
 
     Args:
@@ -66,7 +66,7 @@ def output_reset(layer: Number, nos: Number, *, unchecked: bool = False) -> Draf
 
 
 @explained
-def output_stop(layer: Number, nos: Number, brake: Number, *, unchecked: bool = False) -> Draft:
+def output_stop(layer: Number, nos: NamedNumber, brake: Number, *, unchecked: bool = False) -> Draft:
     """Stops motors.
 
     Args:
@@ -80,7 +80,7 @@ def output_stop(layer: Number, nos: Number, brake: Number, *, unchecked: bool = 
 
 
 @explained
-def output_power(layer: Number, nos: Number, power: Number, *, unchecked: bool = False) -> Draft:
+def output_power(layer: Number, nos: NamedNumber, power: Number, *, unchecked: bool = False) -> Draft:
     """Sets the power of motors, OUTPUT_START makes them run.
 
     Args:
@@ -94,7 +94,7 @@ def output_power(layer: Number, nos: Number, power: Number, *, unchecked: bool =
 
 
 @explained
-def output_speed(layer: Number, nos: Number, speed: Number, *, unchecked: bool = False) -> Draft:
+def output_speed(layer: Number, nos: NamedNumber, speed: Number, *, unchecked: bool = False) -> Draft:
     """Sets the speed of motors, OUTPUT_START makes them run.
 
     Args:
@@ -108,7 +108,7 @@ def output_speed(layer: Number, nos: Number, speed: Number, *, unchecked: bool =
 
 
 @explained
-def output_start(layer: Number, nos: Number, *, unchecked: bool = False) -> Draft:
+def output_start(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
     """Starts motors with the power or speed set before.
 
     Args:
@@ -121,7 +121,7 @@ def output_start(layer: Number, nos: Number, *, unchecked: bool = False) -> Draf
 
 
 @explained
-def output_polarity(layer: Number, nos: Number, pol: Number, *, unchecked: bool = False) -> Draft:
+def output_polarity(layer: Number, nos: NamedNumber, pol: Number, *, unchecked: bool = False) -> Draft:
     """Sets the direction of motors.
 
     Args:
@@ -137,7 +137,7 @@ def output_polarity(layer: Number, nos: Number, pol: Number, *, unchecked: bool 
 @explained
 def output_read(
     layer: Number,
-    no: Number,
+    no: NamedNumber,
     speed: Output = None,
     tacho: Output = None,
     *,
@@ -156,7 +156,7 @@ def output_read(
 
 
 @explained
-def output_test(layer: Number, nos: Number, busy: Output = None, *, unchecked: bool = False) -> Draft:
+def output_test(layer: Number, nos: NamedNumber, busy: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether one of the motors is still in a move that ends by itself.
 
     Args:
@@ -170,7 +170,7 @@ def output_test(layer: Number, nos: Number, busy: Output = None, *, unchecked: b
 
 
 @explained
-def output_ready(layer: Number, nos: Number, *, unchecked: bool = False) -> Draft:
+def output_ready(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
     """Waits until the moves of the motors have ended, OUTPUT_START does not count.
 
     Args:
@@ -185,7 +185,7 @@ def output_ready(layer: Number, nos: Number, *, unchecked: bool = False) -> Draf
 @explained
 def output_step_power(
     layer: Number,
-    nos: Number,
+    nos: NamedNumber,
     power: Number,
     step1: Number,
     step2: Number,
@@ -213,7 +213,7 @@ def output_step_power(
 @explained
 def output_time_power(
     layer: Number,
-    nos: Number,
+    nos: NamedNumber,
     power: Number,
     time1: Number,
     time2: Number,
@@ -241,7 +241,7 @@ def output_time_power(
 @explained
 def output_step_speed(
     layer: Number,
-    nos: Number,
+    nos: NamedNumber,
     speed: Number,
     step1: Number,
     step2: Number,
@@ -269,7 +269,7 @@ def output_step_speed(
 @explained
 def output_time_speed(
     layer: Number,
-    nos: Number,
+    nos: NamedNumber,
     speed: Number,
     time1: Number,
     time2: Number,
@@ -297,7 +297,7 @@ def output_time_speed(
 @explained
 def output_step_sync(
     layer: Number,
-    nos: Number,
+    nos: NamedNumber,
     speed: Number,
     turn: Number,
     step: Number,
@@ -325,7 +325,7 @@ def output_step_sync(
 @explained
 def output_time_sync(
     layer: Number,
-    nos: Number,
+    nos: NamedNumber,
     speed: Number,
     turn: Number,
     time: Number,
@@ -351,7 +351,7 @@ def output_time_sync(
 
 
 @explained
-def output_clr_count(layer: Number, nos: Number, *, unchecked: bool = False) -> Draft:
+def output_clr_count(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
     """Sets the tacho counts that motors have as sensors to zero.
 
     Args:
@@ -364,7 +364,7 @@ def output_clr_count(layer: Number, nos: Number, *, unchecked: bool = False) -> 
 
 
 @explained
-def output_get_count(layer: Number, nos: Number, tacho: Output = None, *, unchecked: bool = False) -> Draft:
+def output_get_count(layer: Number, nos: NamedNumber, tacho: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the tacho count that a motor has as a sensor.
 
     Args:

@@ -13,7 +13,7 @@ from ev3proto.compose.drafts import Draft
 from ev3proto.compose.functions import drafts
 
 if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnySLOT, Number, Output, Text
+    from ev3proto.ops.argument_types import AnySLOT, Number, Output, Text, Untyped
 
 __all__ = [
     "bp0",
@@ -133,7 +133,7 @@ def return_(*, unchecked: bool = False) -> Draft:
 
 
 @explained
-def call(objid: Number, parameters: Sequence[Number], *, unchecked: bool = False) -> Draft:
+def call(objid: Number, parameters: Sequence[Untyped], *, unchecked: bool = False) -> Draft:
     """Calls a subroutine of the own program; waits while another thread is in it.
 
     Args:

@@ -47,7 +47,7 @@ from ev3proto.ops.ui_draw import (
 )
 
 if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number
+    from ev3proto.ops.argument_types import NamedNumber, Number
 
 __all__ = [
     "bmpfile",
@@ -92,7 +92,7 @@ _OPERATIONS = drafts("xtended")
 
 
 @explained
-def rectangle(color: Number, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
+def rectangle(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Draws the outline of a rectangle.
 
     Args:

@@ -17,6 +17,13 @@ What else there is:
     LED_RED, 0x1F, 1.5F, 'text', "text", (A + 2) * 3        constants; the firmware's names are all known
     @handle  HND(LV1(4))     the memory object that a variable is a handle to; &place and ADR(...) what it points to
 
+What LEGO's own sources have is read, too: a missing ) at the end of a line, names of CMDs as numbers, letters of motor
+ports (`OUTPUT_POWER(0, A+B, 50)`), CALL by the name of an object that `define` gives its number, and then without the
+number of its values.
+
+Values are legal where `ev3proto.ops` takes them; others are refused, unless their encoding is named, or a header stands
+in front, or `unchecked=True` is given.
+
 Without a header, operations are one direct command, whose memory and type are worked out, and each system command is a
 message of its own. A header begins a message and fixes what it says:
 
@@ -50,16 +57,32 @@ if TYPE_CHECKING:
 __all__ = ["AssemblyError", "assemble", "assembly", "operation_line"]
 
 
-def assemble(text: str, *, dialect: str = "official", counter: int = 0, reply: bool | None = None) -> list[Message]:
-    """The messages of a text.
+def assemble(
+    text: str,
+    *,
+    dialect: str = "official",
+    counter: int = 0,
+    reply: bool | None = None,
+    unchecked: bool = False,
+) -> list[Message]:
+    """Makes the messages of a text.
 
-    dialect  the firmware whose operations there are
-    counter  of the first message, 0 to 65535, unless its header says another; each further one has the next number
-    reply    whether messages without a header want a reply; None: direct commands do where they have global memory,
-             system commands where the brick answers them
+    Args:
+        text: Assembly in either notation.
+        dialect: The firmware whose operations there are.
+        counter: That of the first message, 0 to 65535, unless its header says another. Each further one has the next
+            number.
+        reply: Whether messages without a header want a reply. With None direct commands do where they have global
+            memory, system commands where the brick answers them.
+        unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
 
-    Raises AssemblyError with line, column, the line's text, and in `others` what else is wrong.
+    Returns:
+        The messages, in their order.
+
+    Raises:
+        AssemblyError: The text is no assembly, or a value in it is not legal. The error has line, column, the line's
+            text, and in `others` what else is wrong.
     """
     from ev3proto.text.assembly.assembling import assembled  # those who only decode should not wait for it
 
-    return list(assembled(text, dialect=dialect, counter=counter, reply=reply))
+    return list(assembled(text, dialect=dialect, counter=counter, reply=reply, unchecked=unchecked))

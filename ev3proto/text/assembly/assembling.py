@@ -37,7 +37,7 @@ MAX_TEXT = 1 << 24
 
 
 def assembled(
-    text: str, *, dialect: str = "official", counter: int = 0, reply: bool | None = None
+    text: str, *, dialect: str = "official", counter: int = 0, reply: bool | None = None, unchecked: bool = False
 ) -> Iterator[Message]:
     """The messages of a text, one after the other; parameters and errors as for `assemble`.
 
@@ -45,7 +45,7 @@ def assembled(
     """
     if len(text) > MAX_TEXT:
         raise AssemblyError(1, 1, f"the text has {len(text)} characters; at most {MAX_TEXT} can be assembled at once")
-    work = _Work(check_dialect(dialect), counter, reply)
+    work = _Work(check_dialect(dialect), counter, reply, is_checked=not unchecked)
     for statement in statements(text):
         if isinstance(statement, AssemblyError):
             work.errors.append(statement)
@@ -76,8 +76,9 @@ def _short(reason: str) -> str:
 class _Work:
     """Takes statement after statement and gives the messages that are complete."""
 
-    def __init__(self, dialect: str, counter: int, reply: bool | None) -> None:
+    def __init__(self, dialect: str, counter: int, reply: bool | None, *, is_checked: bool) -> None:
         self.errors: list[AssemblyError] = []
+        self._is_checked = is_checked
         self._dialect = dialect
         self._counter = counter
         self._reply = reply
@@ -189,7 +190,7 @@ class _Work:
             return
         pending = self._pending_operations(call.token, "an operation")
         pending.is_lenient |= not call.is_complete
-        pending.add(call.token, self._assembler.operation(call))
+        pending.add(call.token, self._assembler.operation(call, is_checked=self._is_checked and not pending.has_header))
 
     def _system_call(self, call: Call, pending: PendingMessage) -> None:
         if pending.parts:

@@ -126,7 +126,10 @@ ESCAPES = r"\n \r \t \b \f \q (an apostrophe) \0 \" \' \\ \/ \x41 \u0041"
 
 
 def unescaped(token: Token) -> tuple[str, int | None]:
-    """What stands between a text's quotes, and where in the token its first unknown escape is, None without one."""
+    """What stands between a text's quotes, and where in the token its first unknown escape is, None without one.
+
+    A backslash before a blank is none: LEGO's assembler leaves it as it is, which names of files need.
+    """
     body = token.text[1:-1]
     if "\\" not in body:
         return body, None
@@ -137,6 +140,8 @@ def unescaped(token: Token) -> tuple[str, int | None]:
         escape = found[1]
         if len(escape) > 1:
             return chr(int(escape[1:], 16))
+        if escape == " ":
+            return found[0]
         if escape not in _ESCAPES and unknown is None:
             unknown = found.start() + 1
         return _ESCAPES.get(escape, "")

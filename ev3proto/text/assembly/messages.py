@@ -52,6 +52,7 @@ class PendingMessage:
     facts       what its header says, in numbers
     is_frame    the bytes are all of the frame, its header included
     is_lenient  it may be faulty: it was written so on purpose
+    has_header  a header began it: its values may mean nothing to the brick
     parts       operations, bodies of system messages and raw bytes, one by one, each in pieces
     size        bytes of all parts, where every jump is short
     """
@@ -61,6 +62,7 @@ class PendingMessage:
     facts: dict[str, int] = field(default_factory=dict)
     is_frame: bool = False
     is_lenient: bool = False
+    has_header: bool = False
     parts: list[Sequence[CodePiece]] = field(default_factory=list)
     size: int = 0
 
@@ -154,8 +156,8 @@ class PendingMessage:
 def begun_by(header: Header | RawFrame, encoder: Encoder) -> PendingMessage:
     """The message that a header begins. Raises AssemblyError."""
     if isinstance(header, RawFrame):
-        return PendingMessage(header.token, is_frame=True, is_lenient=True)
-    pending = PendingMessage(header.token, None if header.type is None else _type(header.type))
+        return PendingMessage(header.token, is_frame=True, is_lenient=True, has_header=True)
+    pending = PendingMessage(header.token, None if header.type is None else _type(header.type), has_header=True)
     known = _ALL_FACTS | _FACTS.get(pending.kind, {})
     for token, value in header.facts:
         name = token.text

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import cache
 
+from ev3proto.compose.meanings import MeaningError, objections
 from ev3proto.errors import BuildError
+from ev3proto.messages import Operation
 from ev3proto.schema.argument import ArgumentSchema, encode_integer
 from ev3proto.schema.instructions import InstructionSet, instruction_set
 from ev3proto.schema.operation import CMD, FamilySchema, OperationSchema
@@ -13,14 +15,27 @@ from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DIALECTS, Enumeration, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.system import SYSTEM
-from ev3proto.text.assembly.lexing import Token
-from ev3proto.text.assembly.parser import Call, Macro, Named, Value, WrittenArgument, error_at, is_operation_word
-from ev3proto.text.assembly.symbols import suggestion
+from ev3proto.text.assembly.lexing import Token, TokenKind
+from ev3proto.text.assembly.parser import (
+    SHORTEST,
+    Call,
+    Literal,
+    Macro,
+    Named,
+    Raw,
+    Value,
+    WrittenArgument,
+    error_at,
+    is_operation_word,
+)
+from ev3proto.text.assembly.symbols import NOT_NUMBERS, suggestion
 from ev3proto.text.assembly.values import CodePiece, Encoder, Jump
 
 _MOST_NAMED = 8
 """CMDs that an error names."""
 
+_ANY_DISTANCE = encode_integer(0)
+_HOW_TO_MEAN_IT = "a line `message` in front of it lets it through"
 _ELEMENT = ArgumentSchema(Parameter("the value", Type.ARRAY_TYPED, "an element of a list that is cut short"))
 
 
@@ -42,12 +57,21 @@ class Assembler:
         """Whether a name is that of an operation, spelled as it should be."""
         return _bare(token.text).partition(".")[0] in opcodes(self._dialect)
 
-    def operation(self, call: Call) -> list[CodePiece]:
-        """The pieces of an operation: bytes, and jumps whose distance nobody knows yet. Raises AssemblyError."""
+    def operation(self, call: Call, *, is_checked: bool) -> list[CodePiece]:
+        """The pieces of an operation: bytes, and jumps whose distance nobody knows yet.
+
+        Args:
+            call: The operation as it is written.
+            is_checked: Refuse values that mean nothing to the brick, as `ev3proto.ops` does.
+
+        Raises:
+            AssemblyError: Says which value is wrong, and what would be right.
+        """
         schema, head, arguments = self._selected(call)
         if not call.is_complete:
             return [head, *self._incomplete(schema, arguments)]
         arguments = _in_order(schema, arguments, call)
+        arguments = self._with_count(schema, arguments, call)
         fixed = schema.fixed
         if schema.list_parameter is None and len(arguments) > len(fixed):
             raise error_at(arguments[len(fixed)].token, f"{_takes(schema)}, and here are {len(arguments)}")
@@ -58,6 +82,8 @@ class Assembler:
             )
         pieces = [self._encoder.argument(given.value, one) for given, one in zip(arguments, fixed, strict=False)]
         pieces += self._elements(schema, pieces, arguments)
+        if is_checked:
+            _check(schema, head, pieces, arguments)
         return [head, *pieces]
 
     # Which operation
@@ -126,6 +152,28 @@ class Assembler:
 
     # Values
 
+    def _with_count(
+        self, schema: OperationSchema, arguments: tuple[WrittenArgument, ...], call: Call
+    ) -> tuple[WrittenArgument, ...]:
+        """The values of a CALL with the number of those for the subroutine, which LEGO's sources do not write.
+
+        It is omitted if the second value cannot be that number, or if the subroutine is called by a name and the second
+        value is another number.
+        """
+        counter = schema.list_parameter
+        if counter is None or not counter.any_type or not arguments or is_operation_word(call.token.text):
+            return arguments
+        first, *others = arguments
+        stated = self._encoder.whole_or_none(others[0].value) if others else None
+        if isinstance(first.value, Named):
+            is_omitted = stated is None or stated != len(others) - 1
+        else:
+            is_omitted = stated is None and bool(others)
+        if not is_omitted:
+            return arguments
+        count = Token(TokenKind.NUMBER, str(len(others)), first.token.line, first.token.column, False)
+        return (first, WrittenArgument(None, Literal(count)), *others)
+
     def _elements(
         self, schema: OperationSchema, fixed: Sequence[CodePiece], arguments: Sequence[WrittenArgument]
     ) -> list[CodePiece]:
@@ -153,6 +201,29 @@ class Assembler:
                 raise error_at(argument.name, "the values of an operation that is cut short have no names")
             parameter = schema.fixed[index] if index < len(schema.fixed) else _ELEMENT
             yield self._encoder.argument(argument.value, parameter)
+
+
+def _check(
+    schema: OperationSchema, head: bytes, pieces: Sequence[CodePiece], arguments: Sequence[WrittenArgument]
+) -> None:
+    """Raises AssemblyError for the first value that means nothing to the brick.
+
+    A value whose encoding is named, and the name of what is not a number, are what people mean, whatever they are.
+    """
+    code = head + b"".join(_ANY_DISTANCE if isinstance(piece, Jump) else piece for piece in pieces)
+    for number, error in objections(Operation((schema, code, 0, len(code)))):
+        value = arguments[number].value
+        if _is_meant(value):
+            continue
+        sentence = f"{error.sentence}; {_HOW_TO_MEAN_IT}" if isinstance(error, MeaningError) else str(error)
+        raise error_at(value.token, sentence)
+
+
+def _is_meant(value: Value) -> bool:
+    """Whether a value is written so that nobody could mean another one."""
+    if isinstance(value, Macro):
+        return value.token.text not in SHORTEST
+    return isinstance(value, Raw) or (isinstance(value, Named) and value.token.text in NOT_NUMBERS)
 
 
 def _in_order(

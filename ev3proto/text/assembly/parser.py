@@ -48,11 +48,16 @@ FORMS = (
 )
 """The macros that fix how a value is encoded."""
 
+SHORTEST = ("LCX", "LVX", "LV", "GVX", "GV")
+"""Those of them that leave it to us."""
+
 MARKS = ("HND", "ADR")
 """The macros that set a bit of what they stand around."""
 
 GLOBAL_WORD, LOCAL_WORD = "global", "local"
 _SUBROUTINES = ("subcall", "IN_", "OUT_", "IO_")
+_DECLARED_AS = {"8": "DATA8", "16": "DATA16", "32": "DATA32", "F": "DATAF", "S": "DATAS", "H": "HANDLE"}
+"""By the end of the word that declares a subroutine's parameter: the word for a variable of that type."""
 
 
 # Values
@@ -307,7 +312,9 @@ class _Parser:
         if word in TYPES or word in (GLOBAL_WORD, LOCAL_WORD):
             return self._declaration()
         if word.startswith(_SUBROUTINES):
-            raise error_at(token, "a direct command has no subroutines: it is one piece, as a vmthread is")
+            declared = _DECLARED_AS.get(word.partition("_")[2])
+            hint = f"; {declared} declares a variable" if declared is not None else ""
+            raise error_at(token, f"a direct command has no subroutines: it is one piece, as a vmthread is{hint}")
         return self._macro_operation() if is_operation_word(word) else self._bare()
 
     # Statements, one by one
@@ -356,18 +363,28 @@ class _Parser:
         return VariableDeclaration(token, kind, size, scope)
 
     def _call(self) -> Call:
-        """`NAME(value, value)`."""
+        """`NAME(value, value)`. LEGO's sources have lines without the ) and with two commas in a row."""
         token = self._next()
         self._expect("(")
         arguments: list[WrittenArgument] = []
         while not self._peek().is_mark(")", CUT):
+            if self._peek().is_mark(","):
+                self._next()
+                continue
             arguments.append(self._argument(arguments))
-            if not self._peek().is_mark(")"):
-                if not self._peek().is_mark(","):
-                    raise self._unexpected(", or )")
+            if not self._peek().is_mark(")", ","):
+                if self._ends_without_mark():
+                    return Call(token, tuple(arguments), self._peek(), True)
+                raise self._unexpected(", or )")
+            if self._peek().is_mark(","):
                 self._next()
         is_complete = self._is_complete()
         return Call(token, tuple(arguments), self._expect(")"), is_complete)
+
+    def _ends_without_mark(self) -> bool:
+        """Whether the line ends here, and what follows could be the next statement."""
+        token = self._peek()
+        return token.is_first and (token.kind in (TokenKind.NAME, TokenKind.END) or token.is_mark("}", "#"))
 
     def _macro_operation(self) -> Call:
         """`opNAME, value, value`, over as many lines as commas lead."""
@@ -524,7 +541,7 @@ class _Parser:
         token = self._next()
         if len(token.text) > MAX_NUMBER:
             raise error_at(token, f"a number has at most {MAX_NUMBER} characters")
-        if re.fullmatch(r"0\d+", token.text):
+        if re.fullmatch(r"0\d+", token.text) and not re.fullmatch(r"0+[0-7]?", token.text):
             raise error_at(token, f"{token.text} is octal in C and decimal to most readers: write it as 0x..")
         return token
 

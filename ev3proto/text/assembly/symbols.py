@@ -13,7 +13,7 @@ from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.schema.operation import CMD
 from ev3proto.tables import OPCODES
 from ev3proto.tables.constants import CONSTANTS
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Enumeration, Type
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Parameter, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.enumerations import ENUMERATIONS, NUMBERS
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS
@@ -77,6 +77,8 @@ class Names:
     def define(self, token: Token, value: Constant | bytes) -> None:
         """A name for a constant, or for an encoded argument. Raises AssemblyError where the name is taken."""
         if token.text in self.constants:
+            if self.constants[token.text] == value:
+                return
             raise error_at(token, f"{token.text} is defined already")
         self._check_new(token)
         self.constants[token.text] = value
@@ -108,10 +110,15 @@ class Names:
         if len(self.constants) + len(self.variables) + len(self.labels) >= MOST_NAMES:
             raise error_at(token, f"the text declares more than {MOST_NAMES} names")
 
-    def known(self, enum: Enumeration | None) -> list[str]:
+    def known(self, parameter: Parameter | None) -> list[str]:
         """Every name that can stand for a value, the likeliest first."""
-        members = [] if enum is None else list(enum.members)
-        return [*members, *self.variables, *self.labels, *self.constants, *firmware_constants()]
+        own = [*self.variables, *self.labels, *self.constants]
+        if parameter is None:
+            return [*own, *firmware_constants()]
+        if parameter.enum is None:
+            return [*parameter.names, *own, *firmware_constants()]
+        others = [name for name in firmware_constants() if name not in _members() and name not in _ends()]
+        return [*parameter.enum.members, *parameter.names, *own, *others]
 
 
 @cache
@@ -136,26 +143,43 @@ def _members() -> frozenset[str]:
     return frozenset(name for enumeration in ENUMERATIONS for name in enumeration.members)
 
 
-def firmware_constant(name: str, enum: Enumeration | None) -> Constant | None:
-    """The firmware's constant of that name, None where there is none.
+@cache
+def _ends() -> frozenset[str]:
+    return frozenset(enumeration.end[0] for enumeration in ENUMERATIONS if enumeration.end is not None)
 
-    enum  the enumeration of the parameter, where it has one: no other enumeration's member can stand for it then
+
+@cache
+def _commands() -> dict[str, int]:
+    """The number of every CMD by name. No name has two."""
+    return {command.name: command.number for opcode in OPCODES for command in opcode.commands}
+
+
+def firmware_constant(name: str, parameter: Parameter | None) -> Constant | None:
+    """The firmware's constant of a name, None where there is none.
+
+    Args:
+        name: The name, as the firmware spells it.
+        parameter: What the constant is for, if that is known. Where it has an enumeration, neither another
+            enumeration's member nor a CMD can stand for it.
     """
-    if enum is not None:
-        if name in enum.members:
-            return enum.members[name]
-        if name in _members():
-            return None
-    return firmware_constants().get(name)
+    if parameter is not None:
+        number = parameter.number_of(name)
+        if number is not None:
+            return number
+        if parameter.enum is not None:
+            return None if name in _members() else firmware_constants().get(name)
+    found = firmware_constants().get(name)
+    return _commands().get(name) if found is None else found
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:
-    """`: did you mean TONE?` for a name that nearly is a known one, in any case; or nothing."""
+    """`: did you mean TONE?` for a name that nearly is a known one, in any case; or nothing. Never the name itself."""
     if len(name) > _MOST_GUESSED:
         return ""
     by_upper: dict[str, str] = {}
     for candidate in known:
-        by_upper.setdefault(candidate.upper(), candidate)
+        if candidate != name:
+            by_upper.setdefault(candidate.upper(), candidate)
     near = (
         [name.upper()] if name.upper() in by_upper else difflib.get_close_matches(name.upper(), by_upper, 3, _LIKENESS)
     )

@@ -17,7 +17,7 @@ from ev3proto.schema.argument import (
     encode_variable,
     with_bits,
 )
-from ev3proto.tables.declaration import DATA8, Direction, Enumeration, Parameter, Role, Type
+from ev3proto.tables.declaration import DATA8, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.lexing import Token, TokenKind, unescaped
@@ -95,61 +95,73 @@ class Encoder:
 
     # Numbers and texts
 
-    def constant(self, value: Value, enum: Enumeration | None = None) -> Constant:
+    def constant(self, value: Value, parameter: Parameter | None = None) -> Constant:
         """The number or text of a value that is no variable. Raises AssemblyError."""
         match value:
             case Literal(token):
                 return _literal(token)
             case Named(token):
-                return self._named_constant(token, enum)
+                return self._named_constant(token, parameter)
             case Negative(token, part):
-                number = self._number(part, enum)
+                number = self._number(part, parameter)
                 return _bounded(-number, token)
             case Chain(_, first, rest):
-                return self._chain(first, rest, enum)
+                return self._chain(first, rest, parameter)
         raise error_at(value.token, f"{value.token.text} cannot stand where a constant should")
 
-    def whole(self, value: Value, what: str, low: int, high: int, enum: Enumeration | None = None) -> int:
+    def whole(self, value: Value, what: str, low: int, high: int, parameter: Parameter | None = None) -> int:
         """A whole number in a range. Raises AssemblyError, which says of what."""
-        found = self.constant(value, enum)
+        found = self.constant(value, parameter)
         if not isinstance(found, int) or not low <= found <= high:
             raise error_at(value.token, f"{what} cannot be {found!r}: it is a whole number from {low} to {high}")
         return int(found)
 
-    def _named_constant(self, token: Token, enum: Enumeration | None) -> Constant:
+    def whole_or_none(self, value: Value) -> int | None:
+        """A whole number that stands in the text or has a name, None for all other values."""
+        try:
+            found = self.constant(value)
+        except AssemblyError:
+            return None
+        return found if isinstance(found, int) else None
+
+    def _named_constant(self, token: Token, parameter: Parameter | None) -> Constant:
         name = token.text
         if name in self.names.constants:
             defined = self.names.constants[name]
             if isinstance(defined, bytes):
                 raise error_at(token, f"{name} is an encoded argument; a plain constant should stand here")
             return defined
-        found = firmware_constant(name, enum)
+        found = firmware_constant(name, parameter)
         if found is not None:
             return found
         if name in self.names.variables:
             raise error_at(token, f"{name} is a variable; a constant should stand here")
         if name in _FLOATS:
             return _FLOATS[name]
-        raise self._unknown(token, enum)
+        raise self._unknown(token, parameter)
 
-    def _is_constant(self, token: Token, enum: Enumeration | None) -> bool:
+    def _is_constant(self, token: Token, parameter: Parameter | None) -> bool:
         name = token.text
-        return name in self.names.constants or name in _FLOATS or firmware_constant(name, enum) is not None
+        return name in self.names.constants or name in _FLOATS or firmware_constant(name, parameter) is not None
 
-    def _unknown(self, token: Token, enum: Enumeration | None) -> AssemblyError:
+    def _unknown(self, token: Token, parameter: Parameter | None) -> AssemblyError:
         """The error of a name that means nothing here."""
-        return error_at(token, f"there is no {token.text}{suggestion(token.text, self.names.known(enum))}")
+        return error_at(token, f"there is no {token.text}{suggestion(token.text, self.names.known(parameter))}")
 
     def _undeclared(self, token: Token, parameter: Parameter) -> AssemblyError:
         """The error of a name that stands for nothing that the parameter can be."""
         name, enum = token.text, parameter.enum
         if parameter.is_output:
             what, known = f"variable {name}", list(self.names.variables)
+        elif parameter.role is Role.OBJECT:
+            what, known = f"object {name}", list(self.names.constants)
         elif enum is not None:
-            what, known = f"{name} in {enum.name}, the values of {parameter.name}", self.names.known(enum)
+            what, known = f"{name} in {enum.name}, the values of {parameter.name}", self.names.known(parameter)
         else:
-            what, known = f"variable or constant {name}", self.names.known(None)
+            what, known = f"variable or constant {name}", self.names.known(parameter)
         hint = suggestion(name, known)
+        if not hint and parameter.role is Role.OBJECT:
+            hint = f": `define {name} 2` in front of it tells the number of the object, counted from 1"
         if not hint and enum is not None and not parameter.is_output:
             hint = f": it has {', '.join(list(enum.members)[:_MOST_MEMBERS])}, ..."
         declared = parameter.type.label if parameter.type.label in TYPES else DATA8.label
@@ -157,18 +169,18 @@ class Encoder:
             token, f"there is no {what}{hint or f': `{declared} {name}` in front of it declares a variable'}"
         )
 
-    def _number(self, value: Expression, enum: Enumeration | None) -> int | float:
-        found = self.constant(value, enum)
+    def _number(self, value: Expression, parameter: Parameter | None) -> int | float:
+        found = self.constant(value, parameter)
         if isinstance(found, str):
             raise error_at(value.token, f"{found!r} is a text: it cannot be reckoned with")
         return found
 
     def _chain(
-        self, first: Expression, rest: tuple[tuple[Token, Expression], ...], enum: Enumeration | None
+        self, first: Expression, rest: tuple[tuple[Token, Expression], ...], parameter: Parameter | None
     ) -> int | float:
-        total = self._number(first, enum)
+        total = self._number(first, parameter)
         for operator, part in rest:
-            total = _bounded(_joined(operator, total, self._number(part, enum)), operator)
+            total = _bounded(_joined(operator, total, self._number(part, parameter)), operator)
         return total
 
     # Arguments
@@ -198,9 +210,9 @@ class Encoder:
                 return Jump(token, None)
             case Named(token) if token.text in NOT_NUMBERS and schema.parameter.type is not Type.STRING:
                 return schema.write(math.nan)
-            case Named(token) if not self._is_constant(token, schema.parameter.enum):
+            case Named(token) if not self._is_constant(token, schema.parameter):
                 raise self._undeclared(token, schema.parameter)
-        return self._plain(self.constant(value, schema.parameter.enum), schema)
+        return self._plain(self.constant(value, schema.parameter), schema)
 
     def _plain(self, found: Constant, schema: ArgumentSchema) -> bytes:
         kind = schema.parameter.type
@@ -208,7 +220,8 @@ class Encoder:
             found = _signed(found, 8 * kind.size)
         if isinstance(found, float) and kind is Type.ARRAY_TYPED:
             return encode_float(found)
-        if isinstance(found, str) and len(found) == 1 and kind in RANGES and schema.parameter.length is None:
+        is_number = kind in RANGES and schema.parameter.length is None and not schema.parameter.any_type
+        if isinstance(found, str) and len(found) == 1 and is_number:
             found = ord(found)
         return schema.write(found)
 
@@ -243,7 +256,7 @@ class Encoder:
     def _check_room(self, token: Token, room: int, schema: ArgumentSchema) -> None:
         """Raises AssemblyError where a parameter is larger than the variable: what stands after it would be hit."""
         parameter = schema.parameter
-        if parameter.type.size > room:
+        if parameter.type.size > room and not parameter.any_type:
             verb = "is read as" if parameter.direction is Direction.IN else "would be overwritten by"
             raise error_at(
                 token,
@@ -261,14 +274,14 @@ class Encoder:
             return with_bits(inner, handle=name == "HND", address=name == "ADR")
         if isinstance(part, Named) and name in _JUMPS and self._is_label(part.token, schema):
             return Jump(part.token, name)
-        return self.form(value, schema.parameter.enum)
+        return self.form(value, schema.parameter)
 
-    def form(self, value: Macro, enum: Enumeration | None) -> bytes:
+    def form(self, value: Macro, parameter: Parameter | None) -> bytes:
         """The bytes of a macro that fixes the encoding. Raises AssemblyError, BuildError."""
         name, part = value.token.text, value.part
         if name[:2] in ("LV", "GV"):
             return self._variable_form(name, part)
-        found = self.constant(part, enum)
+        found = self.constant(part, parameter)
         if name in ("LCS", "LCS_OLD"):
             if not isinstance(found, str):
                 raise error_at(part.token, f"{name} takes a text in quotes, not {found!r}")

@@ -1,0 +1,101 @@
+"""Operations as LEGO's own sources have them: sloppy lines, names for everything, subroutines by name."""
+
+from __future__ import annotations
+
+import pytest
+
+from ev3proto.text.assembly import AssemblyError, assemble
+
+
+def code(text: str) -> str:
+    """The byte code of the one direct command in a text, in hex."""
+    (message,) = assemble(text)
+    return message.build()[7:].hex(" ").upper()
+
+
+def reason(text: str) -> str:
+    """What is wrong with a text."""
+    with pytest.raises(AssemblyError) as caught:
+        assemble(text)
+    return caught.value.reason
+
+
+LINES = {
+    # The large icons have no name for "none": that of the other icons stands there.
+    "DATA8 state\nDATA8 answer\nUI_DRAW(QUESTION,FG_COLOR,30,40,YES_SEL,ICON_NONE,'Go on?',state,answer)": (
+        "84 0C 01 1E 81 28 01 3F 84 47 6F 20 6F 6E 3F 00 60 61"
+    ),
+    # The number of a CMD wherever a number stands: SQRT is 8.
+    "DATA8 cmd\nJR_NEQ8(cmd,SQRT,End)\nNOP\nEnd:": "70 60 08 01 01",
+    # The letters of motor ports: bits where ports are listed, a number where there is one.
+    "OUTPUT_POWER(0,A+B,50)": "A4 00 03 81 32",
+    "OUTPUT_POWER(0,B,50)": "A4 00 02 81 32",
+    "OUTPUT_START(0,A+B+C+D)": "A6 00 0F",
+    "OUTPUT_READ(0,B,GV(0),GV(4))": "A8 00 01 60 64",
+    "DATA8 A\nOUTPUT_POWER(0,A,50)": "A4 00 60 81 32",
+    # A number that is read without sign: 40000 is 0x9C40, and so is -25536.
+    "SOUND(TONE,1,440,40000)": "94 01 01 82 B8 01 82 40 9C",
+    "SOUND(TONE,1,440,-25536)": "94 01 01 82 B8 01 82 40 9C",
+    "UI_WRITE(VALUE16,65535)": "82 0A 3F",
+    # One ) too few, one comma too many, blanks, several in a line, a 0 too many.
+    "UI_DRAW(FILLWINDOW,0x00,0,0\nUI_DRAW(UPDATE)": "84 13 00 00 00 84 00",
+    "JR_TRUE(LV0(0),End\n\nNOP\nEnd:": "42 40 01 01",
+    "UI_DRAW(FILLWINDOW,BG_COLOR ,, 0 ,0 )\tUI_DRAW (UPDATE)": "84 13 00 00 00 84 00",
+    "MOVE8_8(01,LV0(0))": "30 01 40",
+    # The line under the display's title ends a column after the last.
+    "UI_DRAW(LINE,FG_COLOR,0,TOPLINE_HEIGHT,LCD_WIDTH,TOPLINE_HEIGHT)": "84 03 01 00 0A 82 B2 00 0A",
+    "FILENAME(PACK,'../prjs/My\\ Robot')": "C6 15 84 2E 2E 2F 70 72 6A 73 2F 4D 79 5C 20 52 6F 62 6F 74 00",
+    # What is defined twice as the same thing.
+    "define PORT 1\ndefine PORT 1\nOUTPUT_START(0,PORT)": "A6 00 01",
+}
+
+
+@pytest.mark.parametrize("text", LINES)
+def test_lines_as_lego_writes_them(text: str) -> None:
+    assert code(text) == LINES[text]
+
+
+CALLS = {
+    # Seven values, each as what it is: text, variables, a float, whole numbers.
+    "define Show 2\nDATA8 a\nDATA32 b\nDATA16 h\nCALL(Show,'text',a,@h,b,3.5F,-1,0xFF)": (
+        "09 02 07 84 74 65 78 74 00 60 F1 08 64 83 00 00 60 40 3F 82 FF 00"
+    ),
+    "define Show 2\nCALL(Show)": "09 02 00",
+    "define Show 2\nCALL(Show,'-')": "09 02 01 84 2D 00",
+    # The number of values may be written, and must be where it could be taken for one.
+    "define Show 2\nCALL(Show,2,5,6)": "09 02 02 05 06",
+    "CALL(2,1,'-')": "09 02 01 84 2D 00",
+    "CALL(2,'-')": "09 02 01 84 2D 00",
+    "opCALL, LC0(2), LC0(1), LCS('-')": "09 02 01 84 2D 00",
+}
+
+
+@pytest.mark.parametrize("text", CALLS)
+def test_a_subroutine_is_called_with_whatever_it_takes(text: str) -> None:
+    assert code(text) == CALLS[text]
+
+
+def test_what_is_missing_is_named() -> None:
+    assert reason("CALL(Show,'text')") == (
+        "there is no object Show: `define Show 2` in front of it tells the number of the object, counted from 1"
+    )
+    assert reason("CALL(2,3,'text')") == "PARAMETERS says 3, but 1 values follow"
+    assert reason("IN_16 width\nMOVE16_16(width, LV0(0))") == (
+        "a direct command has no subroutines: it is one piece, as a vmthread is; DATA16 declares a variable"
+    )
+    assert reason("define PORT 1\ndefine PORT 2") == "PORT is defined already"
+
+
+@pytest.mark.parametrize(
+    ("text", "near"),
+    [
+        ("UI_DRAW(QUESTION,1,2,3,ICON_YES,0,'a',LV0(0),LV0(1))", ": did you mean ICON_NONE?"),
+        ("UI_WRITE(LED,LED_RED_FLASCH)", ": did you mean LED_RED_FLASH or LED_GREEN_FLASH"),
+        ("UI_DRAW(NOTIFICATION,1,2,3,ICON_RUN,0,0,'a',LV0(0))", ""),
+    ],
+)
+def test_a_suggestion_is_never_what_is_wrong(text: str, near: str) -> None:
+    sentence = reason(text)
+    assert near in sentence
+    wrong = sentence.partition("there is no ")[2].partition(" ")[0]
+    assert wrong not in sentence.partition("did you mean")[2].replace("?", "").split()

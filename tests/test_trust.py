@@ -4,11 +4,7 @@ from __future__ import annotations
 
 import io
 import json
-import os
-import pty
 import struct
-import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -38,63 +34,12 @@ def a_string(text: bytes) -> str:
     return ev3proto.direct_command(operation, global_size=4).build().hex()
 
 
-def on_a_terminal(*words: str) -> str:
-    """What a subcommand writes to a terminal."""
-    main, other = pty.openpty()
-    child = subprocess.Popen(
-        [sys.executable, "-m", "ev3proto", *words], stdin=subprocess.DEVNULL, stdout=other, stderr=other
-    )
-    os.close(other)
-    shown = b""
-    try:
-        while part := os.read(main, 1 << 16):
-            shown += part
-    except OSError:
-        pass  # the other end is closed
-    child.wait()
-    os.close(main)
-    return shown.decode("utf-8", "replace")
-
-
-def without_colours(text: str) -> str:
-    import re
-
-    return re.sub("\x1b\\[[0-9;]*m", "", text)
-
-
 CONTROLS = [letter for letter in HARMFUL if not letter.isprintable()]
 
 
 @pytest.mark.parametrize("text", CONTROLS)
 def test_every_harmful_character_is_written_as_an_escape(text: str) -> None:
     assert visible(f"a{text}b") == f"a\\u{ord(text):04x}b"
-
-
-@pytest.mark.parametrize("style", ["tree", "table", "asm", "json"])
-def test_a_string_of_controls_on_a_terminal(style: str) -> None:
-    shown = without_colours(on_a_terminal("decode", "--format", style, a_string(b"\x1b[2J\x9b\x7f\x85")))
-    assert not set(shown) & set("\x1b\x9b\x7f\x85\x07")
-    assert "\\u001b" in shown or "\\" in shown
-
-
-@pytest.mark.parametrize(
-    "words",
-    [
-        ("decode", HARMFUL),
-        ("check", HARMFUL),
-        ("decode", "--filter", HARMFUL, "x"),
-        ("decode", "--dialect", HARMFUL, "x"),
-        ("encode", HARMFUL),
-        ("ops", HARMFUL),
-        ("stats", HARMFUL),
-        ("check", "--explain", HARMFUL),
-        (f"x{HARMFUL}",),
-    ],
-)
-def test_what_was_typed_is_not_repeated_as_it_is(words: tuple[str, ...]) -> None:
-    done = run_ev3proto_text(*words)
-    assert done.returncode in (1, 2)
-    assert not set(done.stdout + done.stderr) & set(CONTROLS)
 
 
 def test_json_stays_json() -> None:

@@ -12,6 +12,7 @@ import click
 
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.targets import TargetType
+from ev3proto.errors import BuildError
 
 if TYPE_CHECKING:
     from ev3proto.link.targets import Target
@@ -51,7 +52,7 @@ def copy(target: Target, source: str, destination: str) -> None:
     except OSError as error:
         complain(f"{source if error.filename is None else error.filename}: {error.strerror or error}")
         sys.exit(1)
-    except LinkError as error:
+    except (LinkError, BuildError) as error:
         complain(str(error))
         sys.exit(1)
     Printer().text(f"{source} -> {destination}: {size} bytes, the same MD5")

@@ -300,7 +300,7 @@ def _listen(options: ProxyOptions) -> socket.socket:
     try:
         family = socket.AF_INET6 if ":" in options.address else socket.AF_INET
         return socket.create_server((options.address, options.port), family=family)
-    except (OSError, OverflowError) as error:
+    except (OSError, OverflowError, UnicodeError) as error:
         code = getattr(error, "errno", None)
         if code == errno.EADDRINUSE:
             raise PortInUseError(

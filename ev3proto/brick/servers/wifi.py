@@ -65,7 +65,7 @@ class Wifi:
         loop = asyncio.get_running_loop()
         try:
             self._server = await loop.create_server(lambda: _Client(self, self._host), address, port, backlog=128)
-        except (OSError, OverflowError) as error:
+        except (OSError, OverflowError, UnicodeError) as error:
             raise WifiError(_why(error, address, port)) from None
         self.address, self.port = self._server.sockets[0].getsockname()[:2]
 

@@ -77,7 +77,8 @@ def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
             content = with_length(frame[LENGTH_FIELD:end])
     message = frame_schema(dialect).read_frame(content, strict=False)
     operations = checked_operations(message.operations) if isinstance(message, DirectCommand) else ()
-    return CheckContext(frame, end, message, verdict(frame, dialect), operations, dialect, carrier)
+    effects = frozenset([effect for operation in operations for effect in operation.facts.effects])
+    return CheckContext(frame, end, message, verdict(frame, dialect), operations, effects, dialect, carrier)
 
 
 def _findings(context: CheckContext) -> Iterator[Finding]:

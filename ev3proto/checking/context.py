@@ -72,6 +72,7 @@ class CheckContext(NamedTuple):
     message     what `frame[:end]` says
     verdict     what the brick says to it
     operations  the operations of a direct command, as far as the firmware reads them: up to an OBJECT_END
+    effects     what any of them does besides what its parameters say
     dialect     the firmware whose instruction set it is read by
     carrier     what is to carry it, None for any
     """
@@ -81,6 +82,7 @@ class CheckContext(NamedTuple):
     message: Message
     verdict: Verdict
     operations: tuple[CheckedOperation, ...]
+    effects: frozenset[Effect]
     dialect: str
     carrier: str | None
 

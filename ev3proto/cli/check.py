@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -254,7 +254,7 @@ class Checking(SourceReader):
         entry["findings"] = [finding.as_dict() for finding in self._options.shown(report)]
         self._printer.text(json.dumps(place.facts | entry, ensure_ascii=False))
 
-    def _paragraph(self, lines: Iterator[Line], is_long: bool) -> None:
+    def _paragraph(self, lines: Iterable[Line], is_long: bool) -> None:
         """Lines that belong together; several of them stand apart from what is around them."""
         if self._was_long or (is_long and self._was_long is not None):
             self._printer.text("")

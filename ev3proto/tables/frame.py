@@ -11,6 +11,9 @@ REPORT_SIZES = (64, MAX_FRAME)
 LENGTH_FIELD = 2
 """Bytes of the length field, which counts what follows it."""
 
+COUNTER_SIZE = 2
+"""Bytes of the message counter, which follows the length field."""
+
 MIN_LENGTH = 3
 """Smallest length field a frame can have: message counter and type."""
 

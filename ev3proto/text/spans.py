@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import StrEnum
+from operator import itemgetter
 
 
 class Role(StrEnum):
@@ -22,7 +23,9 @@ class Role(StrEnum):
 Span = tuple[str, Role]
 Line = list[Span]
 
+_TEXT = itemgetter(0)
+
 
 def plain_text(line: Sequence[Span]) -> str:
     """The line without its roles."""
-    return "".join([text for text, _ in line]).rstrip()
+    return "".join(map(_TEXT, line)).rstrip()

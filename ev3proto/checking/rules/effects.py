@@ -22,12 +22,14 @@ _PORTS = 4
 def check_effects(context: CheckContext) -> Iterator[Finding]:
     """The operations of a command in their order."""
     operations = context.operations
-    if not any(operation.facts.effects for operation in operations):
-        return
-    yield from _sounds(operations)
-    yield from _pictures(operations)
-    yield from _moves(operations)
-    if context.is_whole:
+    present = context.effects
+    if Effect.STARTS_SOUND in present:
+        yield from _sounds(operations)
+    if Effect.SHOWS in present:
+        yield from _pictures(operations)
+    if Effect.STARTS_MOVE in present:
+        yield from _moves(operations)
+    if Effect.DRAWS in present and context.is_whole:
         yield from _not_shown(operations)
 
 

@@ -23,14 +23,13 @@ _OWN_OBJECT = 1
 def check_flow(context: CheckContext) -> Iterator[Finding]:
     """The operations of a command as a way."""
     operations = context.operations
-    has_jumps = False
-    for operation in operations:
-        if operation.facts.ends_code:
-            yield _object_end(operation, context.end)
-        elif operation.has(Effect.OF_PROGRAMS):
-            yield from _of_programs(operation)
-        has_jumps = has_jumps or operation.facts.is_jump
-    if not has_jumps and not any(operation.has(Effect.ENDS) for operation in operations):
+    if operations and operations[-1].facts.ends_code:
+        yield _object_end(operations[-1], context.end)
+    if Effect.OF_PROGRAMS in context.effects:
+        for operation in operations:
+            if operation.has(Effect.OF_PROGRAMS) and not operation.facts.ends_code:
+                yield from _of_programs(operation)
+    if Effect.ENDS not in context.effects and not any(operation.facts.is_jump for operation in operations):
         return
     way = _Way(context)
     yield from way.wrong_jumps()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext
@@ -22,20 +22,23 @@ def check_memory(context: CheckContext, command: DirectCommand) -> Iterator[Find
     """All variables of a command."""
     operations = context.operations
     used = [found for operation in operations for found in footprints(operation.parsed, operation.arguments)]
-    sizes = (command.local_size, command.global_size)
-    for found in used:
-        if found.start % found.validator_alignment or found.start % found.cpu_alignment:
-            yield _misaligned(found)
-        if found.end > sizes[found.is_global]:
-            yield _beyond(found, sizes[found.is_global])
+    local = [found for found in used if not found.is_global]
+    shared = [found for found in used if found.is_global]
+    for asked, together in ((command.local_size, local), (command.global_size, shared)):
+        for found in together:
+            start = found.start
+            if start % found.validator_alignment or start % found.cpu_alignment:
+                yield _misaligned(found)
+            if start + found.size > asked:
+                yield _beyond(found, asked)
     if not context.is_whole:
         # Of what is not read nobody knows which memory it uses.
         return
     if len(used) > 1 and not any(operation.facts.is_jump for operation in operations):
         # With jumps nobody knows what comes first.
-        yield from _overlaps([found for found in used if not found.is_global], is_kept=False)
-        yield from _overlaps([found for found in used if found.is_global], is_kept=command.wants_reply)
-    yield from _asked_for(command, used)
+        yield from _overlaps(local, is_kept=False)
+        yield from _overlaps(shared, is_kept=command.wants_reply)
+    yield from _asked_for(command, local, shared)
 
 
 def _about(found: Footprint, code: codes.Code, message: str, help_: str) -> Finding:
@@ -80,7 +83,7 @@ def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
 
     is_kept  whether a reply brings what is in that memory in the end
     """
-    if sum(found.is_written for found in used) < 2:
+    if not _have_results_in_common(used):
         return
     results: dict[int, Footprint] = {}
     for _, group in groupby(used, key=lambda found: found.operation.offset):
@@ -98,6 +101,12 @@ def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
             if before is not None:
                 yield from _destroyed(before, found, is_kept)
             results.update(dict.fromkeys(taken, found))
+
+
+def _have_results_in_common(used: list[Footprint]) -> bool:
+    """Whether there are two results at least that have a byte in common. Most commands have none."""
+    taken = sorted([(found.start, found.start + found.size) for found in used if found.is_written])
+    return any(after[0] < before[1] for before, after in pairwise(taken))
 
 
 def _destroyed(before: Footprint, found: Footprint, is_kept: bool) -> Iterator[Finding]:
@@ -129,10 +138,8 @@ def _is_within(inner: Footprint, outer: Footprint) -> bool:
     return inner.start >= outer.start and (outer.most is None or inner.end <= outer.start + outer.most)
 
 
-def _asked_for(command: DirectCommand, used: list[Footprint]) -> Iterator[Finding]:
+def _asked_for(command: DirectCommand, local: list[Footprint], shared: list[Footprint]) -> Iterator[Finding]:
     """Memory in the header that nobody uses, and results that nobody gets."""
-    local = [found for found in used if not found.is_global]
-    shared = [found for found in used if found.is_global]
     yield from _unused("local", command.local_size, local)
     if command.wants_reply:
         yield from _unused("global", command.global_size, shared)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterator
+from functools import cache
 
 from ev3proto.dialogue import Exchange
 from ev3proto.messages import (
@@ -15,14 +16,16 @@ from ev3proto.messages import (
     FieldValue,
     Message,
     Operation,
+    OperationReader,
     SystemCommand,
     SystemReply,
 )
 from ev3proto.schema.identification import LABEL_BYTE
-from ev3proto.tables.encoding import JUMP
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, Encoding
 from ev3proto.tables.frame import MAX_LENGTH
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
 from ev3proto.text.assembly.words import BYTES, CUT, FRAME, MESSAGE, STATUS, command_name
+from ev3proto.text.patterns import is_usual
 from ev3proto.text.phrases import quoted, short_float, spaced_hex
 
 _BYTES_A_LINE = 32
@@ -30,14 +33,46 @@ _BYTES_A_LINE = 32
 
 def operation_line(operation: Operation) -> str:
     """One operation. An operation that is cut short ends in `...`."""
-    pieces = [f"op{operation.name}"]
-    cmd = operation.cmd
-    if cmd is not None:
-        pieces.append(_macro(cmd, operation.command or ""))
-    pieces += [_macro(argument, _constant(argument)) for argument in operation.arguments]
+    if is_usual(operation):
+        pieces = [_head(operation[0])]
+    else:
+        pieces = [f"op{operation.name}"]
+        cmd = operation.cmd
+        if cmd is not None:
+            pieces.append(_macro(cmd, operation.command or ""))
+    for argument in operation.arguments:
+        parameter, form, value, _, _ = argument
+        if type(value) is int and (form.kind in _VARIABLES or (parameter.enum is None and form.kind == CONSTANT)):
+            before, after = _AROUND.get(id(form)) or _around(form)
+            pieces.append(f"{before}{value}{after}")
+        else:
+            pieces.append(_macro(argument, _constant(argument)))
     if not operation.is_complete:
         pieces.append(CUT)
     return ", ".join(pieces)
+
+
+_VARIABLES = (LOCAL, GLOBAL)
+
+_AROUND: dict[int, tuple[str, str]] = {}
+"""What stands around a number, by the id of its encoding: there is one object for each."""
+
+
+def _around(form: Encoding) -> tuple[str, str]:
+    before, after = f"{form.name}(", ")"
+    if form.handle:
+        before, after = f"HND({before}", f"{after})"
+    if form.address:
+        before, after = f"ADR({before}", f"{after})"
+    around = _AROUND[id(form)] = before, after
+    return around
+
+
+@cache
+def _head(schema: OperationReader) -> str:
+    """An operation up to its arguments, where its CMD is encoded as is usual."""
+    opcode, command = schema.declaration.opcode, schema.declaration.command
+    return f"op{opcode.name}" if command is None else f"op{opcode.name}, LC0({command.name})"
 
 
 def _constant(argument: Argument) -> str:
@@ -56,18 +91,14 @@ def _constant(argument: Argument) -> str:
 
 
 def _macro(argument: Argument, value: str) -> str:
-    name = argument.encoding
-    if argument.kind == JUMP and argument.raw[0] != LABEL_BYTE:
+    form = argument.form
+    if form.kind == JUMP and argument.raw[0] != LABEL_BYTE:
         # The firmware looks at three bits of it only, so that several bytes mean a label.
         return f"{BYTES}({spaced_hex(argument.raw)})"
+    before, after = _AROUND.get(id(form)) or _around(form)
     if isinstance(argument.value, float) and not value.startswith("0x"):
-        name = "LCF"
-    text = f"{name}({value})"
-    if argument.form.handle:
-        text = f"HND({text})"
-    if argument.form.address:
-        text = f"ADR({text})"
-    return text
+        before = before.replace(form.name, "LCF")
+    return f"{before}{value}{after}"
 
 
 def assembly(exchange: Exchange, heading: str) -> Iterator[str]:

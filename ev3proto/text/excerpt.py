@@ -1,0 +1,171 @@
+"""The bytes of a frame as findings show them: the rows they stand in, a line under them, what they say.
+
+One frame may have dozens of findings, so what they share is made once: its hex, its message, its operations as text.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from ev3proto.checking.report import Finding
+from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Operation
+from ev3proto.schema.frame import parse
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
+from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD
+from ev3proto.text.assembly import operation_line
+from ev3proto.text.dialogues import command_spans
+from ev3proto.text.phrases import argument_meaning, argument_value, spaced_hex
+from ev3proto.text.spans import Line, Role, Span, plain_text
+
+ROW = 16
+"""Bytes in a row."""
+
+MOST_ROWS = 4
+"""Rows of one span that are shown; a longer one is cut in the middle."""
+
+_MOST_OPERATION = 108
+_MOST_LABEL = 60
+_BYTE = 3
+"""Columns of a byte: a blank and two digits."""
+
+
+class Excerpt:
+    """A frame from which spans are shown, and what it says there."""
+
+    def __init__(self, frame: bytes, dialect: str) -> None:
+        self._size = len(frame)
+        self._hex = f" {spaced_hex(frame)}"
+        self._message = message = parse(frame, strict=False, dialect=dialect)
+        self._operations = message.operations if isinstance(message, DirectCommand | DaisyCommand) else ()
+        self._starts = [operation.offset for operation in self._operations]
+        self._lines: dict[int, str] = {}
+        width = 2 + len(str(max(len(frame) - 1, 10)))
+        self._width = width
+        self.margin = " " * width
+        self._bar: Span = (f"{self.margin} |", Role.ASIDE)
+        self._equals: Span = (f"{self.margin} = ", Role.ASIDE)
+
+    def show(self, finding: Finding, role: Role, lines: list[Line]) -> None:
+        """Adds the rows that a finding's bytes are in, each underlined, and what these say, alone and as a whole."""
+        if self._size:
+            lines.append([self._bar])
+            self._rows(finding, role, lines)
+        text = self._decoded(finding)
+        if text:
+            lines.append([self._equals, (_cut(text, _MOST_OPERATION), Role.ASIDE)])
+
+    def _rows(self, finding: Finding, role: Role, lines: list[Line]) -> None:
+        size, start = self._size, finding.offset
+        if start > size:
+            start = size
+        end = start + (finding.length or 1)
+        # A span after the last byte is shown where the next byte would stand.
+        if end > size:
+            end = size if size > start else start + 1
+        last_row = (end - 1) // ROW if end - 1 < size or start % ROW else (start - 1) // ROW
+        first_row = min(start // ROW, last_row)
+        label = self._label(finding)
+        if first_row == last_row:
+            self._row(first_row * ROW, start, end, role, label, lines)
+            return
+        numbers: list[int | None] = list(range(first_row, last_row + 1))
+        if len(numbers) > MOST_ROWS:
+            numbers[MOST_ROWS - 1 : -1] = [None]
+        for number in numbers:
+            if number is None:
+                lines.append([("...".rjust(self._width) + " |", Role.ASIDE), (" ...", Role.ASIDE)])
+            else:
+                self._row(number * ROW, start, end, role, label if number == last_row else "", lines)
+
+    def _row(self, row: int, start: int, end: int, role: Role, label: str, lines: list[Line]) -> None:
+        """A row of bytes, and the line under a span of it."""
+        stop = row + ROW
+        first, after = max(start, row), min(max(end, row), stop)
+        digits = self._hex
+        # The plus keeps who reads frames out of texts from taking the row for one.
+        line: Line = [(f"{f'+{row}'.rjust(self._width)} |", Role.ASIDE)]
+        if first > row:
+            line.append((digits[_BYTE * row : _BYTE * first], Role.PLAIN))
+        if after > first:
+            line.append((digits[_BYTE * first : _BYTE * after], role))
+        if after < stop:
+            line.append((digits[_BYTE * after : _BYTE * stop], Role.PLAIN))
+        lines.append(line)
+        # What is missing after a full row is marked after that row.
+        marked = _BYTE * max(min(end, stop) - first, 1) - 1
+        under: Line = [self._bar, (" " * (_BYTE * (first - row) + 1), Role.PLAIN), ("^" * marked, role)]
+        if label:
+            under.append((f" {label}", Role.PLAIN))
+        lines.append(under)
+
+    def _label(self, finding: Finding) -> str:
+        """What the bytes of a span say: `VOLUME = 200 %`."""
+        if not finding.length:
+            return ""
+        text = self._header(finding) if finding.offset < COMMAND_HEADER_SIZE else self._argument(finding)
+        return _cut(text, _MOST_LABEL)
+
+    def _header(self, finding: Finding) -> str:
+        message, offset = self._message, finding.offset
+        if self._size < HEADER_SIZE:
+            return ""
+        if offset < LENGTH_FIELD:
+            return f"length = {message.length}, {self._size - LENGTH_FIELD} bytes follow"
+        if offset < LENGTH_FIELD + COUNTER_SIZE:
+            return f"counter = {message.counter}"
+        if offset < HEADER_SIZE:
+            return f"type = {'?' if message.type is None else message.type.name}"
+        if isinstance(message, DirectCommand) and offset < HEADER_SIZE + MEMORY_SIZE:
+            return f"memory: {message.global_size} bytes global, {message.local_size} bytes local"
+        return ""
+
+    def _argument(self, finding: Finding) -> str:
+        offset, length = finding.offset, finding.length
+        operation = self._operation_at(offset)
+        if operation is None:
+            return ""
+        if offset == operation.offset:
+            return operation.full_name if length == operation.length else ""
+        for argument in operation.arguments:
+            if argument.offset == offset:
+                return _said(argument) if length == argument.length else ""
+        cmd = operation.cmd
+        if cmd is not None and (offset, length) == (cmd.offset, cmd.length):
+            return f"CMD = {cmd.value} {operation.command}"
+        return ""
+
+    def _decoded(self, finding: Finding) -> str:
+        """What the span belongs to: an operation, or all of the command."""
+        message, offset = self._message, finding.offset
+        if isinstance(message, DirectCommand | DaisyCommand):
+            operation = self._operation_at(offset)
+            if not finding.length and (operation is None or operation.full_name != finding.operation):
+                # What is missing at the end of an operation stands where the next one starts.
+                operation = self._operation_at(offset - 1)
+            return "" if operation is None else self._line(operation)
+        return "" if message.type is None or offset < HEADER_SIZE else plain_text(command_spans(message))
+
+    def _line(self, operation: Operation) -> str:
+        """An operation as assembly, made once."""
+        line = self._lines.get(operation.offset)
+        if line is None:
+            line = self._lines[operation.offset] = operation_line(operation)
+        return line
+
+    def _operation_at(self, offset: int) -> Operation | None:
+        number = bisect_right(self._starts, offset) - 1
+        if number < 0:
+            return None
+        operation = self._operations[number]
+        # Of an operation that is cut short, what could not be read belongs to it, too.
+        is_there = offset < operation.offset + operation.length or not operation.is_complete
+        return operation if is_there else None
+
+
+def _cut(text: str, most: int) -> str:
+    return text if len(text) <= most else f"{text[: most - 3]}..."
+
+
+def _said(argument: Argument) -> str:
+    meaning = argument_meaning(argument)
+    return f"{argument.name} = {argument_value(argument)}{f' {meaning}' if meaning else ''}"

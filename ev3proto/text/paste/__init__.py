@@ -6,8 +6,10 @@ length field fits it exactly, wherever it stands in a text and whatever stands a
 
     blanking      what is no byte is blanked: times, casts, indexes, comments
     columns       so are the offsets and the text of dumps
+    rhythm        values with the same words between them
     values        the values in a line, the runs that they form, and the readings that a run may have
     familiar      the short way for lines like those before
+    readings      what a run may stand for
     fitting       which bytes of a run are frames, and what looks like one
     scanner       lines to frames, also those that are wrapped
     forms         what is no frame: where a piece breaks off, and the few bytes that an argument may be

@@ -26,8 +26,20 @@ _CAST = re.compile(
     r"\(\s?(?:(?:un)?signed )?(?:byte|char|u?int8_t|u8|sbyte|Byte|SByte|UInt8|uint8|BYTE)\s?\)"
     r"|\.to(?:Byte|UByte|Char)\(\)|\bas (?:u8|i8|byte|Byte)\b"
     r"|\b(?:byte|char|chr|Chr\$?|ord|CByte|UInt8|uint8|int8|u8|ToByte|Word8|fromIntegral)(?=\s?\()"
-    r"|<repeats \d+ times>|\bb?(?=')(?='..?')",
+    r"|\bb?(?=')(?='..?')",
 )
+_BESIDE = re.compile(
+    # Characters that a debugger shows beside numbers, and types beside values.
+    r"(?<=[0-9a-fA-F])\s'(?:\\(?:[0-7]{1,3}|x[0-9a-fA-F]{1,2}|[^\s\w])|\\[a-z0]|[^'\\])'"
+    r"|(?<=[0-9a-fA-F])\t+(?:unsigned char|byte|uint8_t|char)\s*$"
+    # What a debugger calls an address, and the upper half of one.
+    r"|(?<=[0-9a-fA-F])\s<[^<>\s]{1,120}>(?=:)|^[0-9a-fA-F]{8}`(?=[0-9a-fA-F]{8}\s)"
+)
+_ENTITY = re.compile(r"&(?:quot|apos|nbsp|lt|gt|#3[49]|#x2[27]|#160);")
+_COLUMNS = re.compile(r"^\s*Columns? \d{1,5} (?:through|and) \d{1,5}:?\s*$")
+_MIDDLE = re.compile(r"(?<=\s[0-9a-fA-F]{2}\s[0-9a-fA-F]{2})-(?=[0-9a-fA-F]{2}(?:\s|$))")
+"""The mark in the middle of a row, as in `80 00 00 94-01 81 02 82`."""
+_FRAMES_OF_TABLES = str.maketrans("\u2502\u2503\u250a\u00a0\u202f", "||   ")
 _DIRECTIVE = re.compile(
     r"^(?P<before>[\s\w.$@:]{0,40}?)(?P<word>(?:\.byte|\.db|\bdb|\bDB|\bdc\.b|\bDC\.B|\bdefb|\bDEFB|\bfcb|\bFCB"
     r"|(?:\d{1,5}\s+)?DATA|\.ascii|\.short8|\bBYTE)\s)"
@@ -36,10 +48,10 @@ _LEAD = re.compile(
     r"^(?P<blank>\s*)(?P<mark>(?://+[/!]?|#+|/\*+|\*(?!/)|;+|--+(?=\s)|'(?=\s)|REM\b|%+(?=\s)|<!--|>(?=\s))\s?)+"
 )
 _REMARK = re.compile(
-    r"(?://|(?<=[\s,;)}\]])(?:#(?![xX$\d])|;(?=\s*[^\W\d_]{2})|--(?=\s)|'(?=\s*[A-Za-z]{3})|\\\s|%(?=\s)))"
+    r"(?://|(?<=[\s,;)}\]])(?:#(?![xX$\d])|;(?=\s*[^\W\d_]{2})|--(?=\s)|'(?=\s*[A-Za-z]{3})|\\{1,2}\s|%(?=\s)))"
 )
 _COMMENT = re.compile(r"/\*(?:(?!\*/).)*+(?:\*/)?")
-_SUBSCRIPT = re.compile(r"(?:\b[A-Za-z_][\w.>-]{0,40})?\[\s?(?P<index>0|[1-9]\d{0,4})\]\s{0,4}(?:=>?|:)\s{0,4}")
+_SUBSCRIPT = re.compile(r"(?:\b[A-Za-z_][\w.>-]{0,40})?\[\s?(?P<index>0|[1-9]\d{0,4})\]\s{0,4}(?:=>?|:|\t)\s{0,4}")
 _KEY = re.compile(
     r"(?<![\w\"'.])(?P<quote>[\"']?)(?P<index>0|[1-9]\d{0,4})(?P=quote)\s?(?:=>|:)(?:\s{1,4}|(?<=[\"']:))"
 )
@@ -54,9 +66,19 @@ def clean(line: str) -> str:
     """The line without what no notation of bytes has: colours, times, addresses on the internet, casts."""
     if "\x1b" in line:
         line = blank(line, _COLOUR)
+    if not line.isascii():
+        line = line.translate(_FRAMES_OF_TABLES)
     if "." in line or ":" in line or "-" in line or "/" in line:
         line = blank(line, _FOREIGN, OTHER)
-    return blank(line, _CAST) if "(" in line or " as " in line or "<r" in line else line
+    if "'" in line or "<" in line or "`" in line or "\t" in line:
+        line = blank(line, _BESIDE)
+    if "&" in line:
+        line = blank(line, _ENTITY)
+    if "-" in line:
+        line = blank(line, _MIDDLE)
+    if line.lstrip().startswith("Column"):
+        line = blank(line, _COLUMNS)
+    return blank(line, _CAST) if "(" in line or " as " in line or "'" in line else line
 
 
 def without_marks(line: str) -> str:

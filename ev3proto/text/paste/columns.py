@@ -12,15 +12,17 @@ from collections.abc import Collection
 from ev3proto.text.paste.blanking import OTHER
 
 _OFFSET = re.compile(
-    r"^(?P<before>(?:.{0,80}?[\s\])>:])??)(?P<offset>(?:0[xX])?[0-9a-fA-F]{4,16})(?P<mark>[:hH]?\s?[|:]?)(?P<blanks>\s++)"
+    r"^(?P<before>(?:.{0,80}?[\s\])>:|])??)(?P<offset>(?:0[xX])?[0-9a-fA-F]{4,16})(?P<mark>[:hH]?(?:\s?[|:])?|\s{1,130}:)(?P<blanks>\s++)"
     r"(?=-?[0-9a-fA-F\\])"
 )
+_ROW_OFFSET = re.compile(r"\s*(?:0[xX])?(?P<offset>[0-9a-fA-F]{4,16}):?(?=\s|$)")
 _ONLY_OFFSET = re.compile(r"^\s*(?P<offset>[0-9a-fA-F]{7,8}):?\s*$")
-_GROUP = re.compile(r"(?P<digits>(?:[0-9a-fA-F]{2}){1,8})(?![^\s|])(?P<blanks>\s*+)")
+_GROUP = re.compile(r"(?P<digits>(?:[0-9a-fA-F]{2}){1,32})(?![^\s|])(?P<blanks>\s*+)")
+_MORE = re.compile(r"(?:[0-9a-fA-F]{2,8}(?:\s{1,4}|$)){2,}|[0-9a-fA-F]{2,8}\s*(?:$|\s\S{1,16}\s*$)")
+_PAIR = re.compile(r"[0-9a-fA-F]{2}")
 _MOST_TEXT = 1 << 10
 _NUMBERS = re.compile(r"[\s\d-]+")
 _MOST_GROUPS = 64
-_NEAR = 8
 
 
 def without_columns(line: str, counts: Collection[int] = ()) -> str:
@@ -41,6 +43,32 @@ def without_columns(line: str, counts: Collection[int] = ()) -> str:
     else:
         offset = None
     return _without_text(line, start, has_offset=offset is not None)
+
+
+def repeated_rows(before: str, line: str, size: int, count: int) -> int | None:
+    """How many rows like the one before a `*` stands for.
+
+    Args:
+        before: The row in front of the `*`.
+        line: The row after it, or the offset alone that ends a dump.
+        size: How many bytes that row has.
+        count: How many bytes all rows have up to the `*`.
+
+    Returns:
+        The number of rows; None where the offsets do not tell it.
+    """
+    first, second = _ROW_OFFSET.match(before), _ROW_OFFSET.match(line)
+    if first is None or second is None or size == 0:
+        return None
+    for base in (16, 10, 8):
+        try:
+            begin, end = int(first["offset"], base), int(second["offset"], base)
+        except ValueError:
+            continue
+        missing = end - count
+        if 0 < begin == count - size and missing > 0 and missing % size == 0:
+            return missing // size
+    return None
 
 
 def _covered(line: str, offset: re.Match[str]) -> str:
@@ -76,7 +104,7 @@ def _numbers(digits: str) -> set[int]:
 
 def _without_text(line: str, start: int, *, has_offset: bool) -> str:
     """The line without the column of text."""
-    first = re.compile(r"[0-9a-fA-F]{2}").search(line, start)
+    first = _PAIR.search(line, start)
     if first is None:
         return line
     position = first.start()
@@ -99,11 +127,8 @@ def _without_text(line: str, start: int, *, has_offset: bool) -> str:
             return line[:position] + " " * len(text)
         if len(text) > _MOST_TEXT or _NUMBERS.fullmatch(text):
             continue
-        # As long as eight bytes have only one more blank after them, no wider gap may stand between bytes.
-        if has_offset and len(data) > 1 and len(group["digits"]) in (2, 4, 8):
-            if text[0] == "|" or not (len(group["blanks"]) == 2 and len(data) == _NEAR):
-                return line[:position] + " " * len(text)
-        elif has_offset and len(data) == 1 and len(group["blanks"]) > 4 * _NEAR:
+        # Wider gaps than one blank stand between groups of bytes, too; more bytes follow those.
+        if has_offset and (text[0] == "|" or _MORE.match(text) is None):
             return line[:position] + " " * len(text)
     return line
 

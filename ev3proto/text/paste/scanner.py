@@ -8,63 +8,28 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
-from ev3proto.schema.header import frame_size
+from ev3proto.schema.header import frame_size, is_frame_size
+from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.text.paste.blanking import (
     clean,
     without_indexes,
     without_marks,
     without_remarks,
 )
-from ev3proto.text.paste.columns import without_columns
-from ev3proto.text.paste.fitting import HASHES, Span, bare_reason, covered, frames_in, is_whole, reason
-from ev3proto.text.paste.head import Head, head_before
+from ev3proto.text.paste.columns import repeated_rows, without_columns
+from ev3proto.text.paste.fitting import HASHES, bare_reason, reason
+from ev3proto.text.paste.head import Direction, Head, head_before
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_TEXT, Pasted, short
-from ev3proto.text.paste.values import Run, Style, Value, character_cells, reading, readings, runs
+from ev3proto.text.paste.readings import Stretch, best_reading, boundaries, changes_in, stretches
+from ev3proto.text.paste.rhythm import rhythmic_runs
+from ev3proto.text.paste.values import Run, Style, Value, character_cells, readings, runs
 
 _MAY_HAVE = re.compile(r"[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
 # What `check` prints under a finding: the frame itself stands above it.
 _EXCERPT = re.compile(r"\s*\+\d+ \| ")
 _DIGITS = re.compile(r"[0-9]+|0x[0-9a-fA-F]+")
-
-
-@dataclass(slots=True)
-class Stretch:
-    """A part of a run that one reading gives bytes for.
-
-    data     the bytes
-    places   the value that each of them belongs to
-    name     the reading
-    """
-
-    name: str
-    data: bytes
-    places: list[int]
-
-
-@dataclass(slots=True)
-class Reading:
-    """A reading of a run and the frames that it gives."""
-
-    stretches: list[Stretch] = field(default_factory=list)
-    spans: list[tuple[Stretch, list[Span]]] = field(default_factory=list)
-
-    @property
-    def covered(self) -> int:
-        """How many bytes its frames have."""
-        return sum(covered(spans) for _, spans in self.spans)
-
-    @property
-    def worth(self) -> tuple[int, int]:
-        """By which of two readings the likelier one is known: bytes of frames with natural boundaries, and of all."""
-        natural = sum(span.end - span.start for _, spans in self.spans for span in spans if span.is_natural)
-        return natural, self.covered
-
-    @property
-    def is_whole(self) -> bool:
-        """Whether its frames are all there is."""
-        return len(self.spans) == 1 and is_whole(self.spans[0][0].data, self.spans[0][1])
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +46,9 @@ class Row:
 class Pending:
     """Rows that may go on in the next line.
 
-    data  their bytes by reading; a reading that does not fit a value is no more among them
+    data        their bytes by reading; a reading that does not fit a value is no more among them
+    has_gap     a `*` stands for rows like the one before it, as many as the next offset says
+    left_empty  empty lines since the last row
     """
 
     rows: list[Row]
@@ -91,6 +58,8 @@ class Pending:
     size: int
     in_comment: bool = False
     index: int = 0
+    has_gap: bool = False
+    left_empty: int = 0
 
     @property
     def is_array(self) -> bool:
@@ -99,114 +68,11 @@ class Pending:
 
     def is_complete(self) -> bool:
         """Whether some reading has as many bytes as its length field says."""
-        return any(len(data) >= 2 and frame_size(data) == len(data) for data in self.data.values())
-
-
-def stretches(run: Run, name: str) -> list[Stretch]:
-    """The parts of a run that a reading gives bytes for."""
-    found: list[Stretch] = []
-    data = bytearray()
-    places: list[int] = []
-    if name == "base64":
-        joined = replace_text(run.values[0], "".join(value.text for value in run.values))
-        content = reading(name, joined) or b""
-        return [Stretch(name, content, [min(at, len(run.values) - 1) for at in range(len(content))])]
-    for index, value in enumerate(run.values):
-        part = reading(name, value)
-        if part is None:
-            if data:
-                found.append(Stretch(name, bytes(data), places))
-            data, places = bytearray(), []
-            continue
-        data += part
-        places += [index] * len(part)
-    if data:
-        found.append(Stretch(name, bytes(data), places))
-    return found
-
-
-def replace_text(value: Value, text: str) -> Value:
-    """The value with another text."""
-    return replace(value, text=text)
-
-
-def boundaries(run: Run, stretch: Stretch) -> tuple[set[int], set[int], set[int]]:
-    """Where frames may naturally start and end in a stretch, and which of its bytes were not written."""
-    places, values, gaps = stretch.places, run.values, run.gaps
-    changes = _changes(run)
-    # Where a value has no bytes in this reading, the stretch has no natural boundary.
-    starts = {0} if places and (places[0] == 0 or places[0] in changes) else set[int]()
-    ends = {len(places)} if places and (places[-1] + 1 == len(values) or places[-1] + 1 in changes) else set[int]()
-    unknown = set[int]()
-    for offset, place in enumerate(places):
-        if values[place].style is Style.UNKNOWN:
-            unknown.add(offset)
-        is_line = gaps[place] == "\n" and not run.is_array
-        if offset and place != places[offset - 1] and (is_line or place in changes):
-            starts.add(offset)
-            ends.add(offset)
-    if stretch.name in ("string", "decimal string") and run.values[0].text[:1] not in ("\\", ""):
-        starts.add(1)
-    if stretch.name in ("words", "octal words"):
-        # A dump in words has an even number of bytes.
-        ends.add(len(places) - 1)
-    return starts, ends, unknown
-
-
-def _changes(run: Run) -> frozenset[int]:
-    """The values in front of which the way of separating or writing values changes."""
-    if run.changes is None:
-        run.changes = frozenset(_found_changes(run))
-    return run.changes
-
-
-def _found_changes(run: Run) -> set[int]:
-    values, gaps = run.values, run.gaps
-    found: set[int] = set()
-    for place in range(1, len(values)):
-        gap = gaps[place]
-        before = gaps[place - 1] if place > 1 else None
-        after = gaps[place + 1] if place + 1 < len(gaps) else None
-        kinds = (values[place - 1].style, values[place].style)
-        if place > 1 and gaps[place - 2] == gap and before == after:
-            # Gaps that take turns, as between keys and values, are no change.
-            continue
-        if before is None:
-            is_change = after is not None and after != gap
-        else:
-            # After a single gap of another kind it goes on as before.
-            is_back = place - 1 in found and (gap == gaps[place - 2] if place > 2 else gap == after)
-            is_change = gap != before and not is_back
-        if "\n" in (gap, before) and run.is_array:
-            continue
-        widths = sorted((len(values[place - 1].text), len(values[place].text)))
-        is_change = is_change or (kinds == (Style.BARE, Style.BARE) and widths[0] < LEAST <= widths[1] // 2)
-        if is_change or (kinds[0] is not kinds[1] and Style.UNKNOWN not in kinds):
-            found.add(place)
-    return found
-
-
-def best_reading(run: Run) -> tuple[Reading, list[Reading]]:
-    """The reading of a run whose frames have the most bytes, and all that were tried."""
-    tried: list[Reading] = []
-    best: Reading | None = None
-    for name in readings(run):
-        one = Reading(stretches(run, name))
-        for stretch in one.stretches:
-            spans = frames_in(
-                stretch.data, *boundaries(run, stretch), is_hid=name != "base64" and stretch.data[:1] == b"\0"
-            )
-            if name == "base64" and not is_whole(stretch.data, spans):
-                spans = []
-            if spans:
-                one.spans.append((stretch, spans))
-        tried.append(one)
-        if one.is_whole:
-            return one, tried
-        if best is None or one.worth > best.worth:
-            best = one
-    assert best is not None
-    return best, tried
+        begun = [data for data in self.data.values() if len(data) >= LEAST and is_frame_size(frame_size(data))]
+        if any(frame_size(data) == len(data) for data in begun):
+            return True
+        # Zeros after a frame are padding, unless another reading takes them for a part of its frame.
+        return bool(begun) and all(_ends_within(data, 0) for data in begun)
 
 
 class Scanner:
@@ -254,8 +120,12 @@ class Scanner:
             stripped = list(self._frames(line, number, [row.run]))
             if any(piece.data for piece in stripped):
                 found = stripped
+        if not any(piece.data for piece in found):
+            found = self._rhythmic(line, number, whole) or found
         if any(piece.data for piece in found):
             yield from found
+        elif row.run is not None and _is_heading(row.run):
+            yield Row(number, line, None)
         elif row.run is not None and row.run.is_tail and self._may_go_on(row.run):
             depth = row.run.depth + self._was_opened
             is_opened = row.run.opened > 0 or self._was_opened
@@ -263,6 +133,13 @@ class Scanner:
             self._take(row.run)
         else:
             yield Row(number, line, None, found[0] if found else None)
+
+    def _rhythmic(self, line: str, number: int, whole: str) -> list[Pasted]:
+        """The frame in a line whose values have the same words between them."""
+        for run in rhythmic_runs(whole):
+            if best_reading(run)[0].is_whole:
+                return list(self._pieces([Row(number, line, run)], run))
+        return []
 
     def close(self) -> Iterator[Pasted | Row]:
         """Ends what was kept."""
@@ -318,6 +195,9 @@ class Scanner:
         if not found and not bare.strip():
             return Row(number, line, None), index, in_comment
         run = _without_prefix(found[-1], bare) if found else None
+        if run is not None and not run.is_head and run.opened > 0 >= run.depth and len(run.values) < LEAST:
+            # The brackets of a call that has one part of the bytes, as in `data.Add(0x0F);`.
+            run = replace(run, opened=0, depth=0)
         return Row(number, line, run), index, in_comment
 
     def _counts(self) -> set[int]:
@@ -357,11 +237,20 @@ class Scanner:
         assert pending is not None
         last = next(row for row in reversed(pending.rows) if row.run is not None)
         assert last.run is not None
+        if line.strip() == "*" and not pending.has_gap:
+            pending.has_gap = True
+            pending.rows.append(Row(number, line, None))
+            return True
+        if pending.has_gap and not self._filled(last, line):
+            return False
         whole = clean(line)
         row, index, in_comment = self._row(line, number, whole, pending.index, is_inside=pending.in_comment)
         if row.run is None:
-            # Only a list with commas goes on after a comment or an empty line.
-            if not pending.in_comment and not last.run.has_comma:
+            # Only a list with commas goes on after a comment, and after more than some empty lines.
+            pending.left_empty += 1
+            has_begun = any(len(data) >= LEAST for data in pending.data.values())
+            is_empty = has_begun and not whole.strip() and pending.left_empty <= _MOST_EMPTY
+            if not pending.in_comment and not last.run.has_comma and not is_empty:
                 return False
             bare = without_remarks(without_marks(whole), is_inside=pending.in_comment)[0]
             if bare.strip():
@@ -375,9 +264,26 @@ class Scanner:
         pending.rows.append(row)
         pending.in_comment, pending.index = in_comment, index
         if row.run is not None:
+            pending.left_empty = 0
             self._take(row.run)
             pending.depth += row.run.depth
         return True
+
+    def _filled(self, last: Row, line: str) -> bool:
+        """Puts the rows in that a `*` stands for; tells whether the offset in the line says how many they are."""
+        pending = self._pending
+        assert pending is not None
+        assert last.run is not None
+        pending.has_gap = False
+        for name, data in pending.data.items():
+            size = sum(len(stretch.data) for stretch in stretches(last.run, name))
+            count = repeated_rows(last.line, line, size, len(data))
+            if count is not None and len(data) + count * size <= MAX_FRAME + size:
+                pending.rows += [last] * count
+                for _ in range(count):
+                    self._take(last.run)
+                return True
+        return False
 
     def _follows(self, last: Row, row: Row) -> bool:
         """Whether a row is written as the one before it, and goes on where that ended."""
@@ -396,12 +302,12 @@ class Scanner:
         """Whether a row is a frame of its own, which does not end the frame in front of it."""
         pending = self._pending
         assert pending is not None
-        own = best_reading(run)[0]
-        if not own.is_whole:
+        if not best_reading(run)[0].is_natural:
             return False
         for name, data in pending.data.items():
             part = b"".join(stretch.data for stretch in stretches(run, name))
-            if len(data) >= 2 and frame_size(data) == len(data) + len(part):
+            is_exact = len(data) >= 2 and frame_size(data) == len(data) + len(part)
+            if is_exact or (len(data) >= LEAST and _ends_within(data + part, len(data))):
                 return False
         return True
 
@@ -428,12 +334,15 @@ class Scanner:
     def _frames(self, line: str, number: int, found: list[Run]) -> Iterator[Pasted]:
         """The frames in the runs of a line, and what looks like one."""
         position = 0
+        seen: set[tuple[bytes, Direction | None]] = set()
         for run in found:
             if run.most_bytes < LEAST:
                 continue
             row = Row(number, line, run)
             pieces = list(self._pieces([row], run, position))
-            yield from pieces
+            # A line that shows the same frame in several notations has it once.
+            yield from (piece for piece in pieces if (piece.data, piece.direction) not in seen)
+            seen.update((piece.data, piece.direction) for piece in pieces)
             if any(piece.data for piece in pieces):
                 position = run.end
                 continue
@@ -513,7 +422,7 @@ class Scanner:
     def _why(self, run: Run, stretch: Stretch, start: int) -> str | None:
         """Why the bytes from there on look like a frame: up to where the way of writing changes."""
         places = stretch.places
-        changes = _changes(run)
+        changes = changes_in(run)
         end = start + 1
         while end < len(places) and (places[end] == places[end - 1] or places[end] not in changes):
             end += 1
@@ -529,6 +438,8 @@ class Scanner:
 
 
 _MOST_STARTS = 8
+_MOST_EMPTY = 3
+_HEADING = [*"01234567"]
 _MOST_SHOWN = 20
 _MOST_PREFIX = 3
 _PREFIX_ENDS = re.compile(r"(?:[)\]>]+:?|:)\s+")
@@ -550,6 +461,18 @@ def _without_prefix(run: Run, line: str) -> Run:
                 depth=depth,
             )
     return run
+
+
+def _is_heading(run: Run) -> bool:
+    """Whether the values number the columns of a dump."""
+    digits = [value.text for value in run.values[: len(_HEADING)] if value.style is Style.BARE]
+    return [text.lstrip("0") or "0" for text in digits] == _HEADING
+
+
+def _ends_within(data: bytes | bytearray, start: int) -> bool:
+    """Whether the frame that begins the data ends after that offset, with nothing but zeros after it."""
+    end = frame_size(data)
+    return is_frame_size(end) and start < end <= len(data) and not any(data[end:])
 
 
 def _styles(run: Run) -> set[Style]:

@@ -12,7 +12,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from ev3proto.text.paste.blanking import OTHER
+from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.text.paste.blanking import OTHER, blank
 from ev3proto.text.paste.constants import constant_bytes
 from ev3proto.text.paste.literals import literal
 
@@ -108,11 +109,13 @@ _PREFIXES = r"(?:&[hH]|\#?\$|\#?[xX](?=[0-9a-fA-F])|\#|16r|16\#|\\?0[xX]|['][hH]
 _TOKEN = re.compile(
     rf"""
       (?P<lesson>0[xX]\|)
+    | (?P<sized>(?<!\w)\d{{1,2}}'[hH](?P<digit>[{_HEX}]{{1,2}})(?!\w))
     | (?P<quote>(?<![\w\\])(?P<prefix>(?:b|B|rb|br|u8|u|U|L|@|\$|c)?)(?P<mark>["'`]))
     | (?P<binary>(?<![\w.])(?:0[bB]|\#b|%)(?P<bits>[01](?:_?[01]){{1,8}})(?!\w))
-    | (?P<long>(?<![\w.])0[xX](?P<glued>(?:[{_HEX}]{{2}}){{2,}})(?![\w]))
-    | (?P<marked>(?<![\w.$])(?:&[hH]|\#?\$|\#[xX]|\#(?=[{_HEX}]{{2}}(?!\w))|16r|16\#|\\?0[xX]|'[hH]|[xXH](?='))
-        '?(?P<hex>[{_HEX}]{{1,2}}|[fF]{{6}}[{_HEX}]{{2}})['\#]?
+    | (?P<long>(?<![\w.])(?:0[xX]|(?<!\\)\\x(?=[{_HEX}]{{10}}))(?P<glued>(?:[{_HEX}]{{2}}){{2,}})(?![\w\\]))
+    | (?P<numbered>(?<![.$&\#])\#(?P<sharp>[{_HEX}]{{2}}|\d{{1,3}})(?!\w))
+    | (?P<marked>(?<![\w.$])(?:&[hH]|\#?\$|\#[xX]|16r|16\#|\\?0[xX]|'[hH]|[xXH](?=["']))
+        ["']?(?P<hex>[{_HEX}]{{1,2}}|[fF]{{6}}[{_HEX}]{{2}})["'\#]?
         (?:_?(?:u8|i8|u32|i32|usize|uy|y|UL|ul|u|U|L|l))?&?(?!\w))
     | (?P<suffixed>(?<![\w.])(?P<digits>0?[{_HEX}]{{2}}|\d)[hH](?!\w))
     | (?P<percent>%(?P<code>[{_HEX}]{{2}}))
@@ -121,7 +124,7 @@ _TOKEN = re.compile(
     | (?P<joined>(?<![\w.])[{_HEX}]{{2}}(?:[_.][{_HEX}]{{2}}){{4,}}(?![\w]))
     | (?P<base64>(?<![\w+/=.-])(?=[\w+/-]*[G-Zg-z+/])(?=[\w+/-]*[A-Z])[A-Za-z0-9+/_-]{{8,}}+={{0,2}}+(?![\w+/=.]))
     | (?P<negative>(?<![\w)\]<>=-])[-\u2212](?P<number>\d{{1,3}})(?![\w.]))
-    | (?P<typed>(?<![\w.])(?P<decimal>\d{{1,3}})_?(?:u8|i8|uy|u|U|UL|L)(?!\w))
+    | (?P<typed>(?<![\w.])(?P<decimal>\d{{1,3}})['_]?(?:u8|i8|uy|u|U|UL|L)(?!\w))
     | (?P<bare>(?<![\w.])[{_HEX}]+(?!\w)(?!\.\d))
     | (?P<escapes>\\(?:x\{{?[{_HEX}]{{1,2}}|u00[{_HEX}]{{2}}|[0-3][0-7]{{2}}))
     | (?P<word>[^\W\d]\w*+)
@@ -133,9 +136,10 @@ _UNQUOTED = re.compile(
     rf"(?:\\(?:[xX]\{{?[{_HEX}]{{1,2}}\}}?|u00[{_HEX}]{{2}}|\d{{1,3}}|[abtnvfre\\\"' #])|[!#-&(-\[\]-~])*+"
 )
 _GAP = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013_-]*+")
-_JOINER = re.compile(r"[\s+&()\\]*+|\s*\.\.?\s*")
+_JOINER = re.compile(r"[\s+&()\\]*+|\s*\.\.?\s*|\s*,\s*")
 _HEAD = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}*=\u2013_-]*+")
 _TAIL = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013._!?$-]*+(?:[uU]?8?[;\s]*)$")
+_REPEATS = re.compile(r"\s*<repeats (?P<count>[1-9]\d{0,5}) times>")
 _ELLIPSIS = re.compile(r"[\s,;:|\"'-]*+(?:\.{3}|\u2026)")
 _HEX_ONLY = re.compile(rf"[\s,:{_HEX}-]*")
 _NAMED = re.compile(r"(?P<name>[A-Za-z_]\w*)(?P<call>\s?\([^()]{0,80}\))?")
@@ -143,6 +147,7 @@ _AFTER_WORD = re.compile(r"\s*(?:[(,}\])]|$)")
 _AFTER_NAME = re.compile(r"\s*(?:[,}\])]|$)")
 _BEFORE_NAME = re.compile(r"(?:[,{(\[]|^)\s*$")
 _MOST_GAP = 160
+_MOST_REPEATS = 4 * MAX_FRAME
 
 
 def runs(line: str, *, is_text: bool = False) -> list[Run]:
@@ -154,12 +159,15 @@ def runs(line: str, *, is_text: bool = False) -> list[Run]:
     """
     found: list[Run] = []
     last = 0
-    for value in values(line, is_text=is_text):
+    room = _MOST_REPEATS
+    plain = blank(line, _REPEATS) if "<repeats" in line else line
+    for value in values(plain, is_text=is_text):
         gap = line[last : value.start]
         previous = found[-1] if found else None
         if previous is not None and _joins(previous.values[-1], value, gap):
             previous.values.append(value)
             previous.gaps.append(_gap_class(gap))
+            run = previous
         else:
             before = line[:0] if previous is None and _HEAD.fullmatch(gap) is None else gap
             is_head = previous is None and _HEAD.fullmatch(line, 0, value.start) is not None
@@ -167,6 +175,13 @@ def runs(line: str, *, is_text: bool = False) -> list[Run]:
             run.opened = _opening(before if before else gap)
             found.append(run)
         last = value.end
+        repeated = None if plain is line else _REPEATS.match(line, last)
+        if repeated is not None:
+            last = repeated.end()
+            count = min(int(repeated["count"]) - 1, room)
+            room -= count
+            run.values += [value] * count
+            run.gaps += [run.gaps[-1] or ","] * count
     for index, run in enumerate(found):
         following = found[index + 1].start if index + 1 < len(found) else len(line)
         run.is_tail = index + 1 == len(found) and _TAIL.match(line, run.end) is not None
@@ -267,6 +282,10 @@ def values(line: str, *, is_text: bool = False) -> Iterator[Value]:
             case "marked":
                 number = int(token["hex"], 16) & 0xFF
                 yield Value(start, position, Style.MARKED, token["hex"], bytes((number,)))
+            case "sized":
+                yield Value(start, position, Style.MARKED, token["digit"], bytes((int(token["digit"], 16),)))
+            case "numbered":
+                yield Value(start, position, Style.BARE, token["sharp"])
             case "suffixed":
                 number = int(token["digits"], 16)
                 if number <= 255:
@@ -385,7 +404,10 @@ def reading(name: str, value: Value) -> bytes | None:
             number = int(text, 16) if len(text) <= 8 else 256
             return bytes((number & 0xFF,)) if number <= 255 or number >= 0xFFFFFF80 else None
         case "words":
-            return bytes.fromhex(text)[::-1] if len(text) in (4, 8) else None
+            return bytes.fromhex(text)[::-1] if len(text) in (2, 4, 6, 8) else None
+        case "decimal words":
+            number = int(text) if len(text) == 5 and text.isdecimal() else 1 << 16
+            return number.to_bytes(2, "little") if number < 1 << 16 else None
         case "octal words":
             number = int(text, 8) if len(text) == 6 and set(text) <= _OCTAL else 1 << 16
             return number.to_bytes(2, "little") if number < 1 << 16 else None
@@ -429,6 +451,8 @@ def readings(run: Run) -> list[str]:
         found += ["number", "bits"]
     if 4 in widths or 8 in widths:
         found.append("words")
+    if 5 in widths:
+        found.append("decimal words")
     if 6 in widths:
         found.append("octal words")
     return found

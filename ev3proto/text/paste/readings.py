@@ -1,0 +1,155 @@
+"""What a run of values may stand for: its bytes in each reading, and the frames in them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from ev3proto.text.paste.fitting import Span, covered, frames_in, is_whole
+from ev3proto.text.paste.pieces import LEAST
+from ev3proto.text.paste.values import Run, Style, reading, readings
+
+
+@dataclass(slots=True)
+class Stretch:
+    """A part of a run that one reading gives bytes for.
+
+    data     the bytes
+    places   the value that each of them belongs to
+    name     the reading
+    """
+
+    name: str
+    data: bytes
+    places: list[int]
+
+
+@dataclass(slots=True)
+class Reading:
+    """A reading of a run and the frames that it gives."""
+
+    stretches: list[Stretch] = field(default_factory=list)
+    spans: list[tuple[Stretch, list[Span]]] = field(default_factory=list)
+
+    @property
+    def covered(self) -> int:
+        """How many bytes its frames have."""
+        return sum(covered(spans) for _, spans in self.spans)
+
+    @property
+    def worth(self) -> tuple[int, int]:
+        """By which of two readings the likelier one is known: bytes of frames with natural boundaries, and of all."""
+        natural = sum(span.end - span.start for _, spans in self.spans for span in spans if span.is_natural)
+        return natural, self.covered
+
+    @property
+    def is_natural(self) -> bool:
+        """Whether it has frames, all from one natural boundary to another."""
+        return bool(self.spans) and all(span.is_natural for _, spans in self.spans for span in spans)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether its frames are all there is."""
+        return len(self.spans) == 1 and is_whole(self.spans[0][0].data, self.spans[0][1])
+
+
+def stretches(run: Run, name: str) -> list[Stretch]:
+    """The parts of a run that a reading gives bytes for."""
+    found: list[Stretch] = []
+    data = bytearray()
+    places: list[int] = []
+    if name == "base64":
+        joined = replace(run.values[0], text="".join(value.text for value in run.values))
+        content = reading(name, joined) or b""
+        return [Stretch(name, content, [min(at, len(run.values) - 1) for at in range(len(content))])]
+    for index, value in enumerate(run.values):
+        part = reading(name, value)
+        if part is None:
+            if data:
+                found.append(Stretch(name, bytes(data), places))
+            data, places = bytearray(), []
+            continue
+        data += part
+        places += [index] * len(part)
+    if data:
+        found.append(Stretch(name, bytes(data), places))
+    return found
+
+
+def boundaries(run: Run, stretch: Stretch) -> tuple[set[int], set[int], set[int]]:
+    """Where frames may naturally start and end in a stretch, and which of its bytes were not written."""
+    places, values, gaps = stretch.places, run.values, run.gaps
+    changes = changes_in(run)
+    # Where a value has no bytes in this reading, the stretch has no natural boundary.
+    starts = {0} if places and (places[0] == 0 or places[0] in changes) else set[int]()
+    ends = {len(places)} if places and (places[-1] + 1 == len(values) or places[-1] + 1 in changes) else set[int]()
+    unknown = set[int]()
+    for offset, place in enumerate(places):
+        if values[place].style is Style.UNKNOWN:
+            unknown.add(offset)
+        is_line = gaps[place] == "\n" and not run.is_array
+        is_listed = run.is_text and gaps[place] == ","
+        if offset and place != places[offset - 1] and (is_line or is_listed or place in changes):
+            starts.add(offset)
+            ends.add(offset)
+    if stretch.name in ("string", "decimal string") and run.values[0].text[:1] not in ("\\", ""):
+        starts.add(1)
+    if stretch.name in ("words", "octal words", "decimal words"):
+        # A dump in words has an even number of bytes.
+        ends.add(len(places) - 1)
+    return starts, ends, unknown
+
+
+def changes_in(run: Run) -> frozenset[int]:
+    """The values in front of which the way of separating or writing values changes."""
+    if run.changes is None:
+        run.changes = frozenset(_found_changes(run))
+    return run.changes
+
+
+def _found_changes(run: Run) -> set[int]:
+    values, gaps = run.values, run.gaps
+    found: set[int] = set()
+    for place in range(1, len(values)):
+        gap = gaps[place]
+        before = gaps[place - 1] if place > 1 else None
+        after = gaps[place + 1] if place + 1 < len(gaps) else None
+        kinds = (values[place - 1].style, values[place].style)
+        if place > 1 and gaps[place - 2] == gap and before == after:
+            # Gaps that take turns, as between keys and values, are no change.
+            continue
+        if before is None:
+            is_change = after is not None and after != gap
+        else:
+            # After a single gap of another kind it goes on as before.
+            is_back = place - 1 in found and (gap == gaps[place - 2] if place > 2 else gap == after)
+            is_change = gap != before and not is_back
+        if "\n" in (gap, before) and run.is_array:
+            continue
+        widths = sorted((len(values[place - 1].text), len(values[place].text)))
+        is_change = is_change or (kinds == (Style.BARE, Style.BARE) and widths[0] < LEAST <= widths[1] // 2)
+        if is_change or (kinds[0] is not kinds[1] and Style.UNKNOWN not in kinds):
+            found.add(place)
+    return found
+
+
+def best_reading(run: Run) -> tuple[Reading, list[Reading]]:
+    """The reading of a run whose frames have the most bytes, and all that were tried."""
+    tried: list[Reading] = []
+    best: Reading | None = None
+    for name in readings(run):
+        one = Reading(stretches(run, name))
+        for stretch in one.stretches:
+            starts, ends, unknown = boundaries(run, stretch)
+            is_hid = name != "base64" and 0 in starts and stretch.data[:1] == b"\0"
+            spans = frames_in(stretch.data, starts, ends, unknown, is_hid=is_hid)
+            if name == "base64" and not is_whole(stretch.data, spans):
+                spans = []
+            if spans:
+                one.spans.append((stretch, spans))
+        tried.append(one)
+        if one.is_whole:
+            return one, tried
+        if best is None or one.worth > best.worth:
+            best = one
+    assert best is not None
+    return best, tried

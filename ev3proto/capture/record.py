@@ -293,4 +293,5 @@ def utc(time_ns: int) -> str:
         moment = datetime.fromtimestamp(seconds, UTC)
     except (OverflowError, ValueError, OSError):
         return f"{seconds}.{digits}"  # a damaged file can have times that no calendar has
-    return f"{moment:%Y-%m-%dT%H:%M:%S}.{digits[:6] if digits.endswith('000') else digits}Z"
+    day_and_time = moment.isoformat()[: len("2024-01-31T09:12:31")]
+    return f"{day_and_time}.{digits[:6] if digits.endswith('000') else digits}Z"

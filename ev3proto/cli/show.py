@@ -67,7 +67,7 @@ class Show:
         """A frame of a capture that began then."""
         if self._style == "json":
             self._count()
-            seen = Seen(direction=record.direction)
+            seen = Seen(direction=record.direction, frame=record.frame)
             self._printer.text(json_record_text(record.exchange, seen, _of_capture(record)))
             return
         answers = None if record.request is None else record.request.number
@@ -144,6 +144,7 @@ def _seen(event: Record | Announcement, start_ns: int, answers: int | None = Non
         place=f"{event.route.carrier} {event.route.peer}",
         answers=answers,
         latency=event.latency if isinstance(event, Record) else None,
+        frame=event.frame if isinstance(event, Record) else None,
     )
 
 
@@ -164,7 +165,7 @@ def _place(event: Record | Announcement) -> dict[str, Any]:
 
 
 def _json(record: Record) -> dict[str, Any]:
-    return json_record(record.exchange, Seen(direction=record.direction)) | _of_capture(record)
+    return json_record(record.exchange, Seen(direction=record.direction, frame=record.frame)) | _of_capture(record)
 
 
 def _of_capture(record: Record) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from ev3proto.dialogue import Exchange
 from ev3proto.errors import counted
@@ -10,8 +10,7 @@ from ev3proto.messages import DaisyCommand, DaisyReply, DirectReply, SystemComma
 from ev3proto.text.spans import Line, Role
 
 
-@dataclass(frozen=True, slots=True)
-class Seen:
+class Seen(NamedTuple):
     """How a message was come by.
 
     direction  `sent` or `received`, as the computer sees it
@@ -21,6 +20,7 @@ class Seen:
     place      carrier and brick
     answers    for a reply: the packet of the command that it answers
     latency    for a reply: seconds since then
+    frame      the message's bytes where they are at hand, which saves building them
     """
 
     direction: str | None = None
@@ -30,6 +30,7 @@ class Seen:
     place: str | None = None
     answers: int | None = None
     latency: float | None = None
+    frame: bytes | None = None
 
 
 def origin(seen: Seen) -> Line:
@@ -50,7 +51,7 @@ def heading(exchange: Exchange, seen: Seen) -> Line:
     """`09:12:31.011558 sent DIRECT_COMMAND_REPLY, counter 42, 16 bytes`, and for replies what they answer and how."""
     message = exchange.message
     line = origin(seen)
-    size = len(message.build())
+    size = len(message.build() if seen.frame is None else seen.frame)
     if message.type is None:
         line.append((f"no EV3 message, {counted(size, 'byte')}", Role.HEADING))
     else:

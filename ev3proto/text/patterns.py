@@ -1,7 +1,7 @@
-"""How the texts of arguments look around their numbers, kept: operations in a long capture are like one another.
+"""How the texts of arguments look around their values, kept: operations in a long capture are like one another.
 
-A text whose argument is a number is put together from what stood before and after the number the last time. Trees and
-JSON take half the time that way.
+The text of an argument is put together from what stood before and after its value the last time. Trees and JSON take
+half the time that way.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from ev3proto.schema.argument import SHORT
 from ev3proto.tables.declaration import LISTS, Declaration, Parameter
 
 Around = tuple[str, str]
-"""What stands before and after a number."""
+"""What stands before and after a value."""
 
 _MOST_KEPT = 1024
 """Numbers with a meaning of their own, of one parameter, that are kept."""
@@ -22,7 +22,7 @@ _MOST_KEPT = 1024
 class Pattern(dict[object, Around]):
     """How the texts of one argument of an operation look, by its encoding, and by its value where that has a meaning.
 
-    split     makes a text, in two parts around the number
+    split     makes a text, in two parts around the value
     by_value  some numbers have names or meanings, which are said, too
     """
 
@@ -33,14 +33,17 @@ class Pattern(dict[object, Around]):
         self.by_value = parameter.enum is not None or bool(parameter.special)
         self._split = split
 
-    def learn(self, argument: Argument) -> Around:
-        """Makes the text of an argument whose value is a whole number, and keeps what stands around that."""
-        if len(self) >= _MOST_KEPT:
-            self.clear()
+    def around(self, argument: Argument) -> Around:
+        """What stands before and after the value of an argument, made where it is not known yet."""
         _, form, value, _, _ = argument
-        # There is one object for each encoding, so its id tells it; to hash one takes long.
-        around = self[(id(form), value) if self.by_value else id(form)] = self._split(argument)
-        return around
+        # There is one object for each encoding, so its id tells it; to hash one takes long. Only numbers have meanings.
+        key = (id(form), value) if self.by_value and type(value) is not str else id(form)
+        found = self.get(key)
+        if found is None:
+            if len(self) >= _MOST_KEPT:
+                self.clear()
+            found = self[key] = self._split(argument)
+        return found
 
 
 def has_pattern(declaration: Declaration) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import struct
+from collections.abc import Callable
 from functools import cache
 
 from ev3proto.dialogue import Value, ValueType
@@ -19,11 +20,12 @@ def short_float(value: float) -> str:
     """A single-precision float in as few digits as tell it from its neighbours: `7.92`, not `7.920000076293945`."""
     if not math.isfinite(value):
         return str(value)
+    single = _SINGLE.pack(value)
     # Six digits always come through a single and back, so fewer need not be tried: zeros at the end are left off.
     for digits in range(6, 10):
         text = f"{value:.{digits}g}"
         try:
-            if _SINGLE.pack(float(text)) == _SINGLE.pack(value):
+            if _SINGLE.pack(float(text)) == single:
                 break
         except OverflowError:
             continue
@@ -31,9 +33,8 @@ def short_float(value: float) -> str:
     return repr(int(number)) + ".0" if number.is_integer() and abs(number) < 1e7 else repr(number)
 
 
-def quoted(text: str) -> str:
-    """A text in double quotes, control characters escaped, letters of every language as they are."""
-    return json.dumps(text, ensure_ascii=False)
+quoted: Callable[[str], str] = json.JSONEncoder(ensure_ascii=False).encode
+"""A text in double quotes, control characters escaped, letters of every language as they are."""
 
 
 def spaced_hex(data: bytes) -> str:

@@ -33,7 +33,10 @@ from ev3proto.text.spans import Line, Role, plain_text
 
 _MOST_REST = 32
 
-_OFFSETS = tuple(f"  {offset:4}    " for offset in range(MAX_FRAME))
+_OFFSETS = tuple(f"  {offset:4}  " for offset in range(MAX_FRAME))
+"""What the line of an operation starts with, by its offset."""
+
+_INDENTED = tuple(f"{text}  " for text in _OFFSETS)
 """What the line of an argument starts with, by its offset."""
 
 
@@ -74,14 +77,13 @@ def _add_texts(operation: Operation, texts: list[str]) -> None:
     if usual is None or not is_usual(operation):
         texts += [plain_text(line) for line in operation_lines(operation)]
         return
-    texts.append(f"  {operation.offset:4}  {usual.title}")
+    offset = operation.offset
+    texts.append(f"{_OFFSETS[offset]}{usual.title}")
     for argument, pattern in zip(operation.arguments, usual.patterns, strict=True):
         _, form, value, offset, _ = argument
-        if type(value) is int:
-            before, after = pattern.get((id(form), value) if pattern.by_value else id(form)) or pattern.learn(argument)
-            texts.append(f"{_OFFSETS[offset]}{before}{value}{after}")
-        else:
-            texts.append(plain_text(_argument(argument, usual.width)))
+        key = (id(form), value) if pattern.by_value else id(form)
+        before, after = pattern.get(key) or pattern.around(argument)
+        texts.append(f"{_INDENTED[offset]}{before}{value if type(value) is int else plain(value)}{after}")
 
 
 class _Usual(NamedTuple):
@@ -132,7 +134,7 @@ def operation_lines(operation: Operation) -> Iterator[Line]:
 def _argument(argument: Argument, width: int) -> Line:
     parameter, _, _, offset, _ = argument
     line: Line = [
-        (_OFFSETS[offset] if offset < MAX_FRAME else f"  {offset}    ", Role.ASIDE),
+        (_INDENTED[offset] if offset < MAX_FRAME else f"  {offset}    ", Role.ASIDE),
         (parameter.name.ljust(width), Role.NAME),
         (" = ", Role.PLAIN),
         (argument_value(argument), Role.VALUE),

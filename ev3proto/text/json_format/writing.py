@@ -22,7 +22,8 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
-from ev3proto.tables.encoding import Encoding
+from ev3proto.tables.encoding import TEXT, Encoding
+from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.heading import Seen
 from ev3proto.text.patterns import Around, Pattern, has_pattern, is_usual
 
@@ -42,10 +43,14 @@ def _operations(message: Message) -> tuple[Operation, ...]:
 
 def _record(exchange: Exchange, seen: Seen, operations: list[dict[str, Any]]) -> dict[str, Any]:
     message = exchange.message
+    frame = message.build() if seen.frame is None else seen.frame
     entry: dict[str, Any] = {"kind": message.kind}
     if message.type is not None:
         entry["type"] = message.type.name
-    entry["length"] = message.length if message.fault is None or message.type is not None else None
+    if message.stated_length is not None:
+        entry["length"] = message.stated_length
+    elif message.fault is None or message.type is not None:
+        entry["length"] = len(frame) - LENGTH_FIELD
     entry["counter"] = message.counter if message.type is not None else None
     if seen.direction is not None:
         entry["direction"] = seen.direction
@@ -60,7 +65,7 @@ def _record(exchange: Exchange, seen: Seen, operations: list[dict[str, Any]]) ->
         entry["cut"] = True
     if message.rest:
         entry["rest"] = message.rest.hex()
-    entry["hex"] = message.build().hex()
+    entry["hex"] = frame.hex()
     return {key: value for key, value in entry.items() if value is not None or key in ("command",)}
 
 
@@ -97,11 +102,14 @@ def _operation_text(operation: Operation) -> str:
     texts = []
     for argument, pattern in zip(operation.arguments, usual[1], strict=True):
         _, form, value, offset, _ = argument
+        key = (id(form), value) if pattern.by_value else id(form)
+        before, after = pattern.get(key) or pattern.around(argument)
         if type(value) is int:
-            before, after = pattern.get((id(form), value) if pattern.by_value else id(form)) or pattern.learn(argument)
             texts.append(f'{before}{value}, "offset": {offset}{after}')
+        elif type(value) is str:
+            texts.append(f'{before}{_encode(value)}, "offset": {offset}, "length": {argument.length}{after}')
         else:
-            texts.append(_encode(_argument(argument)))
+            texts.append(f'{before}{_encode(_plain(value))}, "offset": {offset}{after}')
     return f'{usual[0]}{operation.offset}, "length": {operation.length}, "args": [{", ".join(texts)}]}}'
 
 
@@ -118,15 +126,21 @@ def _usual(schema: OperationReader) -> tuple[str, tuple[Pattern, ...]] | None:
 
 
 def _split(argument: Argument) -> Around:
+    if argument.form.kind == TEXT:
+        return _around(argument.name, argument.form, None)
     before, after = _around(argument.name, argument.form, argument.length)
     symbol = argument.symbol
     return before, after if symbol is None else f'{after[:-1]}, "symbol": {_encode(symbol)}}}'
 
 
 @cache
-def _around(name: str, form: Encoding, length: int) -> Around:
-    """What stands before the value of an argument and after its offset, where its value has no name."""
-    before, _, after = _encode(_named(name, form, 0, 0, length)).partition('0, "offset": 0')
+def _around(name: str, form: Encoding, length: int | None) -> Around:
+    """What stands before the value of an argument and after its offset, where its value has no name.
+
+    The length of a text is no part of it: texts of the same encoding have different ones.
+    """
+    entry = _encode(_named(name, form, 0, 0, length or 0))
+    before, _, after = entry.partition('0, "offset": 0' if length is not None else '0, "offset": 0, "length": 0')
     return before, after
 
 

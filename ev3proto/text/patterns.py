@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ev3proto.messages import Argument, Operation
+from ev3proto.messages import Argument, ArgumentValue, Operation
 from ev3proto.schema.argument import SHORT
 from ev3proto.tables.declaration import LISTS, Declaration, Parameter
 
@@ -22,22 +22,25 @@ _MOST_KEPT = 1024
 class Pattern(dict[object, Around]):
     """How the texts of one argument of an operation look, by its encoding, and by its value where that has a meaning.
 
-    split     makes a text, in two parts around the value
-    by_value  some numbers have names or meanings, which are said, too
+    split  makes a text, in two parts around the value
+    named  numbers that have names or meanings, which are said, too; None where any number may have one
     """
 
-    __slots__ = ("_split", "by_value")
+    __slots__ = ("_split", "named")
 
     def __init__(self, parameter: Parameter, split: Callable[[Argument], Around]) -> None:
         super().__init__()
-        self.by_value = parameter.enum is not None or bool(parameter.special)
+        enum = parameter.enum
+        self.named: frozenset[ArgumentValue] | None = frozenset(parameter.special or ())
+        if enum is not None:
+            self.named = None if enum.flags else self.named | frozenset(enum.members.values())
         self._split = split
 
     def around(self, argument: Argument) -> Around:
         """What stands before and after the value of an argument, made where it is not known yet."""
         _, form, value, _, _ = argument
-        # There is one object for each encoding, so its id tells it; to hash one takes long. Only numbers have meanings.
-        key = (id(form), value) if self.by_value and type(value) is not str else id(form)
+        # There is one object for each encoding, so its id tells it; to hash one takes long.
+        key = (id(form), value) if self.named is None or value in self.named else id(form)
         found = self.get(key)
         if found is None:
             if len(self) >= _MOST_KEPT:

@@ -81,7 +81,8 @@ def _add_texts(operation: Operation, texts: list[str]) -> None:
     texts.append(f"{_OFFSETS[offset]}{usual.title}")
     for argument, pattern in zip(operation.arguments, usual.patterns, strict=True):
         _, form, value, offset, _ = argument
-        key = (id(form), value) if pattern.by_value else id(form)
+        named = pattern.named
+        key = (id(form), value) if named is None or value in named else id(form)
         before, after = pattern.get(key) or pattern.around(argument)
         texts.append(f"{_INDENTED[offset]}{before}{value if type(value) is int else plain(value)}{after}")
 

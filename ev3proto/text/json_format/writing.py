@@ -102,7 +102,8 @@ def _operation_text(operation: Operation) -> str:
     texts = []
     for argument, pattern in zip(operation.arguments, usual[1], strict=True):
         _, form, value, offset, _ = argument
-        key = (id(form), value) if pattern.by_value else id(form)
+        named = pattern.named
+        key = (id(form), value) if named is None or value in named else id(form)
         before, after = pattern.get(key) or pattern.around(argument)
         if type(value) is int:
             texts.append(f'{before}{value}, "offset": {offset}{after}')

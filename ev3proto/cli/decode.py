@@ -124,7 +124,7 @@ class Decoding(SourceReader):
     "--format",
     "style",
     type=click.Choice((*FORMATS, *PROGRAM_FORMATS)),
-    help="How to show messages (tree, unless you say otherwise) and programs (listing); lego is a program's source.",
+    help="How to show messages (tree, unless you say otherwise) and programs (listing); encode reads asm, lego, json.",
 )
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line: the same as --format json.")
 @click.option("--dialogues", "as_dialogues", is_flag=True, help="A line for each command, with its reply and time.")

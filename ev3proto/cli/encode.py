@@ -109,10 +109,18 @@ def _json(message: Message, _number: int, dialogue: Dialogue) -> str:
 
 
 def _asm(message: Message, _number: int, dialogue: Dialogue) -> str:
+    return _assembly(message, dialogue, "asm")
+
+
+def _lego(message: Message, _number: int, dialogue: Dialogue) -> str:
+    return _assembly(message, dialogue, "lego")
+
+
+def _assembly(message: Message, dialogue: Dialogue, notation: str) -> str:
     from ev3proto.text.assembly.writing import assembly
 
     exchange = dialogue.follow(message)
-    return "\n".join(assembly(exchange, plain_text(heading(exchange, Seen()))))
+    return "\n".join(assembly(exchange, plain_text(heading(exchange, Seen())), notation))
 
 
 RAW = "raw"
@@ -123,6 +131,7 @@ FORMS: dict[str, Callable[[Message, int, Dialogue], str | bytes]] = {
     "python": _python,
     "json": _json,
     "asm": _asm,
+    "lego": _lego,
 }
 """What frames are written as: the message, its number from 1 on, and what was said before."""
 

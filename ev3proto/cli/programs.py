@@ -12,6 +12,7 @@ import click
 from ev3proto.cli.output import Printer, binary_output, complain, is_terminal
 from ev3proto.errors import counted
 from ev3proto.tables.program import SIGN
+from ev3proto.text.assembly.writing import NOTATIONS
 from ev3proto.text.spans import Line, Role
 from ev3proto.whole_files import write_whole
 
@@ -27,10 +28,7 @@ SUFFIX, SOURCE_SUFFIX = ".rbf", ".lms"
 RBF = "rbf"
 """The form of `encode` that makes images."""
 
-LEGO = "lego"
-"""The format of `decode` that makes sources."""
-
-PROGRAM_FORMATS = ("listing", LEGO)
+PROGRAM_FORMATS = ("listing",)
 """The formats of `decode` that there are for programs only."""
 
 _MOST_WARNINGS = 20
@@ -72,9 +70,9 @@ def show_program(
         printer.text(json.dumps(entry, ensure_ascii=False))
         return
     if origin is not None:
-        is_source = style in (LEGO, "asm")
+        is_source = style in NOTATIONS
         printer.lines([[(f"// {origin}" if is_source else origin, Role.ASIDE)]])
-    if style in (LEGO, "asm"):
+    if style in NOTATIONS:
         from ev3proto.program import source_of
 
         printer.texts(source_of(program).rstrip("\n").split("\n"))

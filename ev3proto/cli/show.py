@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from ev3proto.cli.output import Printer
 from ev3proto.dialogue import Exchange
-from ev3proto.text.assembly import assembly
+from ev3proto.text.assembly.writing import NOTATIONS, assembly
 from ev3proto.text.dialogues import dialogue_line
 from ev3proto.text.heading import Seen, heading, origin
 from ev3proto.text.json_format.writing import record as json_record
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ev3proto.capture.dialogues import RequestReply
     from ev3proto.program import Program
 
-FORMATS = ("tree", "table", "asm", "json")
+FORMATS = ("tree", "table", *NOTATIONS, "json")
 
 
 class Show:
@@ -42,8 +42,8 @@ class Show:
         self._count()
         if self._style == "json":
             self._printer.text(json_record_text(exchange, seen))
-        elif self._style == "asm":
-            self._printer.texts(list(assembly(exchange, plain_text(heading(exchange, seen)))))
+        elif self._style in NOTATIONS:
+            self._printer.texts(list(assembly(exchange, plain_text(heading(exchange, seen)), self._style)))
         else:
             if self._style == "table":
                 self._printer.lines(table(exchange, seen))
@@ -123,7 +123,7 @@ class Show:
 
     def _aside(self, line: Line) -> None:
         """A line that is no message: in assembly, which can be read back, a comment."""
-        if self._style == "asm":
+        if self._style in NOTATIONS:
             self._printer.text(f"// {plain_text(line).lstrip()}")
         else:
             self._printer.lines([line])

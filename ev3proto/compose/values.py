@@ -133,7 +133,7 @@ def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False)
     if parameter.direction is Direction.IN:
         if isinstance(value, str):
             check_text(parameter, value)
-        else:
+        elif parameter.type is not Type.ARRAY_TYPED or isinstance(value, int):
             check_number(parameter, value)
 
 

@@ -218,7 +218,8 @@ class ArgumentSchema(Bytewise):
             raise BuildError(f"{parameter.name} cannot be {value!r}: it is a {parameter.type}")
         if parameter.type is Type.STRING:
             raise BuildError(f"{parameter.name} takes a string or a variable, not {value!r}")
-        if parameter.type is Type.DATAF or (parameter.any_type and isinstance(value, float)):
+        may_be_float = parameter.any_type or parameter.type is Type.ARRAY_TYPED
+        if parameter.type is Type.DATAF or (may_be_float and isinstance(value, float)):
             return encode_float(value, parameter.name)
         return self._integer(value)
 
@@ -227,7 +228,7 @@ class ArgumentSchema(Bytewise):
         limits = RANGES[parameter.type]
         if parameter.unsigned and limits.high < value <= BITS[parameter.type][-1]:
             value += 2 * limits.nan
-        if value != value or value == limits.nan:
+        if (value != value and not parameter.unsigned) or value == limits.nan:
             return encode_as(_NAN_ENCODING.get(parameter.type.size, "LC4"), limits.nan)
         if not limits.low <= value <= limits.high or value != int(value):
             raise BuildError(

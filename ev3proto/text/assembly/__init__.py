@@ -49,7 +49,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.assembly.writing import assembly, operation_line
+from ev3proto.text.assembly.macro_notation import operation_line
+from ev3proto.text.assembly.writing import assembly
 
 if TYPE_CHECKING:
     from ev3proto.messages import Message

@@ -190,7 +190,7 @@ class Assembler:
         except BuildError as error:
             raise error_at(arguments[len(fixed) - 1].token, str(error)) from None
         return [
-            self._encoder.argument(one.value, ArgumentSchema(placeholder.parameter))
+            self._encoder.element(one.value, ArgumentSchema(placeholder.parameter))
             for one, placeholder in zip(given, placeholders, strict=True)
         ]
 

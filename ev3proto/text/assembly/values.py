@@ -117,7 +117,9 @@ class Encoder:
         return int(found)
 
     def whole_or_none(self, value: Value) -> int | None:
-        """A whole number that stands in the text or has a name, None for all other values."""
+        """A whole number that stands in the text or has a name, in a macro or not; None for all other values."""
+        while isinstance(value, Macro):
+            value = value.part
         try:
             found = self.constant(value)
         except AssemblyError:
@@ -192,6 +194,14 @@ class Encoder:
         except BuildError as error:
             raise error_at(value.token, str(error)) from None
 
+    def element(self, value: Value, schema: ArgumentSchema) -> CodePiece:
+        """The bytes of one value of a list. A letter may stand for its number. Raises AssemblyError."""
+        if isinstance(value, Literal) and schema.parameter.type is Type.DATA8:
+            found = self.constant(value)
+            if isinstance(found, str) and len(found) == 1:
+                return schema.write(ord(found))
+        return self.argument(value, schema)
+
     def _argument(self, value: Value, schema: ArgumentSchema) -> CodePiece:
         match value:
             case Raw(_, data):
@@ -218,11 +228,6 @@ class Encoder:
         kind = schema.parameter.type
         if isinstance(found, Pattern) and kind in RANGES and kind.size:
             found = _signed(found, 8 * kind.size)
-        if isinstance(found, float) and kind is Type.ARRAY_TYPED:
-            return encode_float(found)
-        is_number = kind in RANGES and schema.parameter.length is None and not schema.parameter.any_type
-        if isinstance(found, str) and len(found) == 1 and is_number:
-            found = ord(found)
         return schema.write(found)
 
     def _is_label(self, token: Token, schema: ArgumentSchema) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ev3proto.tables.declaration import DATAF
 from ev3proto.tables.system import SystemCommand
 
 MESSAGE = "message"
@@ -18,6 +19,12 @@ CUT = "..."
 
 STATUS = "status"
 """The name by which a system reply's status is given."""
+
+LABEL = "Label"
+"""Begins the name of a place that is jumped to, where the message itself has no name for it."""
+
+NOT_A_FLOAT = f"{DATAF.label}_NAN"
+"""The firmware's name for the float that is no number."""
 
 BOOTLOADER = "BOOTLOADER."
 """What stands in front of the bootloader's commands: BEGIN_DOWNLOAD is the firmware's too."""

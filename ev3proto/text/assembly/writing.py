@@ -1,14 +1,11 @@
-"""Messages as assembly, in the firmware's macro notation, which fixes every encoding: nothing of a frame is lost."""
+"""Messages as assembly, in either notation. Nothing of a frame is lost."""
 
 from __future__ import annotations
 
-import struct
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable, Iterator, Sequence
 
 from ev3proto.dialogue import Exchange
 from ev3proto.messages import (
-    Argument,
     DaisyCommand,
     DaisyReply,
     DirectCommand,
@@ -16,95 +13,36 @@ from ev3proto.messages import (
     FieldValue,
     Message,
     Operation,
-    OperationReader,
     SystemCommand,
     SystemReply,
 )
-from ev3proto.schema.identification import LABEL_BYTE
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, Encoding
 from ev3proto.tables.frame import MAX_LENGTH
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
+from ev3proto.text.assembly.lego_notation import lego_lines
+from ev3proto.text.assembly.macro_notation import operation_line
 from ev3proto.text.assembly.words import BYTES, CUT, FRAME, MESSAGE, STATUS, command_name
-from ev3proto.text.patterns import is_usual
-from ev3proto.text.phrases import quoted, short_float, spaced_hex
+from ev3proto.text.phrases import quoted, spaced_hex
 
 _BYTES_A_LINE = 32
 
 
-def operation_line(operation: Operation) -> str:
-    """One operation. An operation that is cut short ends in `...`."""
-    if is_usual(operation):
-        pieces = [_head(operation[0])]
-    else:
-        pieces = [f"op{operation.name}"]
-        cmd = operation.cmd
-        if cmd is not None:
-            pieces.append(_macro(cmd, operation.command or ""))
-    for argument in operation.arguments:
-        parameter, form, value, _, _ = argument
-        if type(value) is int and (form.kind in _VARIABLES or (parameter.enum is None and form.kind == CONSTANT)):
-            before, after = _AROUND.get(id(form)) or _around(form)
-            pieces.append(f"{before}{value}{after}")
-        else:
-            pieces.append(_macro(argument, _constant(argument)))
-    if not operation.is_complete:
-        pieces.append(CUT)
-    return ", ".join(pieces)
+Notation = Callable[[Sequence[Operation]], Iterator[str]]
+"""The operations of a message as lines."""
+
+NOTATIONS: dict[str, Notation] = {"asm": lambda operations: map(operation_line, operations), "lego": lego_lines}
+"""How operations can be written: with the macro of every encoding, or as LEGO's sources have them."""
 
 
-_VARIABLES = (LOCAL, GLOBAL)
+def assembly(exchange: Exchange, heading: str, notation: str = "asm") -> Iterator[str]:
+    """Writes a message so that `ev3proto.text.assembly.assemble` makes the same frame of it, faulty or not.
 
-_AROUND: dict[int, tuple[str, str]] = {}
-"""What stands around a number, by the id of its encoding: there is one object for each."""
+    Args:
+        exchange: The message, and what was said before it.
+        heading: What the comment in front of it says.
+        notation: How its operations are written, one of NOTATIONS.
 
-
-def _around(form: Encoding) -> tuple[str, str]:
-    before, after = f"{form.name}(", ")"
-    if form.handle:
-        before, after = f"HND({before}", f"{after})"
-    if form.address:
-        before, after = f"ADR({before}", f"{after})"
-    around = _AROUND[id(form)] = before, after
-    return around
-
-
-@cache
-def _head(schema: OperationReader) -> str:
-    """An operation up to its arguments, where its CMD is encoded as is usual."""
-    opcode, command = schema.declaration.opcode, schema.declaration.command
-    return f"op{opcode.name}" if command is None else f"op{opcode.name}, LC0({command.name})"
-
-
-def _constant(argument: Argument) -> str:
-    value = argument.value
-    if isinstance(value, str):
-        return quoted(value)
-    if isinstance(value, float):
-        text = short_float(value)
-        if struct.pack("<f", float(text)) == argument.raw[1:]:
-            return text
-        (pattern,) = struct.unpack("<I", argument.raw[1:])
-        return f"0x{pattern:08X}"
-    enum = argument.parameter.enum
-    symbol = argument.symbol
-    return symbol if enum is not None and symbol is not None and enum.members.get(symbol) == value else str(value)
-
-
-def _macro(argument: Argument, value: str) -> str:
-    form = argument.form
-    if form.kind == JUMP and argument.raw[0] != LABEL_BYTE:
-        # The firmware looks at three bits of it only, so that several bytes mean a label.
-        return f"{BYTES}({spaced_hex(argument.raw)})"
-    before, after = _AROUND.get(id(form)) or _around(form)
-    if isinstance(argument.value, float) and not value.startswith("0x"):
-        before = before.replace(form.name, "LCF")
-    return f"{before}{value}{after}"
-
-
-def assembly(exchange: Exchange, heading: str) -> Iterator[str]:
-    """A message's lines: a comment on it, its header, then an operation a line, or the command, or bytes.
-
-    `ev3proto.text.assembly.assemble` makes the same frame of them again, byte for byte, faulty or not.
+    Yields:
+        Its lines: the comment, its header, then an operation a line, or the command, or bytes.
     """
     message = exchange.message
     yield f"// {heading}"
@@ -113,7 +51,7 @@ def assembly(exchange: Exchange, heading: str) -> Iterator[str]:
         yield from _bytes(message.build())
     else:
         yield _header(message)
-        yield from _body(message)
+        yield from _body(message, NOTATIONS[notation])
         yield from _bytes(message.rest)
     if message.fault is not None:
         yield f"// fault at {message.fault}"
@@ -134,16 +72,16 @@ def _header(message: Message) -> str:
     return " ".join(words)
 
 
-def _body(message: Message) -> Iterator[str]:
+def _body(message: Message, notation: Notation) -> Iterator[str]:
     match message:
         case DirectCommand():
-            yield from map(operation_line, message.operations)
+            yield from notation(message.operations)
         case DirectReply():
             yield from _bytes(message.memory)
         case SystemCommand() | SystemReply():
             yield from _system(message)
         case DaisyCommand() if message.operations:
-            yield from map(operation_line, message.operations)
+            yield from notation(message.operations)
         case DaisyCommand() | DaisyReply():
             yield from _bytes(message.payload)
 

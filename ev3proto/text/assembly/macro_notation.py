@@ -1,0 +1,110 @@
+"""Operations in the notation of the firmware's macros: `opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)`.
+
+It names every encoding, so nothing of an operation is lost.
+"""
+
+from __future__ import annotations
+
+import struct
+from functools import cache
+
+from ev3proto.messages import Argument, Operation, OperationReader
+from ev3proto.schema.identification import LABEL_BYTE
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, Encoding
+from ev3proto.text.assembly.words import BYTES, CUT
+from ev3proto.text.patterns import is_usual
+from ev3proto.text.phrases import quoted, short_float, spaced_hex
+
+
+def operation_line(operation: Operation) -> str:
+    """Writes one operation. One that is cut short ends in `...`.
+
+    Args:
+        operation: The operation.
+
+    Returns:
+        The line, without its end.
+    """
+    if is_usual(operation):
+        pieces = [_head(operation[0])]
+    else:
+        pieces = [f"op{operation.name}"]
+        cmd = operation.cmd
+        if cmd is not None:
+            pieces.append(in_macro(cmd, operation.command or ""))
+    for argument in operation.arguments:
+        parameter, form, value, _, _ = argument
+        if type(value) is int and (form.kind in _VARIABLES or (parameter.enum is None and form.kind == CONSTANT)):
+            before, after = _AROUND.get(id(form)) or _around(form)
+            pieces.append(f"{before}{value}{after}")
+        else:
+            pieces.append(_argument(argument))
+    if not operation.is_complete:
+        pieces.append(CUT)
+    return ", ".join(pieces)
+
+
+_VARIABLES = (LOCAL, GLOBAL)
+
+_AROUND: dict[int, tuple[str, str]] = {}
+"""What stands around a number, by the id of its encoding: there is one object for each."""
+
+
+def _around(form: Encoding) -> tuple[str, str]:
+    before, after = f"{form.name}(", ")"
+    if form.handle:
+        before, after = f"HND({before}", f"{after})"
+    if form.address:
+        before, after = f"ADR({before}", f"{after})"
+    around = _AROUND[id(form)] = before, after
+    return around
+
+
+@cache
+def _head(schema: OperationReader) -> str:
+    """An operation up to its arguments, where its CMD is encoded as is usual."""
+    opcode, command = schema.declaration.opcode, schema.declaration.command
+    return f"op{opcode.name}" if command is None else f"op{opcode.name}, LC0({command.name})"
+
+
+def in_macro(argument: Argument, value: str, macro: str | None = None) -> str:
+    """Writes an argument as the macro of its encoding: `LC2(440)`, `HND(LV1(4))`.
+
+    Args:
+        argument: The argument.
+        value: What is to stand in the macro.
+        macro: The macro's name, where it is not that of the encoding.
+
+    Returns:
+        The macro. For a jump that no macro makes, bytes as they are.
+    """
+    if argument.kind == JUMP and argument.raw[0] != LABEL_BYTE:
+        # The firmware looks at three bits of it only, so that several bytes mean a label.
+        return f"{BYTES}({spaced_hex(argument.raw)})"
+    text = f"{macro or argument.encoding}({value})"
+    if argument.form.handle:
+        text = f"HND({text})"
+    if argument.form.address:
+        text = f"ADR({text})"
+    return text
+
+
+def float_pattern(argument: Argument) -> str:
+    """The bits of an argument that is read as a float, in hexadecimal."""
+    (pattern,) = struct.unpack("<I", argument.raw[1:])
+    return f"0x{pattern:08X}"
+
+
+def _argument(argument: Argument) -> str:
+    value = argument.value
+    if isinstance(value, str):
+        return in_macro(argument, quoted(value))
+    if isinstance(value, float):
+        text = short_float(value)
+        if struct.pack("<f", float(text)) == argument.raw[1:]:
+            return in_macro(argument, text, "LCF")
+        return in_macro(argument, float_pattern(argument))
+    enum = argument.parameter.enum
+    symbol = argument.symbol
+    is_member = enum is not None and symbol is not None and enum.members.get(symbol) == value
+    return in_macro(argument, symbol if is_member and symbol is not None else str(value))

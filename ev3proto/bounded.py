@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -15,12 +15,6 @@ V = TypeVar("V")
 
 DEFAULT_MEMORY = 64 << 20
 """Bytes that all that waits in one capture may take, unless somebody says otherwise."""
-
-
-class _Held(NamedTuple):
-    size: int
-    drop: Callable[[int], object]
-    number: int
 
 
 class Budget:
@@ -34,7 +28,8 @@ class Budget:
         self.most = most
         self.dropped = 0
         self._used = 0
-        self._held: OrderedDict[int, _Held] = OrderedDict()
+        # By the identity of what waits: its size, what drops it, and the number that this knows it by.
+        self._held: OrderedDict[int, tuple[int, Callable[[int], object], int]] = OrderedDict()
 
     def add(self, thing: object, size: int, drop: Callable[[int], object], number: int) -> None:
         """Something waits from now on.
@@ -46,19 +41,19 @@ class Budget:
             number: What `drop` knows it by.
 
         """
-        self._held[id(thing)] = _Held(size, drop, number)
+        self._held[id(thing)] = size, drop, number
         self._used += size
         while self._used > self.most and self._held:
-            _, oldest = self._held.popitem(last=False)
-            self._used -= oldest.size
+            _, (size, drop, number) = self._held.popitem(last=False)
+            self._used -= size
             self.dropped += 1
-            oldest.drop(oldest.number)
+            drop(number)
 
     def remove(self, thing: object) -> None:
         """Something waits no longer. Nothing happens where it did not."""
         held = self._held.pop(id(thing), None)
         if held is not None:
-            self._used -= held.size
+            self._used -= held[0]
 
 
 class Bounded(OrderedDict[K, V]):

@@ -8,7 +8,7 @@ from importlib import import_module
 import pytest
 
 from ev3proto.capture import Carrier, Record, read
-from ev3proto.capture.carriers.wifi.internet import LINKS
+from ev3proto.capture.carriers.wifi.layers import LINKS
 from ev3proto.generate.captures import write_pcapng
 from ev3proto.generate.dissector.build import RUNTIME
 from ev3proto.tables.carriers import CARRIERS

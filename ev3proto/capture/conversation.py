@@ -6,10 +6,10 @@ from ev3proto.bounded import Budget
 from ev3proto.capture.record import Answered, Record, Route
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameSchema
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, read_memory, unpack_header
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, unpack_header, unpack_memory
 from ev3proto.semantics.pairing import Pairing
 from ev3proto.semantics.transfers import Transfers
-from ev3proto.tables.frame import MessageType
+from ev3proto.tables.frame import MAX_GLOBALS, MessageType
 
 MOST_PENDING = 4096
 """Commands of one conversation whose reply is awaited; a long capture may have a million that are never answered."""
@@ -51,31 +51,24 @@ class Conversation:
     def record(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """The record of a frame. Give each frame of the conversation once, in order, both directions."""
         record = Record(frame, numbers, time_ns, route, self._schema)
-        if len(frame) < HEADER_SIZE:
+        size = len(frame)
+        if size < HEADER_SIZE:
             return record
         _, counter, code = unpack_header(frame)
         known = _TYPES.get(code)
         if known is None:
             return record
         carries, is_command, wants_reply, is_error = known
-        size: int | None = None
         number = 0
-        if carries == _DIRECT:
-            if not is_command:
-                size = None if is_error else len(frame) - HEADER_SIZE
-            elif len(frame) >= COMMAND_HEADER_SIZE:
-                size, _ = read_memory(frame)
-        elif carries == _SYSTEM:
-            number = frame[HEADER_SIZE] if len(frame) > HEADER_SIZE else -1
-        key = (carries, counter, number)
-        if is_command:
-            if wants_reply:
-                self._pairing.remember(key, size or 0, record)
-        else:
-            request = record.request = self._pairing.answered(key, size)
-            if request is not None:
-                failed = is_error if carries != _SYSTEM else _is_failure(record.message)
-                request.answered = Answered(time_ns, failed)
+        if carries == _SYSTEM:
+            number = frame[HEADER_SIZE] if size > HEADER_SIZE else -1
+        if not is_command:
+            told = size - HEADER_SIZE if carries == _DIRECT and not is_error else None
+            record.request = self._pairing.answered((carries, counter, number), told)
+        elif wants_reply:
+            has_memory = carries == _DIRECT and size >= COMMAND_HEADER_SIZE
+            asked = unpack_memory(frame, HEADER_SIZE)[0] & MAX_GLOBALS if has_memory else 0
+            self._pairing.remember((carries, counter, number), asked, record)
         if carries == _SYSTEM:
             self._follow_transfer(record)
         return record

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import weakref
 from collections.abc import Callable, Hashable
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, TypeVar
 
 from ev3proto.bounded import Budget
 
@@ -16,12 +16,6 @@ MOST_PENDING = 65536
 
 MOST_PER_KEY = 4
 """Commands with the same counter that are remembered, for senders who never change it."""
-
-
-class _Waiting(NamedTuple, Generic[T]):
-    key: Hashable
-    size: int
-    command: T
 
 
 class Pairing(Generic[T]):
@@ -43,21 +37,24 @@ class Pairing(Generic[T]):
         self._size_of = size_of
         self._drop = _dropper(weakref.ref(self))
         self._by_key: dict[Hashable, list[int]] = {}
-        self._waiting: dict[int, _Waiting[T]] = {}
+        self._waiting: dict[int, tuple[Hashable, int, T]] = {}  # key, size, command
         self._seen = 0
 
     @property
     def unanswered(self) -> list[T]:
         """The commands that wait for their reply, oldest first."""
-        return [waiting.command for waiting in self._waiting.values()]
+        return [command for _, _, command in self._waiting.values()]
 
     def remember(self, key: Hashable, size: int, command: T) -> T | None:
         """Waits for the command's reply. Returns the command that is forgotten for it, if any is."""
         number = self._seen
         self._seen = number + 1
-        same = self._by_key.setdefault(key, [])
-        same.append(number)
-        self._waiting[number] = _Waiting(key, size, command)
+        same = self._by_key.get(key)
+        if same is None:
+            same = self._by_key[key] = [number]
+        else:
+            same.append(number)
+        self._waiting[number] = key, size, command
         if self._budget is not None:
             self._budget.add(command, self._size_of(command), self._drop, number)
         if len(same) > MOST_PER_KEY:
@@ -77,14 +74,14 @@ class Pairing(Generic[T]):
             return None
         if size is not None and len(same) > 1:
             for number in reversed(same):
-                if self._waiting[number].size == size:
+                if self._waiting[number][1] == size:
                     return self._forget(number)
         return self._forget(same[-1])
 
     def __del__(self) -> None:
         if self._budget is not None:
-            for waiting in self._waiting.values():
-                self._budget.remove(waiting.command)
+            for command in self.unanswered:
+                self._budget.remove(command)
 
     def forget(self, number: int) -> None:
         """Waits no longer for the reply to the command of a number, if it still does."""
@@ -92,14 +89,14 @@ class Pairing(Generic[T]):
             self._forget(number)
 
     def _forget(self, number: int) -> T:
-        waiting = self._waiting.pop(number)
+        key, _, command = self._waiting.pop(number)
         if self._budget is not None:
-            self._budget.remove(waiting.command)
-        same = self._by_key[waiting.key]
+            self._budget.remove(command)
+        same = self._by_key[key]
         same.remove(number)
         if not same:
-            del self._by_key[waiting.key]
-        return waiting.command
+            del self._by_key[key]
+        return command
 
 
 def _dropper(found: weakref.ref[Pairing[T]]) -> Callable[[int], None]:

@@ -1,18 +1,34 @@
-"""pcap files: both byte orders, times in micro- or nanoseconds. dpkt knows the headers."""
+"""pcap files: both byte orders, times in micro- or nanoseconds.
+
+https://www.ietf.org/archive/id/draft-ietf-opsawg-pcap-04.html
+"""
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Iterator
 from typing import BinaryIO
 
-from dpkt import pcap
+from construct import Bytes, Int16ul, Int32ul, Struct
 
 from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
 from ev3proto.capture.record import CaptureError
+from ev3proto.schema.packed import packed
 
-_NANO = (pcap.TCPDUMP_MAGIC_NANO, pcap.PMUDPCT_MAGIC_NANO)
-_SWAPPED = (pcap.PMUDPCT_MAGIC, pcap.PMUDPCT_MAGIC_NANO, pcap.PACPDOM_MAGIC)
+MICROSECONDS, NANOSECONDS, MODIFIED = 0xA1B2C3D4, 0xA1B23C4D, 0xA1B2CD34
+"""What the first four bytes say, read in the byte order of the file: the unit of times, or an early Linux's format, in
+which packets have a longer header."""
+
+HEADER = Struct(
+    "magic" / Int32ul,
+    "major" / Int16ul,
+    "minor" / Int16ul,
+    "zone" / Int32ul,
+    "accuracy" / Int32ul,
+    "most" / Int32ul,
+    "link" / Int32ul,
+)
+PACKET_HEAD = Struct("seconds" / Int32ul, "fraction" / Int32ul, "length" / Int32ul, "size" / Int32ul)
+MODIFIED_HEAD = Struct(*PACKET_HEAD.subcons, "more" / Bytes(8))
 
 # The upper bits of the field say whether Ethernet packets have their check sum.
 _LINK_MASK = 0xFFFF
@@ -27,15 +43,15 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
     Raises:
         CaptureError: The file is damaged. Everything before that was given.
     """
-    head = stream.read(pcap.FileHdr.__hdr_len__)
-    if len(head) < pcap.FileHdr.__hdr_len__:
+    size = packed(HEADER).size
+    head = stream.read(size)
+    if len(head) < size:
         raise CaptureError("the file is cut off in its header")
-    magic = int.from_bytes(head[:4], "big")
-    header = (pcap.LEFileHdr if magic in _SWAPPED else pcap.FileHdr)(head)
-    unit = 1 if magic in _NANO else 1000
-    interface = Interface(header.linktype & _LINK_MASK, None, "<" if magic in _SWAPPED else ">")
-    # dpkt's own struct, without an object for each packet's header: `pytest benchmarks -k capture` shows why.
-    record = struct.Struct(pcap.MAGIC_TO_PKT_HDR[magic].__hdr_fmt__)
+    order = "<" if int.from_bytes(head[:4], "little") in (MICROSECONDS, NANOSECONDS, MODIFIED) else ">"
+    magic, *_, link = packed(HEADER, order).unpack(head)
+    unit = 1 if magic == NANOSECONDS else 1000
+    interface = Interface(link & _LINK_MASK, None, order)
+    record = packed(MODIFIED_HEAD if magic == MODIFIED else PACKET_HEAD, order)
     size, unpack, read = record.size, record.unpack, stream.read
     number, position = 0, len(head)
     while head := read(size):

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from dpkt.tcp import TH_ACK, TH_RST, TH_SYN
-
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.claims import Claim, begins_a_connection
 from ev3proto.capture.carriers.streams import Context, Stream
-from ev3proto.capture.carriers.wifi.internet import Transport, place, transport
+from ev3proto.capture.carriers.wifi.internet import ACK, RST, SYN, Transport, place, transport
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter
@@ -37,9 +35,9 @@ Key = tuple[bytes, int, bytes, int]
 
 
 class _Half:
-    """One direction of a TCP connection."""
+    """One direction of a TCP connection; `back` is the other one, None where nothing of it was seen."""
 
-    __slots__ = ("claim", "interface", "is_from_host", "reassembly", "repeated", "start", "stream")
+    __slots__ = ("back", "claim", "interface", "is_from_host", "reassembly", "repeated", "start", "stream")
 
     def __init__(
         self, stream: Stream, claim: Claim, interface: Interface, is_from_host: bool, start: int | None
@@ -51,6 +49,7 @@ class _Half:
         self.reassembly = Reassembly(start)
         self.repeated = 0
         self.start = start
+        self.back: _Half | None = None
 
 
 class Connections:
@@ -60,6 +59,7 @@ class Connections:
         self._context = context
         self._account = context.account
         self._ports = context.ports
+        self._most_waiting = context.budget.most // _SHARE
         self._waiting = 0  # bytes in all reassemblies; too many where some were ended, which _relieve counts anew
         self._halves: Bounded[Key, _Half] = Bounded(MOST_CONNECTIONS)
         self._conversations: Bounded[frozenset[tuple[bytes, int]], Conversation] = Bounded(MOST_CONNECTIONS)
@@ -115,37 +115,41 @@ class Connections:
         half = self._halves.get(key)
         ended: list[Event] = []
         events: list[Event] = []
-        if flags & TH_SYN:
+        if flags & SYN:
             sequence = start = (sequence + 1) & 0xFFFFFFFF
             if half is None or half.start != start:
                 if half is not None:
                     ended += self._end_half(half)
-                    if not flags & TH_ACK:
+                    if not flags & ACK:
                         # What was asked in the last connection is not answered in the new one.
                         self._conversations.pop(_ends(key), None)
                 half = self._open(packet, key, start, ended)
         elif half is None:
             if not data:
-                return self._acknowledge(key, acknowledged) if flags & TH_ACK else events
+                return self._acknowledge(self._halves.get(_reversed(key)), acknowledged) if flags & ACK else events
             half = self._open(packet, key, None, ended)
         elif len(self._halves) > MOST_CONNECTIONS // 2:
             self._halves.move_to_end(key)
-        stream = half.stream
+        stream, reassembly = half.stream, half.reassembly
         if half.interface is not packet.interface:
             half.interface = packet.interface
             stream.route = self._route(packet, key, half.is_from_host)
         if data:
             stream.reach(packet)
-            before = half.reassembly.waiting
-            events += self._given(half, half.reassembly.add(sequence, data, packet.number, packet.time_ns))
-            self._waiting += half.reassembly.waiting - before
+            if reassembly.takes_next(sequence, len(data)):
+                # Nearly every segment of a capture: it comes in its turn, and nothing waits.
+                events = stream.feed(data, packet.number, packet.time_ns)
+            else:
+                before = reassembly.waiting
+                events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns))
+                self._waiting += reassembly.waiting - before
         if events:
             events = half.claim.take(events, data)
-        if self._waiting > self._context.budget.most // _SHARE:
+        if self._waiting > self._most_waiting:
             events += self._relieve()
-        if flags & TH_ACK:
-            events += self._acknowledge(key, acknowledged)
-        if flags & TH_RST:
+        if flags & ACK and half.back is not None:
+            events += self._acknowledge(half.back, acknowledged)
+        if flags & RST:
             events += self._end_half(half)
         return ended + events if ended else events
 
@@ -154,18 +158,16 @@ class Connections:
         events: list[Event] = []
         self._waiting = sum(half.reassembly.waiting for half in self._halves.values())
         for half in self._halves.values():
-            if self._waiting <= self._context.budget.most // _SHARE // 2:
+            if self._waiting <= self._most_waiting // 2:
                 break
             self._waiting -= half.reassembly.waiting
             events += half.claim.take(self._given(half, half.reassembly.end()), b"")
         return events
 
-    def _acknowledge(self, key: Key, acknowledged: int) -> list[Event]:
-        """The sender has what the other side sent before this number."""
-        source, source_port, target, target_port = key
-        other = self._halves.get((target, target_port, source, source_port))
-        pieces = [] if other is None else other.reassembly.acknowledge(acknowledged)
-        return other.claim.take(self._given(other, pieces), b"") if other is not None and pieces else []
+    def _acknowledge(self, back: _Half | None, acknowledged: int) -> list[Event]:
+        """The receiver of what goes that way has what was sent before this number."""
+        pieces = [] if back is None else back.reassembly.acknowledge(acknowledged)
+        return back.claim.take(self._given(back, pieces), b"") if back is not None and pieces else []
 
     def _given(self, half: _Half, pieces: list[Segment | Hole | Late]) -> list[Event]:
         """The events in what the reassembly gave; what it found to be repeated meanwhile stands in the account."""
@@ -185,16 +187,20 @@ class Connections:
         return [stream.skip(piece.data, f"{counted(len(piece.data), 'byte')} came too late to be put in order")]
 
     def _open(self, packet: Packet, key: Key, start: int | None, events: list[Event]) -> _Half:
-        source, source_port, target, target_port = key
-        back = self._halves.get((target, target_port, source, source_port))
+        back = self._halves.get(_reversed(key))
         is_from_host = self._is_to_brick(key) if back is None else not back.is_from_host
         conversation, _ = self._conversations.use(_ends(key), self._context.conversation)
         cutter = Cutter(self._context.schema, in_step=start is not None)
         stream = Stream(self._context, conversation, cutter, self._route(packet, key, is_from_host))
         claim, _ = self._claims.use(_ends(key), lambda: Claim(self._account, begins_a_connection, is_patient=False))
         half = _Half(stream, claim, packet.interface, is_from_host, start)
+        half.back = back
+        if back is not None:
+            back.back = half
         oldest = self._halves.add(key, half)
         if oldest is not None:
+            if oldest.back is not None:
+                oldest.back.back = None
             events += self._end_half(oldest)
         return half
 
@@ -236,6 +242,12 @@ class Connections:
             port = int(beacon.port)
             self._answered.add((address, port), None)
             self._named.add((address, port), None)
+
+
+def _reversed(key: Key) -> Key:
+    """The other direction."""
+    source, source_port, target, target_port = key
+    return target, target_port, source, source_port
 
 
 def _ends(key: Key) -> frozenset[tuple[bytes, int]]:

@@ -1,82 +1,30 @@
-"""TCP segments and UDP datagrams in packets of every link that carries IP. dpkt knows the headers."""
+"""TCP segments and UDP datagrams in packets of every link that carries IP."""
 
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable
-from typing import Any, NamedTuple
-
-from dpkt import UnpackError, ip, ip6, loopback, sll, sll2, tcp, udp
-from dpkt.ethernet import ETH_TYPE_8021AD, ETH_TYPE_8021Q, ETH_TYPE_IP, ETH_TYPE_IP6, ETH_TYPE_QINQ1, Ethernet
-from dpkt.utils import inet_to_str
+from functools import partial
+from typing import NamedTuple
 
 from ev3proto.tables.carriers import Link
 
-_CARRIED: dict[int, type] = {ip.IP_PROTO_TCP: tcp.TCP, ip.IP_PROTO_UDP: udp.UDP}
+SYN, RST, ACK = 0x002, 0x004, 0x010
+"""Flags of TCP."""
 
+FLAGS = 0x1FF
+"""All of them, in the two bytes that also have the length of the header."""
 
-class _IPv4(ip.IP):  # type: ignore[misc]
-    """IP of which dpkt reads only what leads to TCP and UDP: it knows much more, and some of that without an end."""
+_plain = struct.Struct(">BxH2xHxB2x4s4s HHIIH6x")
+"""Of IPv4: version, length, fragment, protocol, addresses. Of TCP: ports, numbers, length with flags."""
 
-    _protosw = _CARRIED
+_STARTS = {int(Link.ETHERNET): 14, int(Link.RAW_IP): 0, int(Link.IPV4): 0}
+"""Where IP starts in the packets of some links."""
 
-
-class _IPv6(ip6.IP6):  # type: ignore[misc]
-    _protosw = _CARRIED
-
-
-_CARRIED |= {ip.IP_PROTO_IPIP: _IPv4, ip.IP_PROTO_IP6: _IPv6}
-
-_NETWORKS = {ETH_TYPE_IP.to_bytes(2, "big"): _IPv4, ETH_TYPE_IP6.to_bytes(2, "big"): _IPv6}
-_TAGS = {kind.to_bytes(2, "big") for kind in (ETH_TYPE_8021Q, ETH_TYPE_8021AD, ETH_TYPE_QINQ1)}
-_TAG_SIZE = 4
-_VERSIONS = {4: _IPv4, 6: _IPv6}
-
-
-def _of_kind(kind: bytes, data: bytes) -> Any:
-    """What Ethernet's type says, after any tags of virtual networks."""
-    at = 0
-    while kind in _TAGS:
-        kind = data[at + 2 : at + _TAG_SIZE]
-        at += _TAG_SIZE
-    return _NETWORKS[kind](data[at:])
-
-
-def _after_type(end: int) -> Callable[[bytes], Any]:
-    """For links whose header ends with Ethernet's type."""
-    return lambda data: _of_kind(data[end - 2 : end], data[end:])
-
-
-def _raw(data: bytes) -> Any:
-    return _VERSIONS[data[0] >> 4](data)
-
-
-LINKS: dict[int, Callable[[bytes], Any]] = {
-    Link.ETHERNET: _after_type(Ethernet.__hdr_len__),
-    # Systems have different numbers for IPv6 there, in either byte order: the packet itself says which it is.
-    Link.LOOPBACK: lambda data: _raw(data[loopback.Loopback.__hdr_len__ :]),
-    Link.LOOPBACK_OPENBSD: lambda data: _raw(data[loopback.Loopback.__hdr_len__ :]),
-    Link.LINUX_COOKED: _after_type(sll.SLL.__hdr_len__),
-    Link.LINUX_COOKED_2: lambda data: _of_kind(data[:2], data[sll2.SLL2.__hdr_len__ :]),
-    Link.RAW_BSD: _raw,
-    Link.RAW_OPENBSD: _raw,
-    Link.RAW_IP: _raw,
-    Link.IPV4: _IPv4,
-    Link.IPV6: _IPv6,
-}
-"""What reads the packets of each link."""
-
-_plain = struct.Struct(ip.IP.__hdr_fmt__ + tcp.TCP.__hdr_fmt__[1:])
-_PLAIN: dict[int, int] = {Link.ETHERNET: Ethernet.__hdr_len__, Link.RAW_IP: 0, Link.IPV4: 0}
-_IS_IP = ETH_TYPE_IP.to_bytes(2, "big")
-_IP_SIZE = ip.IP.__hdr_len__
-_NO_OPTIONS = 0x45
-_FRAGMENT = ip.IP_MF | ip.IP_OFFMASK
-_FLAGS = 0x1FF
-
-# For packets cut short or made to confuse, which a capture may well have: dpkt's own, and what its code comes to.
-_TROUBLE = (UnpackError, struct.error, IndexError, ValueError, KeyError, AttributeError, TypeError, RuntimeError)
-_MOST_LAYERS = 16
+_IS_IP = b"\x08\0"  # Ethernet's type
+_NO_OPTIONS = 0x45  # version 4, and the least length that its header can have
+_IP_SIZE = 20
+_IS_TCP = 6
+_IS_FRAGMENT = 0x3FFF
 
 
 class Transport(NamedTuple):
@@ -99,52 +47,35 @@ class Transport(NamedTuple):
     flags: int | None = None
 
 
+_made = partial(tuple.__new__, Transport)
+"""Makes one of a tuple of all its fields, in half the time that `Transport` takes: `pytest benchmarks -k capture`."""
+
+
 def transport(link: int, data: bytes) -> Transport | None:
     """What a packet of one of the links carries; None where there is none that can be read."""
-    start = _PLAIN.get(link)
+    start = _STARTS.get(link)
     if start is not None and len(data) >= start + _plain.size:
         # Nearly every packet of a capture of TCP: no options in IP, no fragment, nothing between Ethernet and IP.
-        # With dpkt's structs but without its objects it takes a seventh of the time: `pytest benchmarks -k capture`.
-        version, _, length, _, fragment, _, protocol, _, source, target, *rest = _plain.unpack_from(data, start)
-        is_tcp = version == _NO_OPTIONS and protocol == ip.IP_PROTO_TCP and not fragment & _FRAGMENT
+        # Without dpkt's objects it takes a tenth of the time: `pytest benchmarks -k capture`.
+        version, length, fragment, protocol, source, target, source_port, target_port, sequence, acknowledged, flags = (
+            _plain.unpack_from(data, start)
+        )
+        is_tcp = version == _NO_OPTIONS and protocol == _IS_TCP and not fragment & _IS_FRAGMENT
         if is_tcp and (start == 0 or data[start - 2 : start] == _IS_IP):
-            source_port, target_port, sequence, acknowledged, flags, *_ = rest
             head = _IP_SIZE + (flags >> 12 << 2)
             if _plain.size <= head <= length:
                 carried = data[start + head : start + length]
-                return Transport(
-                    source, target, source_port, target_port, carried, sequence, acknowledged, flags & _FLAGS
-                )
-    return _dissected(LINKS[link], data)
+                return _made((source, target, source_port, target_port, carried, sequence, acknowledged, flags & FLAGS))
+    # All others are taken apart by dpkt, which takes a while to import.
+    from ev3proto.capture.carriers.wifi.layers import dissected
 
-
-def _dissected(read: Callable[[bytes], Any], data: bytes) -> Transport | None:
-    """The same with dpkt, which knows everything that can stand there."""
-    try:
-        layer = read(data)
-    except _TROUBLE:
-        return None
-    for _ in range(_MOST_LAYERS):
-        inner = layer.data
-        if _is_later_fragment(layer) or not isinstance(inner, tcp.TCP | udp.UDP | _IPv4 | _IPv6):
-            return None
-        if isinstance(inner, tcp.TCP):
-            flags = inner._off_flags & _FLAGS
-            return Transport(
-                layer.src, layer.dst, inner.sport, inner.dport, bytes(inner.data), inner.seq, inner.ack, flags
-            )
-        if isinstance(inner, udp.UDP):
-            return Transport(layer.src, layer.dst, inner.sport, inner.dport, bytes(inner.data))
-        layer = inner
-    return None
-
-
-def _is_later_fragment(layer: Any) -> bool:
-    """Whether IPv6 carries a part of a packet that is not its start; of IPv4's dpkt says so itself."""
-    return any(getattr(header, "frag_off", 0) for header in getattr(layer, "all_extension_headers", ()))
+    return dissected(link, data)
 
 
 def place(address: bytes, port: int) -> str:
     """`192.0.2.1:49152`, `[2001:db8::1]:49152`."""
-    text = inet_to_str(address)
-    return f"[{text}]:{port}" if len(address) > 4 else f"{text}:{port}"
+    if len(address) == 4:
+        return f"{'.'.join(map(str, address))}:{port}"
+    import socket
+
+    return f"[{socket.inet_ntop(socket.AF_INET6, address)}]:{port}"

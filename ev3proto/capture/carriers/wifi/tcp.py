@@ -85,13 +85,20 @@ class Reassembly:
         """Bytes of memory that what waits takes, about."""
         return self._waiting + SEGMENT_SIZE * len(self._ahead)
 
+    def takes_next(self, sequence: int, size: int) -> bool:
+        """Whether a segment of this size is what comes next while nothing waits. If so, it is taken with this."""
+        start = self._start
+        if start is None or self._ahead or sequence != start + self._position & _MASK:
+            return False
+        self._position += size
+        return True
+
     def add(self, sequence: int, data: bytes, number: int, time_ns: int) -> list[Segment | Hole | Late]:
         """What can be said of the stream with this segment, in order: its next bytes, holes in it, bytes too late."""
         if self._start is None:
             self._start = sequence
         at = self._offset(sequence)
-        if at == self._position and not self._ahead:
-            self._position = at + len(data)
+        if self.takes_next(sequence, len(data)):
             return [Segment(at, data, number, time_ns)]
         if abs(at - self._position) > MOST_AWAY:
             return [*self.end(), *self._start_again(sequence), *self.add(sequence, data, number, time_ns)]

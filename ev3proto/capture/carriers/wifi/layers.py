@@ -1,0 +1,106 @@
+"""Packets of every link that carries IP, taken apart by dpkt: it knows all that can stand before TCP and UDP."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from typing import Any
+
+from dpkt import UnpackError, ip, ip6, loopback, sll, sll2, tcp, udp
+from dpkt.ethernet import ETH_TYPE_8021AD, ETH_TYPE_8021Q, ETH_TYPE_IP, ETH_TYPE_IP6, ETH_TYPE_QINQ1, Ethernet
+
+from ev3proto.capture.carriers.wifi.internet import FLAGS, Transport
+from ev3proto.tables.carriers import Link
+
+_CARRIED: dict[int, type] = {ip.IP_PROTO_TCP: tcp.TCP, ip.IP_PROTO_UDP: udp.UDP}
+
+
+class _IPv4(ip.IP):  # type: ignore[misc]
+    """IP of which dpkt reads only what leads to TCP and UDP: it knows much more, and some of that without an end."""
+
+    _protosw = _CARRIED
+
+
+class _IPv6(ip6.IP6):  # type: ignore[misc]
+    _protosw = _CARRIED
+
+
+_CARRIED |= {ip.IP_PROTO_IPIP: _IPv4, ip.IP_PROTO_IP6: _IPv6}
+
+_NETWORKS = {ETH_TYPE_IP.to_bytes(2, "big"): _IPv4, ETH_TYPE_IP6.to_bytes(2, "big"): _IPv6}
+_TAGS = {kind.to_bytes(2, "big") for kind in (ETH_TYPE_8021Q, ETH_TYPE_8021AD, ETH_TYPE_QINQ1)}
+_TAG_SIZE = 4
+_VERSIONS = {4: _IPv4, 6: _IPv6}
+
+
+def _of_kind(kind: bytes, data: bytes) -> Any:
+    """What Ethernet's type says, after any tags of virtual networks."""
+    at = 0
+    while kind in _TAGS:
+        kind = data[at + 2 : at + _TAG_SIZE]
+        at += _TAG_SIZE
+    return _NETWORKS[kind](data[at:])
+
+
+def _after_type(end: int) -> Callable[[bytes], Any]:
+    """For links whose header ends with Ethernet's type."""
+    return lambda data: _of_kind(data[end - 2 : end], data[end:])
+
+
+def _raw(data: bytes) -> Any:
+    return _VERSIONS[data[0] >> 4](data)
+
+
+LINKS: dict[int, Callable[[bytes], Any]] = {
+    Link.ETHERNET: _after_type(Ethernet.__hdr_len__),
+    # Systems have different numbers for IPv6 there, in either byte order: the packet itself says which it is.
+    Link.LOOPBACK: lambda data: _raw(data[loopback.Loopback.__hdr_len__ :]),
+    Link.LOOPBACK_OPENBSD: lambda data: _raw(data[loopback.Loopback.__hdr_len__ :]),
+    Link.LINUX_COOKED: _after_type(sll.SLL.__hdr_len__),
+    Link.LINUX_COOKED_2: lambda data: _of_kind(data[:2], data[sll2.SLL2.__hdr_len__ :]),
+    Link.RAW_BSD: _raw,
+    Link.RAW_OPENBSD: _raw,
+    Link.RAW_IP: _raw,
+    Link.IPV4: _IPv4,
+    Link.IPV6: _IPv6,
+}
+"""What reads the packets of each link."""
+
+# For packets cut short or made to confuse, which a capture may well have: dpkt's own, and what its code comes to.
+_TROUBLE = (UnpackError, struct.error, IndexError, ValueError, KeyError, AttributeError, TypeError, RuntimeError)
+_MOST_LAYERS = 16
+
+
+def dissected(link: int, data: bytes) -> Transport | None:
+    """Takes a packet apart.
+
+    Args:
+        link: One of `LINKS`: what the packet starts with.
+        data: The packet.
+
+    Returns:
+        The segment or datagram. None where there is none that can be read.
+
+    """
+    try:
+        layer = LINKS[link](data)
+    except _TROUBLE:
+        return None
+    for _ in range(_MOST_LAYERS):
+        inner = layer.data
+        if _is_later_fragment(layer) or not isinstance(inner, tcp.TCP | udp.UDP | _IPv4 | _IPv6):
+            return None
+        if isinstance(inner, tcp.TCP):
+            flags = inner._off_flags & FLAGS
+            return Transport(
+                layer.src, layer.dst, inner.sport, inner.dport, bytes(inner.data), inner.seq, inner.ack, flags
+            )
+        if isinstance(inner, udp.UDP):
+            return Transport(layer.src, layer.dst, inner.sport, inner.dport, bytes(inner.data))
+        layer = inner
+    return None
+
+
+def _is_later_fragment(layer: Any) -> bool:
+    """Whether IPv6 carries a part of a packet that is not its start; of IPv4's dpkt says so itself."""
+    return any(getattr(header, "frag_off", 0) for header in getattr(layer, "all_extension_headers", ()))

@@ -6,7 +6,6 @@ No I/O and no packets: somebody else knows where segments come from.
 from __future__ import annotations
 
 from bisect import insort
-from collections import deque
 from operator import attrgetter
 from typing import NamedTuple
 
@@ -65,13 +64,15 @@ class Reassembly:
     repeated  bytes that came again, so far
     """
 
+    __slots__ = ("_acknowledged", "_ahead", "_holes", "_position", "_start", "_waiting", "repeated")
+
     def __init__(self, start: int | None = None) -> None:
         self._start = start
         self._position = 0
         self._acknowledged: int | None = None
         self._ahead: list[Segment] = []
         self._waiting = 0
-        self._holes: deque[tuple[int, int]] = deque(maxlen=_MOST_HOLES)
+        self._holes: list[tuple[int, int]] = []
         self.repeated = 0
 
     def _offset(self, sequence: int) -> int:
@@ -174,4 +175,5 @@ class Reassembly:
         if at > self._position:
             found.append(Hole(at - self._position))
             self._holes.append((self._position, at))
+            del self._holes[:-_MOST_HOLES]
             self._position = at

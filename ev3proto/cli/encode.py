@@ -25,6 +25,7 @@ from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
 from ev3proto.tables.frame import COUNTERS
 from ev3proto.text.heading import Seen, heading
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument, read_text
 from ev3proto.text.spans import plain_text
 from ev3proto.text.split import Piece
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from ev3proto.text.assembly.errors import AssemblyError
 
 _START = 8
-_OBJECT = re.compile(r"^[ \t]*(vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
+_OBJECT = late_pattern(r"^[ \t]*(vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MULTILINE)
 """The start of an object of a program. A direct command may be written as one vmthread."""
 
 _SUBROUTINE = "subcall"

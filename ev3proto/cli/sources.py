@@ -16,6 +16,7 @@ from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
 from ev3proto.cli.programs import is_image
 from ev3proto.cli.texts import START, is_binary, pieces, text_lines
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.split import Piece, split
 from ev3proto.text.visible import visible
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 _MOST_RAW = 1 << 26
 
-_GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
+_GROUP = late_pattern(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ev3proto.text.late_pattern import late_pattern
+
 MAX_NAME = 200
 """Characters of a name."""
 
@@ -45,7 +47,7 @@ class Token:
         return self.kind is TokenKind.MARK and self.text in marks
 
 
-_TOKEN = re.compile(
+_TOKEN = late_pattern(
     r"""(?P<blank>[ \t\r\f\v\ufeff]+ | //[^\n]*)
       | (?P<newline>\n)
       | (?P<comment>/\*)
@@ -107,7 +109,7 @@ def _bad(text: str, at: int) -> tuple[str, int]:
     return f"{character!r} cannot stand here", at + 1
 
 
-_ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|.)", re.DOTALL)
+_ESCAPE = late_pattern(r"\\(x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|.)", re.DOTALL)
 _ESCAPES = {
     "n": "\n",
     "r": "\r",

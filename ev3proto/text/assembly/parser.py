@@ -15,6 +15,7 @@ from ev3proto.tables.declaration import Type
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.lexing import ESCAPES, Token, TokenKind, tokens, unescaped
 from ev3proto.text.assembly.words import BYTES, CUT, FRAME, MESSAGE
+from ev3proto.text.late_pattern import late_pattern
 
 MAX_DEPTH = 50
 """How deep expressions may stand in each other."""
@@ -247,7 +248,7 @@ def statements(text: str) -> Iterator[Statement | AssemblyError]:
             parser.skip_line()
 
 
-_OPERATION = re.compile(r"op[A-Z_]\w*")
+_OPERATION = late_pattern(r"op[A-Z_]\w*")
 
 
 def is_operation_word(name: str) -> bool:

@@ -8,16 +8,17 @@ from ev3proto.tables import OPCODES
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.assembly.parser import GLOBAL_WORD, LOCAL_WORD, TYPES
 from ev3proto.text.assembly.words import BYTES, FRAME, MESSAGE
+from ev3proto.text.late_pattern import late_pattern
 
 _DECLARATION = "|".join((*TYPES, GLOBAL_WORD, LOCAL_WORD, r"\#?define", "vmthread"))
-_STATEMENT = re.compile(
+_STATEMENT = late_pattern(
     rf"""op[A-Z]\w*(?:[\s,(;]|$) | [A-Z][A-Z0-9_]*(?:\.[A-Z0-9_]+)?\s*\(
       | (?:{_DECLARATION})\s+[A-Za-z_]
       | {MESSAGE}(?:\s+(?:[A-Z]+_[A-Z_]+|[a-z_]+\s+\w+)|\s*$) | {FRAME}\s*$ | {BYTES}(?:\s+[0-9A-Fa-f]{{2}})+\s*$
       | [A-Za-z_]\w*:\s*$""",
     re.VERBOSE | re.ASCII,
 )
-_NAME = re.compile(r"([A-Za-z_]\w*)(?:\.\w+)?\s*(?:\(|$)", re.ASCII)
+_NAME = late_pattern(r"([A-Za-z_]\w*)(?:\.\w+)?\s*(?:\(|$)", re.ASCII)
 _NAMES = {opcode.name for opcode in OPCODES} | {entry.name for entry in SYSTEM}
 
 

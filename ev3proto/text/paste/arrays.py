@@ -9,11 +9,12 @@ import re
 from dataclasses import dataclass, field
 from typing import Literal
 
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.head import NO_HEAD, Head, clean_head, head_before
 from ev3proto.text.paste.pieces import MAX_COLLECTED, MAX_TEXT, Pasted, Wants, short
 
-_OPENING = re.compile(r"[\[{]")
-_PART = re.compile(
+_OPENING = late_pattern(r"[\[{]")
+_PART = late_pattern(
     r"(?P<blank>\s++)|(?P<comma>,)|(?P<remark>//.*+|#.*+)|(?P<comment>/\*)|(?P<ellipsis>\.{3}|…)"
     r"|(?P<number>0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)[uU]?(?!\w|\.\d)|(?P<closer>[\]}])|(?P<other>[^\s,\]}]{1,32})",
     re.ASCII | re.DOTALL,

@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import re
 
+from ev3proto.text.late_pattern import late_pattern
+
 OTHER = "\x00"
 """Stands for characters that cannot be bytes and that end a run of them."""
 
-_COLOUR = re.compile(r"\x1b\[[0-9;?]{0,20}[A-Za-z]")
+_COLOUR = late_pattern(r"\x1b\[[0-9;?]{0,20}[A-Za-z]")
 _CLOCK = r"(?:[01]?\d|2[0-3]):[0-5]\d:[0-6]\d(?:[.,]\d{1,9})?"
-_FOREIGN = re.compile(
+_FOREIGN = late_pattern(
     # A UUID, a date with or without a time, a time.
     r"(?<![\w-])[0-9a-fA-F]{8}-[0-9a-fA-F]{4}-[0-9a-fA-F]{4}-[0-9a-fA-F]{4}-[0-9a-fA-F]{12}(?![\w-])"
     rf"|(?<![\w.:|-])(?:19|20)\d\d[-/.][01]\d[-/.][0-3]\d(?:[T ]\s?{_CLOCK})?(?:Z|\s?[+-]\d\d:?\d\d)?(?![\w:|-])"
@@ -22,37 +24,37 @@ _FOREIGN = re.compile(
     r"|(?<![\w.-])[-+]?\d+(?:\.\d+)+(?:e[-+]?\d+)?(?![\w.])",
     re.ASCII,
 )
-_CAST = re.compile(
+_CAST = late_pattern(
     r"\(\s?(?:(?:un)?signed )?(?:byte|char|u?int8_t|u8|sbyte|Byte|SByte|UInt8|uint8|BYTE)\s?\)"
     r"|\.to(?:Byte|UByte|Char)\(\)|\bas (?:u8|i8|byte|Byte)\b"
     r"|\b(?:byte|char|chr|Chr\$?|ord|CByte|UInt8|uint8|int8|u8|ToByte|Word8|fromIntegral)(?=\s?\()"
     r"|\bb?(?=')(?='..?')",
 )
-_BESIDE = re.compile(
+_BESIDE = late_pattern(
     # Characters that a debugger shows beside numbers, and types beside values.
     r"(?<=[0-9a-fA-F])\s'(?:\\(?:[0-7]{1,3}|x[0-9a-fA-F]{1,2}|[^\s\w])|\\[a-z0]|[^'\\])'"
     r"|(?<=[0-9a-fA-F])\t+(?:unsigned char|byte|uint8_t|char)\s*$"
     # What a debugger calls an address, and the upper half of one.
     r"|(?<=[0-9a-fA-F])\s<[^<>\s]{1,120}>(?=:)|^[0-9a-fA-F]{8}`(?=[0-9a-fA-F]{8}\s)"
 )
-_ENTITY = re.compile(r"&(?:quot|apos|nbsp|lt|gt|#3[49]|#x2[27]|#160);")
-_COLUMNS = re.compile(r"^\s*Columns? \d{1,5} (?:through|and) \d{1,5}:?\s*$")
-_MIDDLE = re.compile(r"(?<=\s[0-9a-fA-F]{2}\s[0-9a-fA-F]{2})-(?=[0-9a-fA-F]{2}(?:\s|$))")
+_ENTITY = late_pattern(r"&(?:quot|apos|nbsp|lt|gt|#3[49]|#x2[27]|#160);")
+_COLUMNS = late_pattern(r"^\s*Columns? \d{1,5} (?:through|and) \d{1,5}:?\s*$")
+_MIDDLE = late_pattern(r"(?<=\s[0-9a-fA-F]{2}\s[0-9a-fA-F]{2})-(?=[0-9a-fA-F]{2}(?:\s|$))")
 """The mark in the middle of a row, as in `80 00 00 94-01 81 02 82`."""
 _FRAMES_OF_TABLES = str.maketrans("\u2502\u2503\u250a\u00a0\u202f", "||   ")
-_DIRECTIVE = re.compile(
+_DIRECTIVE = late_pattern(
     r"^(?P<before>[\s\w.$@:]{0,40}?)(?P<word>(?:\.byte|\.db|\bdb|\bDB|\bdc\.b|\bDC\.B|\bdefb|\bDEFB|\bfcb|\bFCB"
     r"|(?:\d{1,5}\s+)?DATA|\.ascii|\.short8|\bBYTE)\s)"
 )
-_LEAD = re.compile(
+_LEAD = late_pattern(
     r"^(?P<blank>\s*)(?P<mark>(?://+[/!]?|#+|/\*+|\*(?!/)|;+|--+(?=\s)|'(?=\s)|REM\b|%+(?=\s)|<!--|>(?=\s))\s?)+"
 )
-_REMARK = re.compile(
+_REMARK = late_pattern(
     r"(?://|(?<=[\s,;)}\]])(?:#(?![xX$\d])|;(?=\s*[^\W\d_]{2})|--(?=\s)|'(?=\s*[A-Za-z]{3})|\\{1,2}\s|%(?=\s)))"
 )
-_COMMENT = re.compile(r"/\*(?:(?!\*/).)*+(?:\*/)?")
-_SUBSCRIPT = re.compile(r"(?:\b[A-Za-z_][\w.>-]{0,40})?\[\s?(?P<index>0|[1-9]\d{0,4})\]\s{0,4}(?:=>?|:|\t)\s{0,4}")
-_KEY = re.compile(
+_COMMENT = late_pattern(r"/\*(?:(?!\*/).)*+(?:\*/)?")
+_SUBSCRIPT = late_pattern(r"(?:\b[A-Za-z_][\w.>-]{0,40})?\[\s?(?P<index>0|[1-9]\d{0,4})\]\s{0,4}(?:=>?|:|\t)\s{0,4}")
+_KEY = late_pattern(
     r"(?<![\w\"'.])(?P<quote>[\"']?)(?P<index>0|[1-9]\d{0,4})(?P=quote)\s?(?:=>|:)(?:\s{1,4}|(?<=[\"']:))"
 )
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from functools import cache
 
 from ev3proto.errors import BuildError
 from ev3proto.tables.frame import MessageType
+from ev3proto.text.late_pattern import late_pattern
 
-_CALL = re.compile(r"(?P<macro>LC[0124SXF]|[LG]V[0124X]|LAB1)\s*\(\s*(?P<inner>[^()]*)\)")
-_NUMBER = re.compile(r"-?(?:0[xX][0-9a-fA-F]{1,8}|0|[1-9]\d{0,9})")
+_CALL = late_pattern(r"(?P<macro>LC[0124SXF]|[LG]V[0124X]|LAB1)\s*\(\s*(?P<inner>[^()]*)\)")
+_NUMBER = late_pattern(r"-?(?:0[xX][0-9a-fA-F]{1,8}|0|[1-9]\d{0,9})")
 
 
 def constant_bytes(text: str) -> bytes | None:

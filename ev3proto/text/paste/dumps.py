@@ -5,15 +5,15 @@ The lines of a dump belong together when their offsets say so. Words of two byte
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.head import NO_HEAD
 from ev3proto.text.paste.pieces import MAX_COLLECTED, MAX_TEXT, Pasted, Wants, short
 
-_START = re.compile(r"\s*+(?:0[xX])?(?P<offset>[0-9a-fA-F]{4,16})(?P<colon>:?)(?P<blanks>\s++)(?=[0-9a-fA-F]{2})")
-_GROUP = re.compile(r"(?P<digits>(?:[0-9a-fA-F]{2}){1,8})(?!\S)(?P<blanks>\s*+)")
+_START = late_pattern(r"\s*+(?:0[xX])?(?P<offset>[0-9a-fA-F]{4,16})(?P<colon>:?)(?P<blanks>\s++)(?=[0-9a-fA-F]{2})")
+_GROUP = late_pattern(r"(?P<digits>(?:[0-9a-fA-F]{2}){1,8})(?!\S)(?P<blanks>\s*+)")
 
 
 class Row(NamedTuple):

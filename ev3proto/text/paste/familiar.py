@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables.frame import MessageType
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.blanking import clean
 from ev3proto.text.paste.constants import constant_bytes
 from ev3proto.text.paste.head import Direction, time_before
@@ -26,18 +27,18 @@ _HEX = (
     rf"|0[xX]\|(?P<lesson>{_BYTE}(?:[:|]{_BYTE}){{4,}}+)\|?"
     rf"|(?P<prefixed>0[xX]{_BYTE}(?P<comma>,? |,)0[xX]{_BYTE}(?:(?P=comma)0[xX]{_BYTE}){{3,}}+))(?!\w)"
 )
-_ALONE = re.compile(rf"{_HEX}\s*")
-_AFTER = re.compile(rf"(?<=[\s:=(\[{{<\"'`]){_HEX}")
-_REST = re.compile(r"[\s)\]}>\"'`;,|]*")
-_BETWEEN = re.compile(r"0[xX]|[:|,-]")
+_ALONE = late_pattern(rf"{_HEX}\s*")
+_AFTER = late_pattern(rf"(?<=[\s:=(\[{{<\"'`]){_HEX}")
+_REST = late_pattern(r"[\s)\]}>\"'`;,|]*")
+_BETWEEN = late_pattern(r"0[xX]|[:|,-]")
 
-_WORD = re.compile(
+_WORD = late_pattern(
     r"(?:^|[^\w$])(?P<word>(?=\w*[g-wyzG-WYZ])(?![0-9a-fA-F]{1,3}[hH]\b)[^\W\d_]\w+)(?P<after>[\s:=<>(\[{\"'`,)\]}-]*)$"
 )
-_CALL = re.compile(r"\w\s?\([^()]*\)\W*$")
-_NUMBER = re.compile(r"(?<!\w)\d+(?!\w)")
-_DIGIT = re.compile(r"\d")
-_MAYBE_BYTES = re.compile(r"(?<!\w)[0-9a-fA-F]+(?!\w)")
+_CALL = late_pattern(r"\w\s?\([^()]*\)\W*$")
+_NUMBER = late_pattern(r"(?<!\w)\d+(?!\w)")
+_DIGIT = late_pattern(r"\d")
+_MAYBE_BYTES = late_pattern(r"(?<!\w)[0-9a-fA-F]+(?!\w)")
 _END = "\n"
 _ODD = frozenset("\\\x1b+&$#%*")
 _MOST_BEFORE = 200

@@ -8,6 +8,8 @@ from __future__ import annotations
 import re
 from typing import Literal, NamedTuple
 
+from ev3proto.text.late_pattern import late_pattern
+
 Direction = Literal["sent", "received"]
 
 _CLOCK = r"(?:[01]\d|2[0-3]):[0-5]\d:[0-6]\d(?:[.,]\d{1,9})?"
@@ -24,9 +26,9 @@ _BESIDE = (
     r"|bytearray|(?:\d{1,7}\s{1,4})?bytes?)\b)"
 )
 
-_TIME_SEARCH = re.compile(_TIME, re.ASCII)
-_DIRECTION_SEARCH = re.compile(_DIRECTION, re.IGNORECASE)
-_PART = re.compile(
+_TIME_SEARCH = late_pattern(_TIME, re.ASCII)
+_DIRECTION_SEARCH = late_pattern(_DIRECTION, re.IGNORECASE)
+_PART = late_pattern(
     rf"(?P<time>{_TIME})|{_DIRECTION}|{_BESIDE}|[\s\[({{\])}}\"'`:;,|]++|[<>=-]{{4,}}+|[<>=-]", re.IGNORECASE | re.ASCII
 )
 

@@ -5,25 +5,25 @@ They differ in where the digits begin and end. The digits, what may separate the
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.head import clean_head, head_before
 from ev3proto.text.paste.pieces import Found, short
 
-_GROUP = re.compile(r"[^\s,;:|\-]+")
-_HEX_GROUP = re.compile(r"(0[xX])?([0-9a-fA-F]+)")
+_GROUP = late_pattern(r"[^\s,;:|\-]+")
+_HEX_GROUP = late_pattern(r"(0[xX])?([0-9a-fA-F]+)")
 _SEPARATORS = " \t\r\n\f\v,;:|-"
 
-_REMARK = re.compile(r"\s(?:#|//)")
-_WORD = re.compile(r"(?<![^\W_])[a-zA-Z]{3,}(?![^\W_])")
-_HEX_DIGIT = re.compile(r"[0-9a-fA-F]")
+_REMARK = late_pattern(r"\s(?:#|//)")
+_WORD = late_pattern(r"(?<![^\W_])[a-zA-Z]{3,}(?![^\W_])")
+_HEX_DIGIT = late_pattern(r"[0-9a-fA-F]")
 
-_LESSON = re.compile(r"0[xX]\|(?P<groups>[^\s\"'`()<>,;]*+)")
-_LESSON_FRAME = re.compile(r"0[xX]\|[0-9a-fA-F]{2}:[0-9a-fA-F]{2}\|[0-9a-fA-F]{2}:[0-9a-fA-F]{2}\|[0-9a-fA-F]{2}")
-_LESSON_REST = re.compile(r"[0-9a-fA-F\s:|.…]*+$")
+_LESSON = late_pattern(r"0[xX]\|(?P<groups>[^\s\"'`()<>,;]*+)")
+_LESSON_FRAME = late_pattern(r"0[xX]\|[0-9a-fA-F]{2}:[0-9a-fA-F]{2}\|[0-9a-fA-F]{2}:[0-9a-fA-F]{2}\|[0-9a-fA-F]{2}")
+_LESSON_REST = late_pattern(r"[0-9a-fA-F\s:|.…]*+$")
 
-_FROMHEX = re.compile(r"\b(?:fromhex|unhexlify)\(\s{0,8}b?([\"'])(?P<groups>[^\"']*+)")
+_FROMHEX = late_pattern(r"\b(?:fromhex|unhexlify)\(\s{0,8}b?([\"'])(?P<groups>[^\"']*+)")
 
 
 def bare(line: str, *, is_sure: bool) -> Found | None:

@@ -8,6 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from ev3proto.text.late_pattern import late_pattern
+
 _CHARACTERS = {"a": 7, "b": 8, "t": 9, "n": 10, "v": 11, "f": 12, "r": 13, "e": 27, "s": 32}
 # The names of the control characters from 0 on, which Haskell shows.
 _CONTROLS = (
@@ -16,7 +18,7 @@ _CONTROLS = (
 _CODES = {name: number for number, name in enumerate(_CONTROLS.split(" "))} | {"DEL": 127}
 _NAMES = "|".join(sorted(_CODES, key=len, reverse=True))
 
-_ESCAPE = re.compile(
+_ESCAPE = late_pattern(
     r"\\(?:[xX]\{?(?P<hex>[0-9a-fA-F]{1,2})\}?|u(?:00|\{)(?P<unicode>[0-9a-fA-F]{1,2})\}?"
     rf"|(?P<digits>\d{{1,3}})|(?P<control>{_NAMES})|(?P<character>[^\w])|(?P<letter>[A-Za-z]))"
 )

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.familiar import Familiar
 from ev3proto.text.paste.fitting import bare_reason, reason
 from ev3proto.text.paste.forms import Forms
@@ -13,8 +13,8 @@ from ev3proto.text.paste.scanner import Row, Scanner
 
 MAX_LINE = 1 << 20
 
-_ADDRESS = re.compile(r"(?:[0-9a-fA-F]{2}([:-]))(?:[0-9a-fA-F]{2}\1){4}[0-9a-fA-F]{2}")
-_DENSE = re.compile(r"[\"'<(]*(?:[0-9a-fA-F]{2}[:-]?)+[\"'>),;.]*")
+_ADDRESS = late_pattern(r"(?:[0-9a-fA-F]{2}([:-]))(?:[0-9a-fA-F]{2}\1){4}[0-9a-fA-F]{2}")
+_DENSE = late_pattern(r"[\"'<(]*(?:[0-9a-fA-F]{2}[:-]?)+[\"'>),;.]*")
 
 
 class Reader:

@@ -6,16 +6,16 @@ what stands between, tells that the values belong together.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from itertools import islice
 
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.pieces import LEAST
 from ev3proto.text.paste.values import Run, Style, Value
 
-_VALUE = re.compile(r"(?<![0-9A-Za-z_.])(?P<mark>0[xX]|&[hH]|\$)?(?P<digits>[0-9a-fA-F]{1,3})(?![0-9A-Za-z_])")
-_FOLLOWING = re.compile(_VALUE.pattern.removeprefix("(?<![0-9A-Za-z_.])"))
-_USUAL = re.compile(r"[\s,;:|]*")
+_VALUE = late_pattern(r"(?<![0-9A-Za-z_.])(?P<mark>0[xX]|&[hH]|\$)?(?P<digits>[0-9a-fA-F]{1,3})(?![0-9A-Za-z_])")
+_FOLLOWING = late_pattern(_VALUE.pattern.removeprefix("(?<![0-9A-Za-z_.])"))
+_USUAL = late_pattern(r"[\s,;:|]*")
 _MOST_STARTS = 12
 _MOST_BETWEEN = 3
 _MOST_GAP = 48

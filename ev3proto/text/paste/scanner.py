@@ -6,12 +6,12 @@ lines may go on with it. What is no frame in the end is said to look like one, o
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from ev3proto.schema.header import frame_size, is_frame_size
 from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.blanking import (
     clean,
     without_indexes,
@@ -26,10 +26,10 @@ from ev3proto.text.paste.readings import Stretch, best_reading, boundaries, chan
 from ev3proto.text.paste.rhythm import rhythmic_runs
 from ev3proto.text.paste.values import Run, Style, Value, character_cells, readings, runs
 
-_MAY_HAVE = re.compile(r"[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
+_MAY_HAVE = late_pattern(r"[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
 # What `check` prints under a finding: the frame itself stands above it.
-_EXCERPT = re.compile(r"\s*\+\d+ \| ")
-_DIGITS = re.compile(r"[0-9]+|0x[0-9a-fA-F]+")
+_EXCERPT = late_pattern(r"\s*\+\d+ \| ")
+_DIGITS = late_pattern(r"[0-9]+|0x[0-9a-fA-F]+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -442,7 +442,7 @@ _MOST_EMPTY = 3
 _HEADING = [*"01234567"]
 _MOST_SHOWN = 20
 _MOST_PREFIX = 3
-_PREFIX_ENDS = re.compile(r"(?:[)\]>]+:?|:)\s+")
+_PREFIX_ENDS = late_pattern(r"(?:[)\]>]+:?|:)\s+")
 
 
 def _without_prefix(run: Run, line: str) -> Run:

@@ -10,20 +10,21 @@ import re
 import warnings
 from collections.abc import Iterator
 
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.head import clean_head, head_before
 from ev3proto.text.paste.pieces import Found, short
 
-_START = re.compile(r"(?<!\w)b(?P<bytes>[\"'])|(?P<text>[\"'])(?=[ -~]?\\x)")
+_START = late_pattern(r"(?<!\w)b(?P<bytes>[\"'])|(?P<text>[\"'])(?=[ -~]?\\x)")
 _ESCAPE = r"\\(?:x[0-9a-fA-F]{2}|[0-3]?[0-7]{1,2}|[ -/89:-wy-~])"
 _BODY = {
-    "'": re.compile(rf"(?:[ -&(-\[\]-~]|{_ESCAPE})*+"),
-    '"': re.compile(rf"(?:[ !#-\[\]-~]|{_ESCAPE})*+"),
+    "'": late_pattern(rf"(?:[ -&(-\[\]-~]|{_ESCAPE})*+"),
+    '"': late_pattern(rf"(?:[ !#-\[\]-~]|{_ESCAPE})*+"),
 }
 # An ellipsis that may have cut an escape in two.
-_CUT = re.compile(r"(?:\\x?[0-9a-fA-F]?)?(?:\.{3}|…)")
+_CUT = late_pattern(r"(?:\\x?[0-9a-fA-F]?)?(?:\.{3}|…)")
 
-_ESCAPES_START = re.compile(r"b?(?=[ -~]?\\x[0-9a-fA-F]{2})")
-_ESCAPES_ONLY = re.compile(r"(?:\\x[0-9a-fA-F]{2}[\s,]*+)+")
+_ESCAPES_START = late_pattern(r"b?(?=[ -~]?\\x[0-9a-fA-F]{2})")
+_ESCAPES_ONLY = late_pattern(r"(?:\\x[0-9a-fA-F]{2}[\s,]*+)+")
 
 
 def strings(line: str) -> Iterator[Found]:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.blanking import OTHER, blank
 from ev3proto.text.paste.constants import constant_bytes
 from ev3proto.text.paste.literals import literal
@@ -106,7 +107,7 @@ class Run:
 
 _HEX = "0-9a-fA-F"
 _PREFIXES = r"(?:&[hH]|\#?\$|\#?[xX](?=[0-9a-fA-F])|\#|16r|16\#|\\?0[xX]|['][hH]|[xXH]')"
-_TOKEN = re.compile(
+_TOKEN = late_pattern(
     rf"""
       (?P<lesson>0[xX]\|)
     | (?P<sized>(?<!\w)\d{{1,2}}'[hH](?P<digit>[{_HEX}]{{1,2}})(?!\w))
@@ -131,21 +132,21 @@ _TOKEN = re.compile(
     """,
     re.VERBOSE,
 )
-_BODY = {mark: re.compile(rf"(?:[^{mark}\\]|\\.)*+") for mark in "\"'`"}
-_UNQUOTED = re.compile(
+_BODY = {mark: late_pattern(rf"(?:[^{mark}\\]|\\.)*+") for mark in "\"'`"}
+_UNQUOTED = late_pattern(
     rf"(?:\\(?:[xX]\{{?[{_HEX}]{{1,2}}\}}?|u00[{_HEX}]{{2}}|\d{{1,3}}|[abtnvfre\\\"' #])|[!#-&(-\[\]-~])*+"
 )
-_GAP = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013_-]*+")
-_JOINER = re.compile(r"[\s+&()\\]*+|\s*\.\.?\s*|\s*,\s*")
-_HEAD = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}*=\u2013_-]*+")
-_TAIL = re.compile(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013._!?$-]*+(?:[uU]?8?[;\s]*)$")
-_REPEATS = re.compile(r"\s*<repeats (?P<count>[1-9]\d{0,5}) times>")
-_ELLIPSIS = re.compile(r"[\s,;:|\"'-]*+(?:\.{3}|\u2026)")
-_HEX_ONLY = re.compile(rf"[\s,:{_HEX}-]*")
-_NAMED = re.compile(r"(?P<name>[A-Za-z_]\w*)(?P<call>\s?\([^()]{0,80}\))?")
-_AFTER_WORD = re.compile(r"\s*(?:[(,}\])]|$)")
-_AFTER_NAME = re.compile(r"\s*(?:[,}\])]|$)")
-_BEFORE_NAME = re.compile(r"(?:[,{(\[]|^)\s*$")
+_GAP = late_pattern(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013_-]*+")
+_JOINER = late_pattern(r"[\s+&()\\]*+|\s*\.\.?\s*|\s*,\s*")
+_HEAD = late_pattern(r"[\s,;:|+&/\\\"'`<>()\[\]{}*=\u2013_-]*+")
+_TAIL = late_pattern(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013._!?$-]*+(?:[uU]?8?[;\s]*)$")
+_REPEATS = late_pattern(r"\s*<repeats (?P<count>[1-9]\d{0,5}) times>")
+_ELLIPSIS = late_pattern(r"[\s,;:|\"'-]*+(?:\.{3}|\u2026)")
+_HEX_ONLY = late_pattern(rf"[\s,:{_HEX}-]*")
+_NAMED = late_pattern(r"(?P<name>[A-Za-z_]\w*)(?P<call>\s?\([^()]{0,80}\))?")
+_AFTER_WORD = late_pattern(r"\s*(?:[(,}\])]|$)")
+_AFTER_NAME = late_pattern(r"\s*(?:[,}\])]|$)")
+_BEFORE_NAME = late_pattern(r"(?:[,{(\[]|^)\s*$")
 _MOST_GAP = 160
 _MOST_REPEATS = 4 * MAX_FRAME
 
@@ -193,7 +194,7 @@ def runs(line: str, *, is_text: bool = False) -> list[Run]:
     return found
 
 
-_BRACKET = re.compile(r"[\[\](){}]")
+_BRACKET = late_pattern(r"[\[\](){}]")
 
 
 def _between(line: str, run: Run) -> int:
@@ -203,7 +204,7 @@ def _between(line: str, run: Run) -> int:
     return depth
 
 
-_CELLS = re.compile(r"\s*[0-7]{7}(?P<cells>(?: (?: {2}[ \S]| \\[0abtnvfr]|[0-7]{3}))+)\s*")
+_CELLS = late_pattern(r"\s*[0-7]{7}(?P<cells>(?: (?: {2}[ \S]| \\[0abtnvfr]|[0-7]{3}))+)\s*")
 _CELL_NAMES = {"\\0": 0, "\\a": 7, "\\b": 8, "\\t": 9, "\\n": 10, "\\v": 11, "\\f": 12, "\\r": 13}
 
 

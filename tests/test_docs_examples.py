@@ -137,6 +137,24 @@ def test_the_c_program_prints_the_frames(tmp_path: Path) -> None:
     assert said == ["0e002a0080000094010182b80182e803", "08002a00000400810160"]
 
 
+def test_the_javascript_program_reads_the_frame(tmp_path: Path) -> None:
+    page = ROOT / "docs" / "howto" / "javascript.md"
+    compiling, reading = blocks(page, "javascript")
+    (shown,) = blocks(page, "text")
+    (tmp_path / "ev3.ksy").symlink_to(ROOT / "exports" / "ev3.ksy")
+    # Where tests/run has installed what the page tells its readers to install.
+    compiler = os.environ.get("EV3PROTO_KSC")
+    assert compiler is not None, "run tests/run once"
+    environment = {**os.environ, "NODE_PATH": str(Path(compiler).parent)}
+    for name, program in (("compile.js", compiling), ("read.js", reading)):
+        (tmp_path / name).write_text(program)
+        done = subprocess.run(
+            ["node", name], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False, timeout=60
+        )
+        assert (done.returncode, done.stderr) == (0, ""), "run tests/run once"
+    assert done.stdout == shown
+
+
 def test_there_are_commands_and_programs() -> None:
     assert sum(len(blocks(page, "console")) for page in PAGES) > 20
     assert sum(len(blocks(page, "python")) for page in PAGES) > 12

@@ -13,6 +13,7 @@ from ev3proto import capture
 from ev3proto.capture import Record
 from ev3proto.generate.cheader.build import build as header
 from ev3proto.generate.kaitai.build import build as description
+from ev3proto.generate.output_schemas import build as output_schemas
 from ev3proto.generate.tables_json.build import build_schema, build_tables
 from ev3proto.tables.carriers import CARRIERS
 
@@ -25,6 +26,7 @@ FILES = {
     "ev3.ksy": ("kaitai", description()),
     "ev3-tables.json": ("json", build_tables()),
     "ev3-tables.schema.json": ("json-schema", build_schema()),
+    "ev3-output.schema.json": ("output-schema", output_schemas()),
 }
 
 # The group by itself, whatever stands around it.

@@ -31,7 +31,7 @@ _MOST_CLIENTS = 1000
 
 
 class _WithDifferences(click.Command):
-    """A command whose help ends with what the virtual brick does on purpose in another way than a real one."""
+    """A command whose help also says what the virtual brick does on purpose in another way than a real one."""
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         from ev3proto.brick.deviations import DEVIATIONS
@@ -43,7 +43,11 @@ class _WithDifferences(click.Command):
         )
         differences = "\n\n".join(f"- {sentence}" for sentence in (*limits, *DEVIATIONS))
         about = self.help
-        self.help = f"{cleandoc(about or '')}\n\nWhere it differs from a real brick on purpose:\n\n{differences}"
+        # The examples come last, as in every help.
+        text, examples_mark, examples = cleandoc(about or "").rpartition("\n\n\b\n")
+        self.help = (
+            f"{text}\n\nWhere it differs from a real brick on purpose:\n\n{differences}{examples_mark}{examples}"
+        )
         super().format_help_text(ctx, formatter)
         self.help = about
 
@@ -131,11 +135,6 @@ def brick(
     It answers as the firmware V1.04H does. The first line that it prints says where it listens; Ctrl-C switches it off.
 
     \b
-      ev3proto brick
-      ev3proto brick --http --script robot.toml
-      ev3proto brick --serial /tmp/ev3 --record talk.pcapng --report
-
-    \b
     A script says what is plugged in, with raw readings by mode, and what happens:
       period = 4.0               # begin again after so many seconds
       [ports.1]
@@ -146,6 +145,11 @@ def brick(
       at = 1.5                   # seconds
       ports.1.0 = 4000           # mode 0 of port 1
       press = "enter"            # or release = "enter"
+
+    \b
+      ev3proto brick
+      ev3proto brick --http --script robot.toml
+      ev3proto brick --serial /tmp/ev3 --record talk.pcapng --report
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if coverage:
         _show_coverage(dialect)

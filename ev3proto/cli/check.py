@@ -317,7 +317,8 @@ def check(
       ev3proto check 08 00 2a 00 80 00 00 81 01 60
       ev3proto check --fix "0x|09:00|2A:00|80|00:00|81|01|60|"
       ev3proto check --strict --no-hints robot.log
-      ev3proto check robot.rbf; ev3proto check robot.lms
+      ev3proto check robot.rbf
+      ev3proto check robot.lms
       ev3proto check --explain E101
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if code is not None:

@@ -14,7 +14,12 @@ from ev3proto.whole_files import write_whole
 
 @click.group(cls=Group)
 def dissector() -> None:
-    """The dissector for Wireshark: one Lua file that lets Wireshark read frames."""
+    """The dissector for Wireshark: one Lua file that lets Wireshark read frames.
+
+    \b
+      ev3proto dissector install --profile
+      ev3proto dissector build -o ev3.lua
+    """  # noqa: D301 - the mark by which click leaves lines as they are
 
 
 @dissector.command("build")

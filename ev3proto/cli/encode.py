@@ -396,7 +396,8 @@ def encode(
       ev3proto encode robot.lms -o robot.rbf
       ev3proto encode --counter 42 --to raw -o tone.bin tone.lms
       ev3proto decode --json robot.log | jq -c '.counter = 7' | ev3proto encode
-      ev3proto decode --format asm robot.pcapng > robot.asm; ev3proto encode robot.asm
+      ev3proto decode --format asm robot.pcapng > robot.asm
+      ev3proto encode robot.asm
     """  # noqa: D301 - the mark by which click leaves lines as they are
     is_for_program = source_dialect is not None or version is not None or shortest
     if form == RBF or (form is None and (is_for_program or (path is not None and path.lower().endswith(SUFFIX)))):

@@ -33,8 +33,13 @@ _NANOSECONDS_EACH = 1_000_000
 def export() -> None:
     """Writes the protocol, or frames, for other tools.
 
-    The files that are made of the tables are the same every time; --check tells whether one is what would be written.
-    """
+    The files that are made of the tables are the same every time; --check says whether one is what would be written.
+
+    \b
+      ev3proto export all exports
+      ev3proto export pcapng robot.log -o talk.pcapng
+      ev3proto export c-header --help
+    """  # noqa: D301 - the mark by which click leaves lines as they are
 
 
 def _file_options(command: F) -> F:
@@ -103,7 +108,7 @@ def kaitai(dialect: str, output: Path | None, check: bool) -> None:
 
     \b
       ev3proto export kaitai -o ev3.ksy
-      kaitai-struct-compiler --target java ev3.ksy
+      ev3proto export kaitai --dialect xtended -o ev3.ksy
     """  # noqa: D301
     from ev3proto.generate.kaitai.build import build
 
@@ -126,10 +131,27 @@ def json_tables(output: Path | None, check: bool) -> None:
 @export.command("json-schema")
 @_file_options
 def json_schema(output: Path | None, check: bool) -> None:
-    """Writes ev3-tables.schema.json: what stands in ev3-tables.json, as JSON Schema (draft 2020-12)."""
+    """Writes ev3-tables.schema.json: what stands in ev3-tables.json, as JSON Schema (draft 2020-12).
+
+    \b
+      ev3proto export json-schema -o ev3-tables.schema.json
+    """  # noqa: D301
     from ev3proto.generate.tables_json.build import build_schema
 
     _write(build_schema(), output, check=check)
+
+
+@export.command("output-schema")
+@_file_options
+def output_schema(output: Path | None, check: bool) -> None:
+    """Writes ev3-output.schema.json: what decode, check, stats and values print with --json, as JSON Schema.
+
+    \b
+      ev3proto export output-schema -o ev3-output.schema.json
+    """  # noqa: D301
+    from ev3proto.generate.output_schemas import build
+
+    _write(build(), output, check=check)
 
 
 @export.command("all")
@@ -142,6 +164,7 @@ def everything(folder: Path, check: bool) -> None:
       ev3proto export all exports
       ev3proto export all exports --check
     """  # noqa: D301
+    from ev3proto.generate import output_schemas
     from ev3proto.generate.cheader import build as header
     from ev3proto.generate.kaitai import build as description
     from ev3proto.generate.tables_json import build as tables
@@ -151,6 +174,7 @@ def everything(folder: Path, check: bool) -> None:
         description.FILE_NAME: description.build(),
         tables.TABLES_NAME: tables.build_tables(),
         tables.SCHEMA_NAME: tables.build_schema(),
+        output_schemas.FILE_NAME: output_schemas.build(),
     }
     if not check:
         try:
@@ -234,9 +258,9 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
     Frames are given as to decode. Commands go from the computer to the brick, replies come back.
 
     \b
-      ev3proto export pcapng robot.log -o robot.pcapng
-      ev3proto export pcapng --carrier usb 0e002a0080000094010182b80182e803 -o tone.pcapng
-      ev3proto export pcapng captures/bluetooth.log --carrier wifi | tshark -r -
+      ev3proto export pcapng robot.log -o talk.pcapng
+      ev3proto export pcapng 0e002a0080000094010182b80182e803 -o tone.pcapng
+      ev3proto export pcapng --carrier usb robot.log | tshark -r -
     """  # noqa: D301
     from ev3proto.generate.captures import CaptureWriter
 

@@ -154,7 +154,13 @@ def cli() -> None:
     """The wire protocol of the LEGO MINDSTORMS EV3: read frames and captures, look operations up.
 
     Exit status: 0 fine, 1 the input is at fault, 2 the call is, 70 ev3proto itself is, 130 after Ctrl-C.
-    """
+
+    \b
+      ev3proto decode robot.pcapng
+      ev3proto check 08000100000500810161
+      ev3proto help encode
+      ev3proto help sound.tone
+    """  # noqa: D301 - the mark by which click leaves lines as they are
 
 
 def main() -> None:

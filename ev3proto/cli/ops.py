@@ -22,7 +22,12 @@ from ev3proto.text.spans import Line, Role
 
 @click.command()
 @click.argument("words", nargs=-1)
-@click.option("--area", type=click.Choice([*AREAS, "system"]), help="Only those of one area of the firmware.")
+@click.option(
+    "--area",
+    type=click.Choice([*AREAS, "system"]),
+    metavar="AREA",
+    help=f"Only those of one area of the firmware: {', '.join(AREAS)}, system.",
+)
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
 @click.option(
     "--dialect", type=click.Choice(DIALECTS), default="official", show_default=True, help="Whose instruction set."

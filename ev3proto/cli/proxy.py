@@ -73,8 +73,8 @@ def proxy(
 
     \b
       ev3proto proxy --to usb
-      ev3proto proxy --listen wifi:127.0.0.1:5556 --to wifi:192.0.2.10 --record talk.pcapng
-      ev3proto proxy --to bluetooth:00:16:53:42:2B:99 --record - | wireshark -k -i -
+      ev3proto proxy --listen wifi:127.0.0.1:5556 --to wifi --record talk.pcapng
+      ev3proto proxy --to usb --record - | wireshark -k -i -
     """  # noqa: D301 - the mark by which click leaves lines as they are
     from ev3proto.brick.servers.faults import Faults
     from ev3proto.link.carriers import open_wire

@@ -32,7 +32,14 @@ MOST_SEEDS = 1 << 64
     help="The same seed gives the same frames, the first ones for any count.",
 )
 @click.option("--op", "names", multiple=True, metavar="NAME", help="Only SOUND.TONE, all of SOUND, or LIST_FILES.")
-@click.option("--area", "areas", multiple=True, type=click.Choice([*AREAS, "system"]), help="Only those of an area.")
+@click.option(
+    "--area",
+    "areas",
+    multiple=True,
+    type=click.Choice([*AREAS, "system"]),
+    metavar="AREA",
+    help=f"Only those of one area of the firmware: {', '.join(AREAS)}, system.",
+)
 @click.option("--type", "types", multiple=True, metavar="TYPE", help="Only DIRECT_REPLY, or all that is direct-reply.")
 @click.option("--mutate", is_flag=True, help="Frames that are no longer right: changed, cut, lengthened.")
 @click.option(
@@ -55,7 +62,7 @@ def sample(
     choose can be given several times. raw writes the bytes of one frame after the other.
 
     \b
-      ev3proto sample --count 1000 --seed 7 > frames.txt
+      ev3proto sample --count 100 --seed 7 > frames.txt
       ev3proto sample --op SOUND --op UI_DRAW.LINE --format asm
       ev3proto sample --type system-reply --mutate --format raw | my_decoder
     """  # noqa: D301 - the mark by which click leaves lines as they are

@@ -41,7 +41,7 @@ def values(file: str, reading: CaptureOptions, form: str | None, plot: Path | No
     \b
       ev3proto values robot.pcapng
       ev3proto values robot.pcapng --filter 'op == UI_READ.GET_VBATT' --csv
-      ev3proto values robot.pcapng --filter 'op == INPUT_READSI' --plot sensors.svg
+      ev3proto values robot.pcapng --filter 'op == INPUT_READ' --plot light.svg
     """  # noqa: D301 - the mark by which click leaves lines as they are
     from ev3proto.capture.series import series_of
 

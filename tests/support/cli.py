@@ -21,14 +21,15 @@ ROOT = Path(__file__).parents[2]
 
 
 def run_ev3proto(
-    *words: str | Path, stdin: bytes = b"", env: Mapping[str, str] | None = None
+    *words: str | Path, stdin: bytes = b"", env: Mapping[str, str] | None = None, cwd: Path = ROOT
 ) -> subprocess.CompletedProcess[bytes]:
-    """`ev3proto WORDS` in the folder of the project.
+    """`ev3proto WORDS`, in the folder of the project unless another is given.
 
     Args:
         words: The arguments.
         stdin: What comes on standard input.
         env: The whole environment; that of the tests where it is not given.
+        cwd: The folder in which it runs.
 
     Returns:
         Exit status and output. An exception that would end the program with a traceback is raised.
@@ -37,7 +38,7 @@ def run_ev3proto(
     read = io.TextIOWrapper(io.BufferedReader(io.BytesIO(stdin)), "utf-8")
     out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8", write_through=True) for _ in range(2))
     with (
-        contextlib.chdir(ROOT),
+        contextlib.chdir(cwd),
         mock.patch.dict(os.environ, env or {}, clear=env is not None),
         mock.patch.multiple(sys, argv=arguments, stdin=read, stdout=out, stderr=err),
     ):
@@ -46,10 +47,10 @@ def run_ev3proto(
 
 
 def run_ev3proto_text(
-    *words: str | Path, stdin: str | bytes = "", env: Mapping[str, str] | None = None
+    *words: str | Path, stdin: str | bytes = "", env: Mapping[str, str] | None = None, cwd: Path = ROOT
 ) -> subprocess.CompletedProcess[str]:
     """The same with texts in place of bytes."""
-    done = run_ev3proto(*words, stdin=stdin.encode() if isinstance(stdin, str) else stdin, env=env)
+    done = run_ev3proto(*words, stdin=stdin.encode() if isinstance(stdin, str) else stdin, env=env, cwd=cwd)
     return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
 
 

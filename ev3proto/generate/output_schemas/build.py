@@ -1,0 +1,85 @@
+"""The file: a schema for each command under `$defs`."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+from ev3proto.capture.statistics import Summary
+from ev3proto.checking.fixing import Change
+from ev3proto.checking.report import Severity
+from ev3proto.generate.output_schemas.messages import definitions
+from ev3proto.generate.output_schemas.parts import (
+    FLAG,
+    HEX,
+    NOT_FINITE,
+    NUMBER,
+    TEXT,
+    TIME,
+    WHOLE,
+    Schema,
+    by_name,
+    list_of,
+    maybe,
+    object_of,
+    of_dataclass,
+    reference,
+)
+from ev3proto.generate.tables_json.writing import written
+from ev3proto.version import VERSION
+
+FILE_NAME = "ev3-output.schema.json"
+
+_COMMANDS = ("decode", "check", "stats", "values")
+
+
+def build() -> str:
+    """The text of the file."""
+    commands: Schema = {
+        "check": _check(),
+        "finding": _finding(),
+        "stats": of_dataclass(Summary),
+        "values": _values(),
+    }
+    return written(
+        {
+            "$schema": "https://json-schema.org/draft/2020-12/schema",
+            "title": f"What ev3proto {VERSION} prints with --json",
+            "description": "$defs/decode, check and values: a line of each; $defs/stats: all of stats.",
+            "anyOf": [reference(name) for name in _COMMANDS],
+            "$defs": definitions() | commands,
+        }
+    )
+
+
+def _check() -> Schema:
+    properties: Schema = {
+        "source": TEXT,
+        "packet": WHOLE,
+        "line": WHOLE,
+        "accepted": FLAG,
+        "rejected_at": maybe(WHOLE),
+        "findings": list_of(reference("finding")),
+        "hex": HEX,
+        "changes": list_of(object_of({field.name: TEXT for field in fields(Change)})),
+        "unmended": list_of(TEXT),
+    }
+    return object_of(properties, "source", "packet", "line", "changes", "unmended")
+
+
+def _finding() -> Schema:
+    properties: Schema = {
+        "severity": {"enum": [severity.value for severity in Severity]},
+        "code": {"type": "string", "pattern": "^[EWH][0-9]{3}$"},
+        "offset": WHOLE,
+        "length": WHOLE,
+        "message": TEXT,
+        "mend": TEXT,
+        "operation": TEXT,
+        "parameter": TEXT,
+    }
+    return object_of(properties, "operation", "parameter")
+
+
+def _values() -> Schema:
+    one = {"anyOf": [NUMBER, TEXT, list_of({"anyOf": [NUMBER, NOT_FINITE]})]}
+    return object_of({"time": TIME, "packet": WHOLE, "peer": TEXT, "values": by_name(one)})

@@ -1,0 +1,75 @@
+"""What schemas are put together from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import fields, is_dataclass
+from types import NoneType, UnionType
+from typing import Any, get_args, get_origin, get_type_hints
+
+Schema = dict[str, Any]
+
+WHOLE: Schema = {"type": "integer", "minimum": 0}
+TEXT: Schema = {"type": "string"}
+NUMBER: Schema = {"type": "number"}
+FLAG: Schema = {"type": "boolean"}
+HEX: Schema = {"type": "string", "pattern": "^([0-9a-f]{2})*$"}
+TIME: Schema = {"type": "string", "pattern": "^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:.]+Z$"}
+NOT_FINITE: Schema = {"enum": ["nan", "inf", "-inf"]}
+
+_PLAIN = {int: {"type": "integer"}, float: NUMBER, str: TEXT, bool: FLAG}
+
+
+def object_of(properties: Schema, *optional: str) -> Schema:
+    """An object with these keys and no others.
+
+    Args:
+        properties: The schema of each key.
+        optional: The keys that may be absent.
+    """
+    required = [name for name in properties if name not in optional]
+    return {"type": "object", "properties": properties, "required": required, "additionalProperties": False}
+
+
+def by_name(values: Schema, names: Iterable[str] | None = None) -> Schema:
+    """An object whose keys are names: any, or some of these."""
+    found: Schema = {"type": "object", "additionalProperties": values}
+    return found if names is None else found | {"propertyNames": {"enum": sorted(set(names))}}
+
+
+def reference(name: str) -> Schema:
+    """A schema that stands under `$defs`."""
+    return {"$ref": f"#/$defs/{name}"}
+
+
+def list_of(items: Schema) -> Schema:
+    """A list."""
+    return {"type": "array", "items": items}
+
+
+def maybe(schema: Schema) -> Schema:
+    """The same, or null."""
+    return {"anyOf": [schema, {"type": "null"}]}
+
+
+def of_dataclass(kind: type) -> Schema:
+    """What `dataclasses.asdict` makes of an object of this class, by its annotations."""
+    hints = get_type_hints(kind)
+    return object_of({field.name: _of_type(hints[field.name]) for field in fields(kind)})
+
+
+def _of_type(hint: Any) -> Schema:
+    if hint in _PLAIN:
+        return _PLAIN[hint]
+    if is_dataclass(hint) and isinstance(hint, type):
+        return of_dataclass(hint)
+    arguments = get_args(hint)
+    match get_origin(hint):
+        case origin if origin is list:
+            return list_of(_of_type(arguments[0]))
+        case origin if origin is dict:
+            return by_name(_of_type(arguments[1]))
+        case origin if origin is UnionType:
+            (inner,) = (argument for argument in arguments if argument is not NoneType)
+            return maybe(_of_type(inner))
+    raise TypeError(f"there is no schema for {hint}")

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from ev3proto.checking.checking import check
     from ev3proto.checking.fixing import Fix, fix
     from ev3proto.checking.report import Finding, Report, Severity
-    from ev3proto.compose import Draft, Global, Local, command
+    from ev3proto.compose import Draft, Global, Label, Local, command
     from ev3proto.dialogue import Dialogue, Exchange, Transfer, Value
     from ev3proto.link.async_ev3 import AsyncEV3
     from ev3proto.link.errors import (
@@ -71,7 +71,7 @@ _LATER = {
     "ev3proto.checking.checking": ("check",),
     "ev3proto.checking.fixing": ("Fix", "fix"),
     "ev3proto.checking.report": ("Finding", "Report", "Severity"),
-    "ev3proto.compose": ("Draft", "Global", "Local", "command"),
+    "ev3proto.compose": ("Draft", "Global", "Label", "Local", "command"),
     "ev3proto.dialogue": ("Dialogue", "Exchange", "Transfer", "Value"),
     "ev3proto.link.async_ev3": ("AsyncEV3",),
     "ev3proto.link.errors": (
@@ -136,6 +136,7 @@ __all__ = [
     "Finding",
     "Fix",
     "Global",
+    "Label",
     "LinkError",
     "Local",
     "Message",

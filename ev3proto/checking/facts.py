@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ev3proto.messages import OperationReader
 from ev3proto.semantics.domain import Domain, domain_of
-from ev3proto.tables.declaration import Declaration, Direction, Effect, Parameter, Role, Type
+from ev3proto.tables.declaration import Declaration, Direction, Effect, Parameter, Type
 from ev3proto.tables.encoding import RANGES
 
 
@@ -61,7 +61,7 @@ def operation_facts(schema: OperationReader) -> OperationFacts:
         tuple(parameter_facts(parameter) for parameter in fixed),
         declaration.effects,
         declaration.command is not None,
-        is_jump=bool(parameters) and parameters[-1].role is Role.JUMP,
+        is_jump=declaration.is_jump,
         has_lists=any(parameter.length is not None or parameter.most is not None for parameter in parameters),
         ends_code=Effect.ENDS_CODE in declaration.effects,
         is_newer=declaration.is_newer,

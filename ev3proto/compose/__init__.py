@@ -6,6 +6,7 @@ those that are `Local()` or `Global()`, get their place only when `command` know
 
 from ev3proto.compose.commands import command
 from ev3proto.compose.drafts import Draft
+from ev3proto.compose.labels import Label
 from ev3proto.compose.placeholders import Global, Local, Placeholder
 
-__all__ = ["Draft", "Global", "Local", "Placeholder", "command"]
+__all__ = ["Draft", "Global", "Label", "Local", "Placeholder", "command"]

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ev3proto.compose.drafts import Draft, draft_of
+from ev3proto.compose.labels import Label, with_jumps
 from ev3proto.compose.layout import LIMITS, layout
 from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, Operation
@@ -16,7 +19,7 @@ _WITH_REPLY, _WITHOUT_REPLY = MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRE
 
 
 def command(
-    *operations: Draft | Operation,
+    *operations: Draft | Operation | Label,
     counter: int = 0,
     reply: bool | None = None,
     global_size: int | None = None,
@@ -28,7 +31,8 @@ def command(
     What has a place by hand stays there. Variables that are `Local()` or `Global()` get a place, too.
 
     Args:
-        operations: Of `ev3proto.ops`, or of `ev3proto.operation`.
+        operations: Of `ev3proto.ops`, or of `ev3proto.operation`. A `Label` among them is the place to which those jump
+            that name it.
         counter: The message counter, 0 to 65535.
         reply: Whether the brick is to answer; when omitted, it is where anything is written to global memory. With
             False, outputs that were omitted go to local memory: nobody would read them.
@@ -41,10 +45,13 @@ def command(
     Raises:
         BuildError: No frame can carry it, or a size given by hand is less than the operations use.
     """
-    drafts = [each if type(each) is Draft else _drafted(each) for each in operations]
+    drafts = [each if type(each) is Draft else _drafted(each) for each in operations if type(each) is not Label]
     if not drafts:
         raise BuildError(EMPTY_COMMAND)
     encoded, globals_used, locals_used, writes_globals = layout(drafts, LOCAL if reply is False else GLOBAL)
+    jumps = {number: draft.label for number, draft in enumerate(drafts) if draft.label is not None}
+    if jumps or len(drafts) < len(operations):
+        encoded = with_jumps(encoded, jumps, _places(operations))
     if reply is None:
         reply = writes_globals or bool(global_size)
     kind = _WITH_REPLY if reply else _WITHOUT_REPLY
@@ -59,7 +66,21 @@ def command(
     return new_direct_command(kind, counter, global_size, local_size, tuple(placed))
 
 
-def _drafted(operation: Draft | Operation) -> Draft:
+def _places(operations: Sequence[Draft | Operation | Label]) -> dict[Label, int]:
+    """The number of the operation that each label stands in front of. BuildError for one that stands in two places."""
+    found: dict[Label, int] = {}
+    count = 0
+    for each in operations:
+        if not isinstance(each, Label):
+            count += 1
+        elif each in found:
+            raise BuildError(f"{each!r} stands in two places, and a jump leads to one")
+        else:
+            found[each] = count
+    return found
+
+
+def _drafted(operation: Draft | Operation | Label) -> Draft:
     if isinstance(operation, Draft):
         return operation
     if isinstance(operation, Operation):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ev3proto.compose.labels import Label
 from ev3proto.compose.memory import Need
 from ev3proto.compose.placeholders import Placeholder
 from ev3proto.errors import BuildError
@@ -37,11 +38,12 @@ class Draft:
     Attributes:
         schema: The operation's.
         encoded: Its bytes, opcode first, with a stand-in for each variable whose place is open.
+        label: The place that it jumps to, where that is a label.
         needs: What each of its variables needs, where they are its last arguments and were omitted, all of them. None
             where that has to be found out by the footprints.
     """
 
-    __slots__ = ("_places", "encoded", "needs", "schema")
+    __slots__ = ("_places", "encoded", "label", "needs", "schema")
 
     def __init__(
         self,
@@ -49,10 +51,12 @@ class Draft:
         encoded: bytes,
         places: Mapping[int, Placeholder | Open],
         needs: tuple[Need, ...] | None = None,
+        label: Label | None = None,
     ) -> None:
         self.schema = schema
         self.encoded = encoded
         self.needs = needs
+        self.label = label
         self._places = places
 
     @property
@@ -68,7 +72,7 @@ class Draft:
     @property
     def is_complete(self) -> bool:
         """True when no place is open."""
-        return not self._places
+        return not self._places and self.label is None
 
     @property
     def footprints(self) -> list[Footprint]:
@@ -78,6 +82,8 @@ class Draft:
     @property
     def operation(self) -> Operation:
         """The operation, by itself at offset 0. Raises BuildError while a place is open."""
+        if self.label is not None:
+            raise BuildError(f"{self.name}: only ev3proto.command knows how far it is to {self.label!r}")
         if self._places:
             names = ", ".join(found.argument.name for found in self.footprints if found.number in self._places)
             raise BuildError(
@@ -110,8 +116,11 @@ class Draft:
         return b"".join(pieces)
 
     def __repr__(self) -> str:
+        shown: dict[int, object] = dict(self._places)
+        if self.label is not None:
+            shown[len(self.declaration.parameters) - 1] = self.label
         arguments = ", ".join(
-            f"{argument.name}={self._places.get(number, argument.value)!r}"
+            f"{argument.name}={shown.get(number, argument.value)!r}"
             for number, argument in enumerate(self._standing.arguments)
         )
         return f"<{self.name}({arguments})>"

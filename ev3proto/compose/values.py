@@ -7,6 +7,7 @@ from typing import Any
 
 from ev3proto.calls import REQUIRED, MissingValueError
 from ev3proto.compose.drafts import OMITTED, STAND_IN, Draft, Open
+from ev3proto.compose.labels import NO_DISTANCE, Label
 from ev3proto.compose.meanings import (
     check_number,
     check_text,
@@ -19,7 +20,7 @@ from ev3proto.errors import BuildError
 from ev3proto.messages import Variable
 from ev3proto.schema.operation import OperationSchema
 from ev3proto.semantics.footprint import Footprint, footprints
-from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Type
+from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import RANGES
 
 _ENUMS = "ev3proto.enums"
@@ -53,7 +54,8 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
     try:
         flat = _flat(declaration, values, unchecked)
         places = {number: value for number, value in enumerate(flat) if isinstance(value, Placeholder | Open)}
-        operation = schema.make([_standing(value) for value in flat] if places else flat)
+        label = flat[-1] if flat and isinstance(flat[-1], Label) and declaration.is_jump else None
+        operation = schema.make([_standing(value) for value in flat] if places or label is not None else flat)
         if not unchecked:
             for _, error in objections(operation):
                 raise error
@@ -62,10 +64,12 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
         sentence = str(error)
         prefix = "" if sentence.startswith(declaration.name) else f"{declaration.name}: "
         raise BuildError(prefix + sentence) from None
-    return Draft(schema, operation.raw, places)
+    return Draft(schema, operation.raw, places, label=label)
 
 
 def _standing(value: Any) -> Any:
+    if isinstance(value, Label):
+        return NO_DISTANCE
     if isinstance(value, Open):
         return STAND_IN
     if isinstance(value, Placeholder):
@@ -126,6 +130,8 @@ def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False)
     """
     if parameter.enum is not None:
         _check_name(parameter, value)
+    if parameter.role is Role.JUMP and isinstance(value, str):
+        raise BuildError(f"{parameter.name} takes a number, a variable or {Label(value or 'again')!r}, not {value!r}")
     if unchecked or not isinstance(value, int | float | str):
         return
     if parameter.direction is Direction.INOUT:

@@ -13,7 +13,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, TypeVar, overload
 
-from ev3proto.compose import Draft
+from ev3proto.compose import Draft, Label
 from ev3proto.link import file_moves, questions
 from ev3proto.link.channel import Ticket
 from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
@@ -93,7 +93,7 @@ class AsyncEV3:
     @overload
     async def send_direct_cmd(
         self,
-        ops: Draft | Operation | DirectCommand | Iterable[Draft | Operation],
+        ops: Draft | Operation | DirectCommand | Iterable[Draft | Operation | Label],
         *,
         local_mem: int = 0,
         global_mem: int = 0,

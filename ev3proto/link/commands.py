@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ev3proto.compose import Draft, command
+from ev3proto.compose import Draft, Label, command
 from ev3proto.errors import BuildError
 from ev3proto.link.errors import DirectCommandError, SystemCommandError
 from ev3proto.link.modes import SyncMode, plan
@@ -20,7 +20,7 @@ from ev3proto.semantics.replies import Value, values_of
 from ev3proto.tables.frame import LENGTH_FIELD, MessageType
 from ev3proto.tables.system import SystemStatus
 
-Operations = bytes | bytearray | Draft | Operation | DirectCommand | Iterable[Draft | Operation]
+Operations = bytes | bytearray | Draft | Operation | DirectCommand | Iterable[Draft | Operation | Label]
 """What a direct command is made of."""
 
 Result = bytes | list[Value]
@@ -125,7 +125,7 @@ def _direct(body: bytes, has_globals: bool, mode: SyncMode, *, is_named: bool, d
     return Prepared(kind, body, waits, is_named, dialect)
 
 
-def _listed(operations: object) -> tuple[Draft | Operation, ...]:
+def _listed(operations: object) -> tuple[Draft | Operation | Label, ...]:
     if isinstance(operations, str | Message) or not isinstance(operations, Iterable):
         raise BuildError(
             f"{operations!r:.60} is no direct command: it must be bytes, or operations such as"

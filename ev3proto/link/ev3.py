@@ -8,7 +8,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, TypeVar, overload
 
-from ev3proto.compose import Draft
+from ev3proto.compose import Draft, Label
 from ev3proto.link import file_moves, questions
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.carriers.opening import CONNECT_TIMEOUT
@@ -169,7 +169,7 @@ class EV3:
     @overload
     def send_direct_cmd(
         self,
-        ops: Draft | Operation | DirectCommand | Iterable[Draft | Operation],
+        ops: Draft | Operation | DirectCommand | Iterable[Draft | Operation | Label],
         *,
         local_mem: int = 0,
         global_mem: int = 0,

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, TypeAlias
 
+from ev3proto.compose.labels import Label
 from ev3proto.compose.placeholders import Placeholder
 from ev3proto.enums import (
     BROWSERTYPE,
@@ -39,6 +40,7 @@ Text: TypeAlias = "str | AnyVariable"
 Elements: TypeAlias = "int | str | AnyVariable"
 NamedNumber: TypeAlias = "int | str | AnyVariable"
 Untyped: TypeAlias = "float | str | AnyVariable"
+Jump: TypeAlias = "int | Label | AnyVariable"
 Output: TypeAlias = "AnyVariable | None"
 Outputs: TypeAlias = "Sequence[Output] | Variable | Placeholder | int | None"
 

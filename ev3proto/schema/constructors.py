@@ -40,7 +40,10 @@ def direct_command(
     """
     for operation in operations:
         if not isinstance(operation, Operation):
-            raise BuildError(f"{operation!r} is no operation: ev3proto.operation makes one")
+            raise BuildError(
+                f"{operation!r} is no operation: ev3proto.operation makes one; what ev3proto.ops makes, and labels, are"
+                " for ev3proto.command"
+            )
     sizes = {"global_size": global_size, "local_size": local_size}
     made = any_direct_command(*operations, counter=counter, reply=reply, **sizes)
     if not operations:

@@ -337,6 +337,11 @@ class Declaration:
         return self.command.parameters if self.command else self.opcode.parameters
 
     @property
+    def is_jump(self) -> bool:
+        """True where the last parameter says how far to jump, or a label."""
+        return bool(self.parameters) and self.parameters[-1].role is Role.JUMP
+
+    @property
     def dialects(self) -> tuple[str, ...]:
         """The firmwares that have it."""
         if self.command is None:

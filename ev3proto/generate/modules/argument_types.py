@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.generate.modules.source import MARK, bracketed, docstring, imported, joined
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import DIALECTS, LISTS, Direction, Enumeration, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, LISTS, Direction, Enumeration, Parameter, Role, Type
 
 _ALIASES = {
     "AnyVariable": "Variable | Placeholder | Argument | bytes",
@@ -16,6 +16,7 @@ _ALIASES = {
     "Elements": "int | str | AnyVariable",
     "NamedNumber": "int | str | AnyVariable",
     "Untyped": "float | str | AnyVariable",
+    "Jump": "int | Label | AnyVariable",
     "Output": "AnyVariable | None",
     "Outputs": "Sequence[Output] | Variable | Placeholder | int | None",
 }
@@ -44,6 +45,8 @@ def argument_type(parameter: Parameter) -> str:
         return _alias(parameter.enum)
     if parameter.type is not Type.STRING and parameter.length is not None:
         return "Elements"
+    if parameter.role is Role.JUMP:
+        return "Jump"
     if parameter.names:
         return "NamedNumber"
     return _SCALARS.get(parameter.type, "Number")
@@ -71,6 +74,7 @@ def _lines() -> Iterator[str]:
     yield "from collections.abc import Sequence"
     yield "from typing import Literal, TypeAlias"
     yield ""
+    yield from imported("ev3proto.compose.labels", ["Label"])
     yield from imported("ev3proto.compose.placeholders", ["Placeholder"])
     yield from imported("ev3proto.enums", [enum.name for enum in enums])
     yield from imported("ev3proto.messages", ["Argument", "Variable"])

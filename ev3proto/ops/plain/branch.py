@@ -12,7 +12,7 @@ from ev3proto.compose.drafts import Draft
 from ev3proto.compose.functions import drafts
 
 if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Real
+    from ev3proto.ops.argument_types import Jump, Number, Real
 
 __all__ = [
     "jr",
@@ -49,7 +49,7 @@ _OPERATIONS = drafts("official")
 
 
 @explained
-def jr(offset: Number, *, unchecked: bool = False) -> Draft:
+def jr(offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps always.
 
     Args:
@@ -60,7 +60,7 @@ def jr(offset: Number, *, unchecked: bool = False) -> Draft:
 
 
 @explained
-def jr_false(flag: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_false(flag: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if a flag is 0.
 
     Args:
@@ -72,7 +72,7 @@ def jr_false(flag: Number, offset: Number, *, unchecked: bool = False) -> Draft:
 
 
 @explained
-def jr_true(flag: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_true(flag: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if a flag is not 0.
 
     Args:
@@ -84,7 +84,7 @@ def jr_true(flag: Number, offset: Number, *, unchecked: bool = False) -> Draft:
 
 
 @explained
-def jr_nan(value: Real, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_nan(value: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if a value is not a number, as a sensor without data gives.
 
     Args:
@@ -96,7 +96,7 @@ def jr_nan(value: Real, offset: Number, *, unchecked: bool = False) -> Draft:
 
 
 @explained
-def jr_lt8(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_lt8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than RIGHT, as 8-bit numbers.
 
     Args:
@@ -109,7 +109,7 @@ def jr_lt8(left: Number, right: Number, offset: Number, *, unchecked: bool = Fal
 
 
 @explained
-def jr_lt16(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_lt16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than RIGHT, as 16-bit numbers.
 
     Args:
@@ -122,7 +122,7 @@ def jr_lt16(left: Number, right: Number, offset: Number, *, unchecked: bool = Fa
 
 
 @explained
-def jr_lt32(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_lt32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than RIGHT, as 32-bit numbers.
 
     Args:
@@ -135,7 +135,7 @@ def jr_lt32(left: Number, right: Number, offset: Number, *, unchecked: bool = Fa
 
 
 @explained
-def jr_ltf(left: Real, right: Real, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_ltf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than RIGHT, as floating-point numbers.
 
     Args:
@@ -148,7 +148,7 @@ def jr_ltf(left: Real, right: Real, offset: Number, *, unchecked: bool = False) 
 
 
 @explained
-def jr_gt8(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_gt8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than RIGHT, as 8-bit numbers.
 
     Args:
@@ -161,7 +161,7 @@ def jr_gt8(left: Number, right: Number, offset: Number, *, unchecked: bool = Fal
 
 
 @explained
-def jr_gt16(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_gt16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than RIGHT, as 16-bit numbers.
 
     Args:
@@ -174,7 +174,7 @@ def jr_gt16(left: Number, right: Number, offset: Number, *, unchecked: bool = Fa
 
 
 @explained
-def jr_gt32(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_gt32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than RIGHT, as 32-bit numbers.
 
     Args:
@@ -187,7 +187,7 @@ def jr_gt32(left: Number, right: Number, offset: Number, *, unchecked: bool = Fa
 
 
 @explained
-def jr_gtf(left: Real, right: Real, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_gtf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than RIGHT, as floating-point numbers.
 
     Args:
@@ -200,7 +200,7 @@ def jr_gtf(left: Real, right: Real, offset: Number, *, unchecked: bool = False) 
 
 
 @explained
-def jr_eq8(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_eq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is equal to RIGHT, as 8-bit numbers.
 
     Args:
@@ -213,7 +213,7 @@ def jr_eq8(left: Number, right: Number, offset: Number, *, unchecked: bool = Fal
 
 
 @explained
-def jr_eq16(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_eq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is equal to RIGHT, as 16-bit numbers.
 
     Args:
@@ -226,7 +226,7 @@ def jr_eq16(left: Number, right: Number, offset: Number, *, unchecked: bool = Fa
 
 
 @explained
-def jr_eq32(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_eq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is equal to RIGHT, as 32-bit numbers.
 
     Args:
@@ -239,7 +239,7 @@ def jr_eq32(left: Number, right: Number, offset: Number, *, unchecked: bool = Fa
 
 
 @explained
-def jr_eqf(left: Real, right: Real, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_eqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is equal to RIGHT, as floating-point numbers.
 
     Args:
@@ -252,7 +252,7 @@ def jr_eqf(left: Real, right: Real, offset: Number, *, unchecked: bool = False) 
 
 
 @explained
-def jr_neq8(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_neq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is different from RIGHT, as 8-bit numbers.
 
     Args:
@@ -265,7 +265,7 @@ def jr_neq8(left: Number, right: Number, offset: Number, *, unchecked: bool = Fa
 
 
 @explained
-def jr_neq16(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_neq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is different from RIGHT, as 16-bit numbers.
 
     Args:
@@ -278,7 +278,7 @@ def jr_neq16(left: Number, right: Number, offset: Number, *, unchecked: bool = F
 
 
 @explained
-def jr_neq32(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_neq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is different from RIGHT, as 32-bit numbers.
 
     Args:
@@ -291,7 +291,7 @@ def jr_neq32(left: Number, right: Number, offset: Number, *, unchecked: bool = F
 
 
 @explained
-def jr_neqf(left: Real, right: Real, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_neqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is different from RIGHT, as floating-point numbers.
 
     Args:
@@ -304,7 +304,7 @@ def jr_neqf(left: Real, right: Real, offset: Number, *, unchecked: bool = False)
 
 
 @explained
-def jr_lteq8(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_lteq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than or equal to RIGHT, as 8-bit numbers.
 
     Args:
@@ -317,7 +317,7 @@ def jr_lteq8(left: Number, right: Number, offset: Number, *, unchecked: bool = F
 
 
 @explained
-def jr_lteq16(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_lteq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than or equal to RIGHT, as 16-bit numbers.
 
     Args:
@@ -330,7 +330,7 @@ def jr_lteq16(left: Number, right: Number, offset: Number, *, unchecked: bool = 
 
 
 @explained
-def jr_lteq32(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_lteq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than or equal to RIGHT, as 32-bit numbers.
 
     Args:
@@ -343,7 +343,7 @@ def jr_lteq32(left: Number, right: Number, offset: Number, *, unchecked: bool = 
 
 
 @explained
-def jr_lteqf(left: Real, right: Real, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_lteqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than or equal to RIGHT, as floating-point numbers.
 
     Args:
@@ -356,7 +356,7 @@ def jr_lteqf(left: Real, right: Real, offset: Number, *, unchecked: bool = False
 
 
 @explained
-def jr_gteq8(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_gteq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than or equal to RIGHT, as 8-bit numbers.
 
     Args:
@@ -369,7 +369,7 @@ def jr_gteq8(left: Number, right: Number, offset: Number, *, unchecked: bool = F
 
 
 @explained
-def jr_gteq16(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_gteq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than or equal to RIGHT, as 16-bit numbers.
 
     Args:
@@ -382,7 +382,7 @@ def jr_gteq16(left: Number, right: Number, offset: Number, *, unchecked: bool = 
 
 
 @explained
-def jr_gteq32(left: Number, right: Number, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_gteq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than or equal to RIGHT, as 32-bit numbers.
 
     Args:
@@ -395,7 +395,7 @@ def jr_gteq32(left: Number, right: Number, offset: Number, *, unchecked: bool = 
 
 
 @explained
-def jr_gteqf(left: Real, right: Real, offset: Number, *, unchecked: bool = False) -> Draft:
+def jr_gteqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than or equal to RIGHT, as floating-point numbers.
 
     Args:

@@ -69,7 +69,7 @@ def test_a_draft_says_where_it_jumps_to() -> None:
         (lambda: ev3proto.command(Label("a"), Label("a"), ops.nop()), "Label('a') stands in two places"),
         (lambda: ev3proto.command(Label("a")), "a command needs an operation"),
         (lambda: ops.jr(Label("a")).raw, "JR: only ev3proto.command knows how far it is to Label('a')"),
-        (lambda: ops.move8_8(Label("a"), LV(0)), "MOVE8_8: SOURCE cannot be Label('a')"),
+        (lambda: ops.move8_8(Label("a"), LV(0)), "MOVE8_8: SOURCE cannot be Label('a')"),  # type: ignore[arg-type]
         (lambda: ops.jr("again"), "JR: OFFSET takes a number, a variable or Label('again'), not 'again'"),  # type: ignore[arg-type]
         (lambda: Label(""), "the name of a label must be a text, such as Label('again'), not ''"),
     ],

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -68,6 +67,8 @@ class Decoding(SourceReader):
 
     def _moved_programs(self, capture: CaptureSource) -> None:
         """The programs that a capture moves to or from the brick, as far as they were captured."""
+        import tempfile
+
         from ev3proto.capture import CaptureError
         from ev3proto.capture.files import recover
         from ev3proto.capture.moving import printable

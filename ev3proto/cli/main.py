@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import gc
 import os
 import sys
 from collections.abc import Iterator, Sequence
@@ -48,10 +47,6 @@ INTERNAL_ERROR = 70
 
 DEBUG = "EV3PROTO_DEBUG"
 """The environment variable that shows where an internal error comes from."""
-
-_OBJECTS = 50_000
-"""New objects after which Python looks for circles of objects that nobody refers to any more. A long capture makes
-millions of tuples, and none of them is in a circle. Reading one takes twice as long with Python's usual 700."""
 
 
 class Commands(Group):
@@ -165,7 +160,6 @@ def cli() -> None:
 
 def main() -> None:
     """Runs the command line."""
-    gc.set_threshold(_OBJECTS)
     _open_what_is_closed()
     with ended_by_signals():
         cli(prog_name="ev3proto")

@@ -14,7 +14,6 @@ from ev3proto.errors import counted
 from ev3proto.tables.program import SIGN
 from ev3proto.text.assembly.writing import NOTATIONS
 from ev3proto.text.spans import Line, Role
-from ev3proto.whole_files import write_whole
 
 if TYPE_CHECKING:
     from ev3proto.checking.codes import Code
@@ -172,6 +171,8 @@ def encode_program(
         with binary_output() as stream:
             stream.write(made.image)
     else:
+        from ev3proto.whole_files import write_whole
+
         try:
             write_whole(Path(path), made.image)
         except OSError as error:

@@ -13,7 +13,6 @@ from ev3proto.text.heading import Seen, heading, origin
 from ev3proto.text.json_format.writing import record as json_record
 from ev3proto.text.json_format.writing import record_text as json_record_text
 from ev3proto.text.spans import Line, Role, plain_text
-from ev3proto.text.table import table
 from ev3proto.text.tree import tree, tree_texts
 
 if TYPE_CHECKING:
@@ -46,6 +45,8 @@ class Show:
             self._printer.texts(list(assembly(exchange, plain_text(heading(exchange, seen)), self._style)))
         else:
             if self._style == "table":
+                from ev3proto.text.table import table
+
                 self._printer.lines(table(exchange, seen))
             elif self._printer.is_plain:
                 self._printer.texts(tree_texts(exchange, seen))

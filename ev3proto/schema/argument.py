@@ -92,14 +92,19 @@ _MOST_KEPT = 1024
 """Numbers of one parameter whose bytes are kept."""
 
 
+def reader_of(parameter: Parameter) -> Reader:
+    """What is needed to read the arguments of a parameter."""
+    return parameter, _FLOAT_FORMS if parameter.type is Type.DATAF else _INTEGER_FORMS
+
+
 class ArgumentSchema(Bytewise):
     """The schema of one parameter's argument."""
 
     def __init__(self, parameter: Parameter) -> None:
         super().__init__()
         self.parameter = parameter
-        self.long_forms = _FLOAT_FORMS if parameter.type is Type.DATAF else _INTEGER_FORMS
-        self.reader: Reader = (parameter, self.long_forms)
+        self.reader = reader_of(parameter)
+        self.long_forms = self.reader[1]
         self.integers = _Integers(self)
         """The bytes of whole numbers."""
 

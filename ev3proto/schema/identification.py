@@ -6,7 +6,8 @@ when this module is imported, and decoding an argument is looking up what was fo
 
 from __future__ import annotations
 
-from construct import BitsInteger, BitStruct, Const, Flag, IfThenElse, Struct, this
+from construct import Array, BitsInteger, BitStruct, Bitwise, Const, Flag, IfThenElse, Struct, this
+from construct.lib import bytes2bits
 
 from ev3proto.tables.encoding import (
     CONSTANT,
@@ -31,12 +32,15 @@ LONG_FORM = Struct(
 SHORT_CONSTANT = Struct("value" / BitsInteger(6, signed=True))
 SHORT_VARIABLE = Struct("is_global" / Flag, "value" / BitsInteger(5))
 
-IDENTIFICATION = BitStruct(
+_BITS = Struct(
     "is_long" / Flag,
     "is_variable" / Flag,
     "form" / IfThenElse(this.is_long, LONG_FORM, IfThenElse(this.is_variable, SHORT_VARIABLE, SHORT_CONSTANT)),
 )
 """All of it: bit 7 long, bit 6 variable, then what the two select."""
+
+IDENTIFICATION = Bitwise(_BITS)
+"""The byte as it stands in a frame."""
 
 LABEL_BYTE = BitStruct(Const(True, Flag), Const(False, Flag), Const(True, Flag), Const(0, BitsInteger(5))).build(None)[
     0
@@ -71,8 +75,8 @@ _SHORT = {
 def _survey() -> tuple[tuple[Encoding | None, ...], tuple[int | None, ...]]:
     encodings: list[Encoding | None] = []
     values: list[int | None] = []
-    for byte in range(256):
-        found = IDENTIFICATION.parse(bytes((byte,)))
+    # All bytes in one run take half the time of 256 runs.
+    for found in Array(256, _BITS).parse(bytes2bits(bytes(range(256)))):
         if found.is_long:
             encodings.append(_long_encoding(found.is_variable, found.form))
             values.append(None)

@@ -38,6 +38,9 @@ _MOST_PADDED = 1 << 17
 
 _ALL_UNUSUAL: list[_Layout | None] = [_UNUSUAL] * 256
 
+_SHORT_HEAD = 2
+"""Bytes of an opcode and a CMD in its shortest encoding."""
+
 
 def _layout(schema: OperationSchema) -> _Layout:
     return schema, len(schema.head), schema.readers, schema.list_parameter is not None
@@ -60,11 +63,12 @@ class InstructionSet(Bytewise):
             if opcode.is_family:
                 family = self.families[opcode.number] = FamilySchema(opcode, dialect)
                 self.by_name.update((schema.declaration.name, schema) for schema in family.commands.values())
-                layouts = {schema.head[1:]: _layout(schema) for schema in family.commands.values()}
+                layouts: list[_Layout] = [_UNUSUAL] * 256
+                for schema in family.commands.values():
+                    if len(schema.head) == _SHORT_HEAD:
+                        layouts[schema.head[1]] = _layout(schema)
                 self._by_opcode[opcode.number] = None
-                self._by_command[opcode.number] = tuple(
-                    layouts.get(bytes((number,)), _UNUSUAL) for number in range(256)
-                )
+                self._by_command[opcode.number] = tuple(layouts)
             else:
                 schema = self.opcodes[opcode.number] = operation_schema(opcode)
                 self.by_name[opcode.name] = schema

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 from ev3proto.errors import BuildError, DecodeError
 from ev3proto.messages import Argument, Operation
-from ev3proto.schema.argument import SIZES, ArgumentSchema, Reader, encode_integer
+from ev3proto.schema.argument import SIZES, ArgumentSchema, Reader, encode_integer, reader_of
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DATA8, Command, Declaration, Direction, Opcode, Parameter, Type
@@ -42,15 +43,23 @@ class OperationSchema(Bytewise):
         self.head = bytes((opcode.number,)) + (encode_integer(command.number) if command else b"")
         parameters = declaration.parameters
         self.list_parameter = parameters[-1] if parameters and parameters[-1].type in _LISTS else None
-        fixed = parameters[:-1] if self.list_parameter and self.list_parameter.type is Type.VALUES else parameters
-        self.fixed = tuple(ArgumentSchema(parameter) for parameter in fixed)
-        self.plain = self.fixed if self.list_parameter is None else None
-        """The arguments where their number is always the same, None where a list follows."""
-        self.readers = tuple(schema.reader for schema in self.fixed)
+        has_values = self.list_parameter is not None and self.list_parameter.type is Type.VALUES
+        self._parameters = parameters[:-1] if has_values else parameters
+        self.readers = tuple([reader_of(parameter) for parameter in self._parameters])
         self._elements: dict[tuple[int, Type], ArgumentSchema] = {}
         self.has_outputs = any(
             parameter.is_output or parameter.elements is not Direction.IN for parameter in parameters
         )
+
+    @cached_property
+    def fixed(self) -> tuple[ArgumentSchema, ...]:
+        """The schemas of the arguments before the elements of a list, made when an operation of this kind is."""
+        return tuple(ArgumentSchema(parameter) for parameter in self._parameters)
+
+    @cached_property
+    def plain(self) -> tuple[ArgumentSchema, ...] | None:
+        """The schemas of the arguments where their number is always the same, None where a list follows."""
+        return self.fixed if self.list_parameter is None else None
 
     # Reading
 

@@ -34,7 +34,7 @@ def byte_code_pattern(schemas: Iterable[OperationSchema]) -> re.Pattern[bytes]:
     """
     heads: defaultdict[tuple[bool, int], list[bytes]] = defaultdict(list)
     for schema in schemas:
-        heads[schema.list_parameter is not None, len(schema.fixed)].append(schema.head)
+        heads[schema.list_parameter is not None, len(schema.readers)].append(schema.head)
     # Operations with as many arguments share an alternative, the largest group first: most operations are in it.
     groups = sorted(heads.items(), key=lambda group: len(group[1]), reverse=True)
     plain = [_one_of(starts) + _arguments(count) for (has_list, count), starts in groups if not has_list]

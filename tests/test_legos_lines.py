@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-import pytest
+from pathlib import Path
 
+import pytest
+from support.cli import run_ev3proto_text
+
+from ev3proto import program
 from ev3proto.text.assembly import AssemblyError, assemble
 
 
@@ -99,3 +103,42 @@ def test_a_suggestion_is_never_what_is_wrong(text: str, near: str) -> None:
     assert near in sentence
     wrong = sentence.partition("there is no ")[2].partition(" ")[0]
     assert wrong not in sentence.partition("did you mean")[2].replace("?", "").split()
+
+
+# Files
+
+
+def test_a_source_in_latin_1(tmp_path: Path) -> None:
+    source = tmp_path / "hello.lms"
+    source.write_bytes("/* Grüße */\nUI_DRAW(TEXT,FG_COLOR,0,10,'Grüße')  // schön\n".encode("latin-1"))
+    assert run_ev3proto_text("encode", source).stdout == (
+        "0x|11:00|00:00|80|00:00|84:05:01:00:0A:84:47:72:FC:DF:65:00|\n"
+    )
+
+
+@pytest.mark.parametrize("dialect", ["strict", "lego"])
+def test_a_program_has_the_letters_of_motor_ports(dialect: str) -> None:
+    source = """
+    define B_AND_C 6
+    vmthread MAIN
+    {
+      DATA8 D
+      OUTPUT_POWER(0,A+B,50)
+      OUTPUT_START(0,B)
+      OUTPUT_RESET(0,B_AND_C)
+      OUTPUT_STOP(0,D,1)
+      SOUND(TONE,1,440,40000)
+    }
+    """
+    made = program.assemble(source, dialect=dialect)
+    # A + B is 3, B is 2; D is the variable of that name. 40000 is in four bytes, as LEGO's assembler has it.
+    code = "A4 00 03 81 32 A6 00 02 A2 00 06 A3 00 40 01 94 01 01 82 B8 01 83 40 9C 00 00 0A"
+    assert made.image[28:].hex(" ").upper() == code
+    assert made.warnings == ()
+
+
+@pytest.mark.parametrize("dialect", ["strict", "lego"])
+def test_other_names_stay_unknown(dialect: str) -> None:
+    for line, name in (("OUTPUT_POWER(0,A+Q,50)", "A"), ("MOVE8_8(B,B)", "B"), ("OUTPUT_POWER(A,1,50)", "A")):
+        with pytest.raises(AssemblyError, match=f"there is no {name}"):
+            program.assemble(f"vmthread MAIN\n{{\n{line}\n}}\n", dialect=dialect)

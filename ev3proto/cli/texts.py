@@ -7,6 +7,7 @@ import io
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
+from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.text.paste import MAX_LINE, Missing, Pasted, read_bare, read_text
 
 if TYPE_CHECKING:
@@ -67,14 +68,25 @@ def is_text(file: CaptureFile) -> bool:
     return not is_image(start) and not is_binary(start)
 
 
+def _as_latin_1(error: UnicodeError) -> tuple[str, int]:
+    """The characters that bytes mean in ISO-8859-1, and where reading goes on."""
+    assert isinstance(error, UnicodeDecodeError)
+    return error.object[error.start : error.end].decode(STRING_CODING), error.end
+
+
+_LATIN_1 = "ev3proto-latin-1"
+codecs.register_error(_LATIN_1, _as_latin_1)
+
+
 def text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
     """The lines of a file, those that are too long only as far as it takes to see that.
 
-    Text is UTF-8, or UTF-16 where the file starts with that mark, as PowerShell writes it.
+    Text is UTF-8, or UTF-16 where the file starts with that mark, as PowerShell writes it. Bytes that are no UTF-8 are
+    ISO-8859-1, as in many sources of programs.
     """
     start = stream.peek(2)[:2]
     encoding = "utf-16" if start in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig"
-    text = io.TextIOWrapper(stream, encoding, "replace")
+    text = io.TextIOWrapper(stream, encoding, _LATIN_1 if encoding == "utf-8-sig" else "replace")
     while line := text.readline(MAX_LINE + 1):
         yield line
         while len(line) > MAX_LINE and not line.endswith("\n"):

@@ -9,7 +9,7 @@ from ev3proto.errors import BuildError, counted
 from ev3proto.program.image import Entry, image_of, regular_offsets
 from ev3proto.program.objects import NO_DEFECTS, Defects
 from ev3proto.program.parameters import ProgramParameter, code_of, table_bytes
-from ev3proto.program.source.checks import Checks
+from ev3proto.program.source.checks import Checks, named_number
 from ev3proto.program.source.encoding import (
     JUMP_SIZES,
     LABEL,
@@ -336,8 +336,14 @@ class Assembler:
             self._call(step, body)
         else:
             values: list[Meaning | None] = []
-            for argument in step.arguments:
-                part, meaning = self._argument(argument, body)
+            for place, argument in enumerate(step.arguments):
+                try:
+                    part, meaning = self._argument(argument, body)
+                except SourceError:
+                    number = named_number(step, place)
+                    if number is None:
+                        raise
+                    part, meaning = integer(number), number
                 parts.append(part)
                 values.append(meaning)
             self._checks.operation(step, values)

@@ -9,16 +9,17 @@ from collections.abc import Sequence
 
 from ev3proto.errors import counted
 from ev3proto.program.source.names import Callee, Meaning, ProgramVariable
-from ev3proto.program.source.statements import Float, Name, OperationStatement, Text, Value
+from ev3proto.program.source.statements import Float, Name, OperationStatement, Sum, Text, Value
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import FamilySchema, OperationSchema
 from ev3proto.tables import OPCODES
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
-from ev3proto.tables.encoding import RANGES
+from ev3proto.tables.encoding import BITS, RANGES
 
 _NUMBERS = {opcode.name: opcode.number for opcode in OPCODES}
 _COMMANDS = {(opcode.name, command.name) for opcode in OPCODES for command in opcode.commands}
+_PARAMETERS = {opcode.name: opcode.parameters for opcode in OPCODES}
 _UNTYPED = (Type.ARRAY_TYPED, Type.LABEL, Type.COUNT, Type.VALUES)
 _LISTS = (Type.COUNT, Type.VALUES)
 
@@ -107,6 +108,30 @@ class Checks:
         self._warnings.append((at, reason))
 
 
+def named_number(step: OperationStatement, place: int) -> int | None:
+    """The number that names of one parameter alone stand for: letters of motor ports, `A+B`.
+
+    Args:
+        step: An operation without CMD, as those of motors are.
+        place: The number of the argument, from 0.
+
+    Returns:
+        The number, None where the names mean nothing there.
+    """
+    argument = step.arguments[place]
+    names = argument.values if isinstance(argument, Sum) and set(argument.operators) == {"+"} else (argument,)
+    parameters = _PARAMETERS[step.name]
+    if place >= len(parameters):
+        return None
+    total = 0
+    for name in names:
+        number = parameters[place].names.get(name.text) if isinstance(name, Name) else None
+        if number is None:
+            return None
+        total += number
+    return total
+
+
 def _constant(parameter: Parameter, value: int | Float | Text) -> str | None:
     """What is wrong with a constant."""
     kind = parameter.type
@@ -124,6 +149,8 @@ def _constant(parameter: Parameter, value: int | Float | Text) -> str | None:
     if kind is Type.STRING:
         return "is a string, and here is a number"
     limits = RANGES.get(kind) if kind in (Type.DATA8, Type.DATA16) else None
+    if parameter.unsigned and value in BITS[kind]:
+        return None
     if limits is not None and not limits.low <= value <= limits.high and value != limits.nan & (limits.high * 2 + 1):
         return f"is a {kind}, which reaches from {limits.low} to {limits.high}: it cannot be {value}"
     return None

@@ -53,6 +53,7 @@ _HEX = re.compile(r"(?:0x|\$)([0-9A-Fa-f]+)")
 _WHOLE = re.compile(r"([+-]?)(\d+)", re.ASCII)
 _POINT = re.compile(r"([+-]?)(\d*)\.\d*", re.ASCII)
 _OCTAL = re.compile(r"0[0-7]+")
+_SUM = re.compile(r"[A-Za-z_]\w*(?:\+[A-Za-z_]\w*)+", re.ASCII)
 _OPERATORS = frozenset("+-*/")
 _BEYOND = 1 << 32
 _CODE = re.compile(r"_.", re.DOTALL)
@@ -244,6 +245,8 @@ class LegoParser:
             return Name(at, text)
         if text[0] in "@&" and _NAME.fullmatch(text, 1):
             return MarkedName(at, text[0], Name(at + 1, text[1:]))
+        if _SUM.fullmatch(text):
+            return _sum(at, text)
         number = self._number(at, text)
         if number is None:
             raise SourceError(at, f"{text[:40]} is no number, no name and no string")
@@ -279,3 +282,9 @@ class LegoParser:
         if not -_BEYOND // 2 <= value < _BEYOND:
             self.warnings.append((at, f"{text[:40]} has more than 32 bits, and only the lowest 32 are taken"))
         return pattern(value)
+
+
+def _sum(at: int, text: str) -> Sum:
+    """Names with nothing but plus signs between them: `A+B`."""
+    names = text.split("+")
+    return Sum(at, tuple(Name(at, name) for name in names), ("+",) * (len(names) - 1), is_usual=True)

@@ -275,10 +275,20 @@ class StrictParser:
                 return tuple(found)
             elif word == ",":
                 self._at = i + 1
+            elif word == "+" and found and texts[i - 1] != ",":
+                found.append(self._more(found.pop()))
             elif word in "{}:":
                 raise SourceError(ats[i], f"the ) of {operation} is missing in front of {word}")
             else:
                 found.append(self._value())
+
+    def _more(self, first: Value) -> Value:
+        """A value and those that are added to it without parentheses around them: `A+B`."""
+        values = [first]
+        while self._texts[self._at] == "+" and self._kinds[self._at] == "mark":
+            self._at += 1
+            values.append(self._term())
+        return Sum(first.at, tuple(values), ("+",) * (len(values) - 1))
 
     # Values
 

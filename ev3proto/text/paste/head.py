@@ -14,11 +14,19 @@ Direction = Literal["sent", "received"]
 
 _CLOCK = r"(?:[01]\d|2[0-3]):[0-5]\d:[0-6]\d(?:[.,]\d{1,9})?"
 _TIME = rf"(?<![\w:.])(?:\d{{4}}[-/]\d\d[-/]\d\d[T ]\s?)?{_CLOCK}(?:Z|\s?[+-]\d\d:?\d\d)?(?=[\])>:;,]?(?:\s|$))"
-_SENT = r"sent|send|sending|sends|tx|write|writes|writing|wrote|written|request|command"
-_RECEIVED = r"received|receive|receiving|receives|recv|rx|read|reads|reading|reply|response|answer"
+_SENT = (
+    r"sent|send|sending|sends|sendto|sendmsg|tx|write|writes|writing|wrote|written|request|command"
+    r"|transmit(?:s|ted|ting)?|outgoing|outbound|out(?=\s?[:>\]])|to\s(?:the\s)?(?:ev3|brick|robot)"
+)
+_RECEIVED = (
+    r"received|receive|receiving|receives|recv|recvfrom|recvmsg|rx|read|reads|reading|reply|response|answer"
+    r"|got|incoming|inbound|in(?=\s?[:\]])|from\s(?:the\s)?(?:ev3|brick|robot)"
+)
+# Arrows point to where a frame goes, unless that is the computer.
+_TO_COMPUTER = r"(?=\s?(?:the\s)?(?:pc|host|computer|laptop|phone|client)\b)"
 _DIRECTION = (
-    rf"(?P<sent>(?<![a-z])(?:{_SENT})(?![a-z])|(?<![<>=-])(?:->|-->|>>|→)(?![<>=-]))"
-    rf"|(?P<received>(?<![a-z])(?:{_RECEIVED})(?![a-z])|(?<![<>=-])(?:<-|<--|<<|←)(?![<>=-]))"
+    rf"(?P<sent>(?<![a-z])(?:{_SENT})(?![a-z])|(?<![<>=-])(?:->|-->|>>|→)(?![<>=-])(?!{_TO_COMPUTER}))"
+    rf"|(?P<received>(?<![a-z])(?:{_RECEIVED})(?![a-z])|(?<![<>=-])(?:(?:<-|<--|<<|←)|(?:->|-->|>>|→){_TO_COMPUTER})(?![<>=-]))"
 )
 # Words that loggers put beside the direction, and that therefore do not make a line prose.
 _BESIDE = (
@@ -53,6 +61,12 @@ class Head(NamedTuple):
         return self.is_clean and (self.direction is not None or self.time is not None)
 
 
+# What socat, hcidump and btmon print above the bytes, and nc in front of the offset.
+_WAY = re.compile(r"(?P<mark>[<>])\s(?:\d{4}/\d\d/\d\d\s|(?P<adapter>ACL\b)|[0-9a-fA-F]{8}\s[0-9a-fA-F]{2}\s)")
+_MOST_SAID = 200
+_MOST_DATE = 16
+"""Columns that a date takes which is written in another way than those that a time has."""
+
 NO_HEAD = Head(None, None, 0, 0, is_clean=False)
 
 
@@ -79,6 +93,34 @@ def head_before(line: str, start: int, end: int) -> Head:
     time = _TIME_SEARCH.search(line, start, end)
     word = _DIRECTION_SEARCH.search(line, start, end)
     return Head(word and _direction(word), time and time[0], clean.end, clean.said, is_clean=False)
+
+
+def way(line: str) -> Direction | None:
+    """The direction that the mark at the start of a line tells, as some programs print it."""
+    found = _WAY.match(line)
+    if found is None:
+        return None
+    # A Bluetooth adapter receives what the computer sends.
+    return "sent" if (found["mark"] == ">") != bool(found["adapter"]) else "received"
+
+
+def announced(line: str) -> Head | None:
+    """What a line without bytes says of those in the next lines, as in `12:30:45 Sending:`; None where it says nothing.
+
+    Args:
+        line: The line, without the mark of its end.
+    """
+    if not line.strip() or len(line) > _MOST_SAID:
+        return None
+    direction = way(line)
+    if direction is not None:
+        time = _TIME_SEARCH.search(line)
+        return Head(direction, time and time[0], len(line), len(line), is_clean=True)
+    head = head_before(line, 0, len(line))
+    is_time_first = head.time is not None and line.find(head.time) < _MOST_DATE
+    if head.is_clean or is_time_first or line.rstrip().endswith(":"):
+        return head if head.direction is not None or is_time_first else None
+    return None
 
 
 def time_before(line: str, end: int) -> str | None:

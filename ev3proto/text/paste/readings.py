@@ -25,9 +25,15 @@ class Stretch:
 
 @dataclass(slots=True)
 class Reading:
-    """A reading of a run and the frames that it gives."""
+    """A reading of a run and the frames that it gives.
+
+    stretches    its bytes
+    is_complete  every value of the run has bytes in it
+    spans        the frames in the stretches that have some
+    """
 
     stretches: list[Stretch] = field(default_factory=list)
+    is_complete: bool = True
     spans: list[tuple[Stretch, list[Span]]] = field(default_factory=list)
 
     @property
@@ -49,7 +55,11 @@ class Reading:
     @property
     def is_whole(self) -> bool:
         """Whether its frames are all there is."""
-        return len(self.spans) == 1 and is_whole(self.spans[0][0].data, self.spans[0][1])
+        return (
+            len(self.spans) == len(self.stretches) == 1
+            and self.is_complete
+            and is_whole(self.spans[0][0].data, self.spans[0][1])
+        )
 
 
 def stretches(run: Run, name: str) -> list[Stretch]:
@@ -93,6 +103,8 @@ def boundaries(run: Run, stretch: Stretch) -> tuple[set[int], set[int], set[int]
             ends.add(offset)
     if stretch.name in ("string", "decimal string") and run.values[0].text[:1] not in ("\\", ""):
         starts.add(1)
+    if run.check_sum is not None and stretch.data[-1] == run.check_sum:
+        ends.add(len(places) - 1)
     if stretch.name in ("words", "octal words", "decimal words"):
         # A dump in words has an even number of bytes.
         ends.add(len(places) - 1)
@@ -137,7 +149,8 @@ def best_reading(run: Run) -> tuple[Reading, list[Reading]]:
     tried: list[Reading] = []
     best: Reading | None = None
     for name in readings(run):
-        one = Reading(stretches(run, name))
+        parts = stretches(run, name)
+        one = Reading(parts, name == "base64" or sum(len({*part.places}) for part in parts) == len(run.values))
         for stretch in one.stretches:
             starts, ends, unknown = boundaries(run, stretch)
             is_hid = name != "base64" and 0 in starts and stretch.data[:1] == b"\0"

@@ -20,7 +20,7 @@ from ev3proto.text.paste.blanking import (
 )
 from ev3proto.text.paste.columns import repeated_rows, without_columns
 from ev3proto.text.paste.fitting import HASHES, bare_reason, reason
-from ev3proto.text.paste.head import Direction, Head, head_before
+from ev3proto.text.paste.head import NO_HEAD, Direction, Head, announced, head_before, way
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_TEXT, Pasted, short
 from ev3proto.text.paste.readings import Stretch, best_reading, boundaries, changes_in, stretches
 from ev3proto.text.paste.rhythm import rhythmic_runs
@@ -28,18 +28,27 @@ from ev3proto.text.paste.values import Run, Style, Value, character_cells, readi
 
 _MAY_HAVE = late_pattern(r"[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
 # What `check` prints under a finding: the frame itself stands above it.
-_EXCERPT = late_pattern(r"\s*\+\d+ \| ")
-_DIGITS = late_pattern(r"[0-9]+|0x[0-9a-fA-F]+")
+_EXCERPT = re.compile(r"\s*\+\d+ \| ")
+_CHECK_SUM = re.compile(r"^\s+FCS: 0x([0-9a-fA-F]{2})\b")
+_DIGITS = re.compile(r"[0-9]+|0x[0-9a-fA-F]+")
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """A line, the part of it that may belong to a frame over several lines, and why it looks like one if it is none."""
+    """A line that may be a part of a frame.
+
+    number  its number in the text
+    line    the line
+    run     the part of it that may belong to a frame over several lines
+    looks   why it looks like a frame if it is none
+    said    what the line above says of its bytes
+    """
 
     number: int
     line: str
     run: Run | None
     looks: Pasted | None = None
+    said: Head = NO_HEAD
 
 
 @dataclass(slots=True)
@@ -82,15 +91,18 @@ class Scanner:
         self._pending: Pending | None = None
         self._opens = self._was_opened = False
         self._last: tuple[str, list[Run]] = ("", [])
+        self._said = NO_HEAD
+        self._check_sum: int | None = None
 
     @property
     def is_open(self) -> bool:
-        """Whether the next line may go on with one before."""
-        return self._pending is not None
+        """Whether the next line may go on with one before, or was announced by it."""
+        return self._pending is not None or self._said is not NO_HEAD
 
     def skip(self) -> None:
         """Takes notice of a line that was read elsewhere."""
         self._opens = False
+        self._said, self._check_sum = NO_HEAD, None
 
     def feed(self, line: str, number: int) -> Iterator[Pasted | Row]:
         """Takes a line.
@@ -103,13 +115,22 @@ class Scanner:
                 yield from self._finished()
                 return
             yield from self.close()
+        said = self._said
+        yield from self._new_line(line, number)
+        if self._said is said and line[:1].strip():
+            # What was said of the bytes holds for the line after it, and for those that are indented.
+            self._said, self._check_sum = NO_HEAD, None
+
+    def _new_line(self, line: str, number: int) -> Iterator[Pasted | Row]:
+        """Reads a line that goes on with nothing."""
         self._was_opened, self._opens = self._opens, line.rstrip().endswith(("[", "{", "("))
         if _MAY_HAVE.search(line) is None or _EXCERPT.match(line):
+            self._listen(line)
             yield Row(number, line, None)
             return
         whole = clean(line)
         plain = self._plain(whole)
-        found = list(self._frames(line, number, plain))
+        found = list(self._frames(line, number, plain, self._said))
         if any(piece.data for piece in found):
             yield from found
             return
@@ -117,7 +138,7 @@ class Scanner:
         is_other = row.run is not None and not any(run.values == row.run.values for run in plain)
         if is_other and row.run is not None:
             # Comments and offsets among the values hide a frame from the plain reading.
-            stripped = list(self._frames(line, number, [row.run]))
+            stripped = list(self._frames(line, number, [row.run], self._said))
             if any(piece.data for piece in stripped):
                 found = stripped
         if not any(piece.data for piece in found):
@@ -129,16 +150,26 @@ class Scanner:
         elif row.run is not None and row.run.is_tail and self._may_go_on(row.run):
             depth = row.run.depth + self._was_opened
             is_opened = row.run.opened > 0 or self._was_opened
-            self._pending = Pending([row], {}, depth, is_opened, len(line), in_comment, index)
+            said = self._said
+            self._listen(line)
+            self._pending = Pending([replace(row, said=said)], {}, depth, is_opened, len(line), in_comment, index)
             self._take(row.run)
         else:
+            self._listen(line)
             yield Row(number, line, None, found[0] if found else None)
+
+    def _listen(self, line: str) -> None:
+        """Remembers what a line without frames says of the frames that follow."""
+        check_sum = _CHECK_SUM.search(line)
+        if check_sum is not None:
+            self._check_sum = int(check_sum[1], 16)
+        self._said = announced(line) or self._said
 
     def _rhythmic(self, line: str, number: int, whole: str) -> list[Pasted]:
         """The frame in a line whose values have the same words between them."""
         for run in rhythmic_runs(whole):
             if best_reading(run)[0].is_whole:
-                return list(self._pieces([Row(number, line, run)], run))
+                return list(self._pieces([Row(number, line, run, said=self._said)], run))
         return []
 
     def close(self) -> Iterator[Pasted | Row]:
@@ -159,7 +190,11 @@ class Scanner:
                 yield from found
                 return
         for row in pending.rows:
-            pieces = [] if row.run is None else list(self._frames(row.line, row.number, self._plain(clean(row.line))))
+            pieces = (
+                []
+                if row.run is None
+                else list(self._frames(row.line, row.number, self._plain(clean(row.line)), row.said))
+            )
             if any(piece.data for piece in pieces):
                 found += pieces
             else:
@@ -195,6 +230,8 @@ class Scanner:
         if not found and not bare.strip():
             return Row(number, line, None), index, in_comment
         run = _without_prefix(found[-1], bare) if found else None
+        if run is not None:
+            run.check_sum = self._check_sum
         if run is not None and not run.is_head and run.opened > 0 >= run.depth and len(run.values) < LEAST:
             # The brackets of a call that has one part of the bytes, as in `data.Add(0x0F);`.
             run = replace(run, opened=0, depth=0)
@@ -261,7 +298,7 @@ class Scanner:
         if pending.size > MAX_COLLECTED:
             # What goes on and on is read to its end all the same: its rows are no frames of their own.
             return True
-        pending.rows.append(row)
+        pending.rows.append(replace(row, said=self._said))
         pending.in_comment, pending.index = in_comment, index
         if row.run is not None:
             pending.left_empty = 0
@@ -331,14 +368,14 @@ class Scanner:
 
     # Frames and what looks like one
 
-    def _frames(self, line: str, number: int, found: list[Run]) -> Iterator[Pasted]:
+    def _frames(self, line: str, number: int, found: list[Run], said: Head) -> Iterator[Pasted]:
         """The frames in the runs of a line, and what looks like one."""
         position = 0
         seen: set[tuple[bytes, Direction | None]] = set()
         for run in found:
             if run.most_bytes < LEAST:
                 continue
-            row = Row(number, line, run)
+            row = Row(number, line, run, said=said)
             pieces = list(self._pieces([row], run, position))
             # A line that shows the same frame in several notations has it once.
             yield from (piece for piece in pieces if (piece.data, piece.direction) not in seen)
@@ -352,25 +389,25 @@ class Scanner:
 
     def _pieces(self, rows: list[Row], run: Run, position: int = 0) -> Iterator[Pasted]:
         """The frames in a run."""
-        first = next(row for row in rows if row.run is not None)
-        assert first.run is not None
         best, _ = best_reading(run)
         shown = "\n".join(row.line for row in rows[:_MOST_SHOWN])
-        head: Head | None = None
+        heads: dict[int, Head] = {}
         for stretch, spans in best.spans:
             # Padding belongs to the frame in front of it, which is how it is reported.
             is_padded = len(spans) == 1 and not any(stretch.data[spans[0].end :])
             for start, end, _ in spans:
                 value, last = run.values[stretch.places[start]], run.values[stretch.places[end - 1]]
                 row = _row_of(rows, run, stretch.places[start])
+                head = heads.get(row.number)
                 if head is None:
-                    head = head_before(first.line, position, first.run.start if len(rows) > 1 else value.start)
+                    until = row.run.start if len(rows) > 1 and row.run is not None else value.start
+                    head = heads[row.number] = head_before(row.line, position, until)
                 yield Pasted(
                     stretch.data[start:] if is_padded else stretch.data[start:end],
                     row.number,
-                    short(first.line[value.start : last.end] if len(rows) == 1 else shown, MAX_TEXT),
-                    head.direction,
-                    head.time,
+                    short(row.line[value.start : last.end] if len(rows) == 1 else shown, MAX_TEXT),
+                    head.direction or way(row.line) or row.said.direction,
+                    head.time or row.said.time,
                     column=value.start + 1,
                 )
 
@@ -495,7 +532,8 @@ def _joined(rows: list[Row], *, is_array: bool) -> Run:
         gaps += ["\n", *row.run.gaps[1:]]
         lines += [row.number] * len(row.run.values)
     gaps[0] = ""
-    return Run(values, gaps, lines=lines, is_array=is_array)
+    check_sum = rows[-1].run.check_sum if rows[-1].run is not None else None
+    return Run(values, gaps, lines=lines, is_array=is_array, check_sum=check_sum)
 
 
 def _row_of(rows: list[Row], run: Run, place: int) -> Row:

@@ -70,6 +70,7 @@ class Run:
     lines     the line of each value, where the run has several
     is_array  they are one list in brackets, in which the end of a line means nothing
     changes   the values in front of which the way of writing changes, once somebody asked
+    check_sum a byte that may follow the last frame, as the text says
     """
 
     values: list[Value]
@@ -83,6 +84,7 @@ class Run:
     lines: list[int] = field(default_factory=list)
     changes: frozenset[int] | None = None
     is_array: bool = False
+    check_sum: int | None = None
 
     @property
     def start(self) -> int:
@@ -114,8 +116,9 @@ _TOKEN = late_pattern(
     | (?P<quote>(?<![\w\\])(?P<prefix>(?:b|B|rb|br|u8|u|U|L|@|\$|c)?)(?P<mark>["'`]))
     | (?P<binary>(?<![\w.])(?:0[bB]|\#b|%)(?P<bits>[01](?:_?[01]){{1,8}})(?!\w))
     | (?P<long>(?<![\w.])(?:0[xX]|(?<!\\)\\x(?=[{_HEX}]{{10}}))(?P<glued>(?:[{_HEX}]{{2}}){{2,}})(?![\w\\]))
+    | (?P<glued_marks>(?<![\w.])0[xX][{_HEX}]{{2}}(?:0[xX][{_HEX}]{{2}})++(?!\w))
     | (?P<numbered>(?<![.$&\#])\#(?P<sharp>[{_HEX}]{{2}}|\d{{1,3}})(?!\w))
-    | (?P<marked>(?<![\w.$])(?:&[hH]|\#?\$|\#[xX]|16r|16\#|\\?0[xX]|'[hH]|[xXH](?=["']))
+    | (?P<marked>(?<![\w.$])(?:&[hH]|\#?\$|\#[xX]|16r|16\#|\\?0[xX]|[xX](?=[{_HEX}]{{2}}(?!\w))|'[hH]|[xXH](?=["']))
         ["']?(?P<hex>[{_HEX}]{{1,2}}|[fF]{{6}}[{_HEX}]{{2}})["'\#]?
         (?:_?(?:u8|i8|u32|i32|usize|uy|y|UL|ul|u|U|L|l))?&?(?!\w))
     | (?P<suffixed>(?<![\w.])(?P<digits>0?[{_HEX}]{{2}}|\d)[hH](?!\w))
@@ -126,7 +129,7 @@ _TOKEN = late_pattern(
     | (?P<base64>(?<![\w+/=.-])(?=[\w+/-]*[G-Zg-z+/])(?=[\w+/-]*[A-Z])[A-Za-z0-9+/_-]{{8,}}+={{0,2}}+(?![\w+/=.]))
     | (?P<negative>(?<![\w)\]<>=-])[-\u2212](?P<number>\d{{1,3}})(?![\w.]))
     | (?P<typed>(?<![\w.])(?P<decimal>\d{{1,3}})['_]?(?:u8|i8|uy|u|U|UL|L)(?!\w))
-    | (?P<bare>(?<![\w.])[{_HEX}]+(?!\w)(?!\.\d))
+    | (?P<bare>(?<![\w.])(?:[{_HEX}]+(?!\w)(?!\.\d)|[{_HEX}]{{10,}}(?=[hH](?!\w))))
     | (?P<escapes>\\(?:x\{{?[{_HEX}]{{1,2}}|u00[{_HEX}]{{2}}|[0-3][0-7]{{2}}))
     | (?P<word>[^\W\d]\w*+)
     """,
@@ -285,6 +288,10 @@ def values(line: str, *, is_text: bool = False) -> Iterator[Value]:
                 yield Value(start, position, Style.MARKED, token["hex"], bytes((number,)))
             case "sized":
                 yield Value(start, position, Style.MARKED, token["digit"], bytes((int(token["digit"], 16),)))
+            case "glued_marks":
+                for column in range(start, position, 4):
+                    digits = line[column + 2 : column + 4]
+                    yield Value(column, column + 4, Style.MARKED, digits, bytes.fromhex(digits))
             case "numbered":
                 yield Value(start, position, Style.BARE, token["sharp"])
             case "suffixed":
@@ -399,7 +406,8 @@ def reading(name: str, value: Value) -> bytes | None:
             number = int(text) if len(text) <= 3 and text.isdecimal() else 256
             return bytes((number,)) if number <= 255 else None
         case "octal":
-            number = int(text, 8) if len(text) <= 3 and set(text) <= _OCTAL else 256
+            is_octal = (len(text) <= 3 or (len(text) == 4 and text[0] == "0")) and set(text) <= _OCTAL
+            number = int(text, 8) if is_octal else 256
             return bytes((number,)) if number <= 255 else None
         case "number":
             number = int(text, 16) if len(text) <= 8 else 256
@@ -415,7 +423,8 @@ def reading(name: str, value: Value) -> bytes | None:
         case "base64":
             return _base64(text)
         case "bits":
-            return bytes((int(text, 2),)) if len(text) == 8 and set(text) <= {"0", "1"} else None
+            is_bits = len(text) % 8 == 0 and set(text) <= {"0", "1"}
+            return int(text, 2).to_bytes(len(text) // 8, "big") if is_bits else None
     return None
 
 
@@ -441,12 +450,12 @@ def readings(run: Run) -> list[str]:
     widths = {len(value.text) for value in run.values if value.style in (Style.BARE, Style.LONG)}
     if not widths:
         return ["hex"]
-    if widths == {8} and all(set(value.text) <= {"0", "1"} for value in run.values if value.style is Style.BARE):
+    if not min(widths) % 8 and all(set(value.text) <= {"0", "1"} for value in run.values if value.style is Style.BARE):
         return ["bits"] if len(run.values) > 2 else ["bits", "hex"]
     has_marks = any(value.style is Style.MARKED for value in run.values)
     is_padded = widths <= {2} or (max(widths) >= 4)
     found = ["decimal", "hex"] if has_marks or not is_padded else ["hex", "decimal"]
-    if 3 in widths:
+    if widths & {3, 4}:
         found.append("octal")
     if 8 in widths or 1 in widths:
         found += ["number", "bits"]

@@ -54,6 +54,12 @@ _REMARK = late_pattern(
 )
 _COMMENT = late_pattern(r"/\*(?:(?!\*/).)*+(?:\*/)?")
 _SUBSCRIPT = late_pattern(r"(?:\b[A-Za-z_][\w.>-]{0,40})?\[\s?(?P<index>0|[1-9]\d{0,4})\]\s{0,4}(?:=>?|:|\t)\s{0,4}")
+_NUMBERED = late_pattern(
+    r"^\s*\[?(?P<index>0|[1-9]\d{0,4})\]?\s?[\t,;]\s*(?=(?:0x)?[0-9a-fA-F]{1,3}(?:[\t,; (]{1,8}\S{1,6}){0,2}\s*$)"
+)
+_TWICE = late_pattern(
+    r"(?P<hex>(?<!\w)(?:0[xX]|&[hH]|\$)[0-9a-fA-F]{1,2})(?P<again>[\s,;=(]{1,8}(?P<decimal>\d{1,3})\)?)(?!\w)"
+)
 _KEY = late_pattern(
     r"(?<![\w\"'.])(?P<quote>[\"']?)(?P<index>0|[1-9]\d{0,4})(?P=quote)\s?(?:=>|:)(?:\s{1,4}|(?<=[\"']:))"
 )
@@ -74,6 +80,8 @@ def clean(line: str) -> str:
         line = blank(line, _FOREIGN, OTHER)
     if "'" in line or "<" in line or "`" in line or "\t" in line:
         line = blank(line, _BESIDE)
+    if "0x" in line or "$" in line or "&" in line:
+        line = _TWICE.sub(_once, line)
     if "&" in line:
         line = blank(line, _ENTITY)
     if "-" in line:
@@ -115,6 +123,28 @@ def without_remarks(line: str, *, is_inside: bool = False) -> tuple[str, bool]:
     if found is not None:
         line = line[: found.start()] + " " * (len(line) - found.start())
     return line, stays_open
+
+
+def without_number(line: str, expected: int | None) -> tuple[str, int | None]:
+    """The line without the number of its byte in front, as tables of one byte a line have it: `12,0x82`.
+
+    Args:
+        line: A line.
+        expected: The number that it must have; None for the first line, which has zero.
+
+    Returns:
+        The line, and the number of the next; None where the line has none.
+    """
+    found = _NUMBERED.match(line)
+    if found is None or int(found["index"]) != (expected or 0):
+        return line, None
+    return " " * found.end() + line[found.end() :], int(found["index"]) + 1
+
+
+def _once(found: re.Match[str]) -> str:
+    """The number, without the same in decimal after it."""
+    is_same = int(found["hex"].lower().lstrip("0x&h$") or "0", 16) == int(found["decimal"])
+    return found["hex"] + " " * len(found["again"]) if is_same else found[0]
 
 
 def without_indexes(line: str, expected: int) -> tuple[str, int]:

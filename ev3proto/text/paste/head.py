@@ -62,7 +62,7 @@ class Head(NamedTuple):
 
 
 # What socat, hcidump and btmon print above the bytes, and nc in front of the offset.
-_WAY = re.compile(r"(?P<mark>[<>])\s(?:\d{4}/\d\d/\d\d\s|(?P<adapter>ACL\b)|[0-9a-fA-F]{8}\s[0-9a-fA-F]{2}\s)")
+_WAY = late_pattern(r"(?P<mark>[<>])\s(?:\d{4}/\d\d/\d\d\s|(?P<adapter>ACL\b)|[0-9a-fA-F]{8}\s[0-9a-fA-F]{2}\s)")
 _MOST_SAID = 200
 _MOST_DATE = 16
 """Columns that a date takes which is written in another way than those that a time has."""

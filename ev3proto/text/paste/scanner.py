@@ -16,6 +16,7 @@ from ev3proto.text.paste.blanking import (
     clean,
     without_indexes,
     without_marks,
+    without_number,
     without_remarks,
 )
 from ev3proto.text.paste.columns import repeated_rows, without_columns
@@ -28,9 +29,9 @@ from ev3proto.text.paste.values import Run, Style, Value, character_cells, readi
 
 _MAY_HAVE = late_pattern(r"[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
 # What `check` prints under a finding: the frame itself stands above it.
-_EXCERPT = re.compile(r"\s*\+\d+ \| ")
-_CHECK_SUM = re.compile(r"^\s+FCS: 0x([0-9a-fA-F]{2})\b")
-_DIGITS = re.compile(r"[0-9]+|0x[0-9a-fA-F]+")
+_EXCERPT = late_pattern(r"\s*\+\d+ \| ")
+_CHECK_SUM = late_pattern(r"^\s+FCS: 0x([0-9a-fA-F]{2})\b")
+_DIGITS = late_pattern(r"[0-9]+|0x[0-9a-fA-F]+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +43,7 @@ class Row:
     run     the part of it that may belong to a frame over several lines
     looks   why it looks like a frame if it is none
     said    what the line above says of its bytes
+    index   the number of the byte in the next line, where it has its number in front
     """
 
     number: int
@@ -49,6 +51,7 @@ class Row:
     run: Run | None
     looks: Pasted | None = None
     said: Head = NO_HEAD
+    index: int | None = None
 
 
 @dataclass(slots=True)
@@ -222,6 +225,9 @@ class Scanner:
     def _row(self, line: str, number: int, whole: str, index: int, *, is_inside: bool) -> tuple[Row, int, bool]:
         """A line as a part of a frame over several lines."""
         bare, in_comment = without_remarks(without_marks(whole) if not is_inside else whole, is_inside=is_inside)
+        following = None if self._pending is None else self._pending.rows[-1].index
+        if self._pending is None or following is not None:
+            bare, following = without_number(bare, following)
         bare, index = without_indexes(bare, index)
         bare = without_columns(bare, self._counts())
         goes_on = self._pending is not None and character_cells(self._pending.rows[0].line) is not None
@@ -235,7 +241,7 @@ class Scanner:
         if run is not None and not run.is_head and run.opened > 0 >= run.depth and len(run.values) < LEAST:
             # The brackets of a call that has one part of the bytes, as in `data.Add(0x0F);`.
             run = replace(run, opened=0, depth=0)
-        return Row(number, line, run), index, in_comment
+        return Row(number, line, run, index=following), index, in_comment
 
     def _counts(self) -> set[int]:
         """How many bytes were kept, in each reading."""

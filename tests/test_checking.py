@@ -296,7 +296,7 @@ def test_the_first_parameter_and_the_others() -> None:
 
 def test_misaligned() -> None:
     frame = asking(operation("UI_READ.GET_VBATT", GV(2)), global_size=6)
-    assert (only(frame).code, only(frame).help) == ("E205", "use GV(4), or another multiple of 4")
+    assert (only(frame).code, only(frame).help) == ("E205", "use GV(4), and ask for 8 bytes of global memory")
     frame = asking(operation("INPUT_DEVICE.READY_SI", 0, 0, 0, -1, [GV(1)]), global_size=5)
     assert (only(frame).code, check(frame).accepted) == ("W405", True)
     frame = command(operation("UI_DRAW.TEXTBOX", 0, 0, 9, 9, LV(0), 1, 0, LV(3)), local_size=8)
@@ -467,7 +467,10 @@ def test_jumps() -> None:
     assert only(raw("41 40 04 82 1B 01", memory=1 << 10)).message == (
         "OFFSET is 4, which leads to offset 14, and the operations are at 7 to 12"
     )
-    assert only(raw("41 40 3C", memory=1 << 10)).help == "give -3 to 0, counted from the end of the jump"
+    assert (
+        only(raw("41 40 3C", memory=1 << 10)).help
+        == "give -3 to lead to the first operation, or 0 to lead to the end, counted from the end of the jump"
+    )
     assert only(raw("41 40 02 82 1B 01", memory=1 << 10)).help == ("give 0 to run UI_WRITE.LED, or 3 to skip it")
     assert codes(raw("41 40 A005 82 1B 01 0D 05", memory=1 << 10)) == []
     assert codes(raw("41 40 A006 82 1B 01 0D 05", memory=1 << 10)) == ["E603"]

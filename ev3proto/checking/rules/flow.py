@@ -13,7 +13,7 @@ from ev3proto.messages import Argument
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables.declaration import Effect, Role
-from ev3proto.tables.encoding import JUMP
+from ev3proto.tables.encoding import CONSTANT, JUMP
 from ev3proto.tables.validation import LABELS
 
 _OWN_OBJECT = 1
@@ -86,7 +86,7 @@ class _Way:
         target = self._target(operation, jump)
         end = self._subject.end
         if target is None:
-            if _is_label(jump) and not jump.form.handle:
+            if _is_label(jump) and not jump.form.handle and not jump.form.address:
                 yield operation.finding_at(
                     codes.NO_SUCH_LABEL,
                     jump,
@@ -99,8 +99,9 @@ class _Way:
                 jump,
                 f"{jump.name} is {jump.value}, which leads to offset {target}, and the operations are at"
                 f" {COMMAND_HEADER_SIZE} to {end - 1}",
-                f"give {COMMAND_HEADER_SIZE - operation.end} to {end - operation.end}, counted from the end of the"
-                " jump",
+                f"give {_counted(operation, jump, COMMAND_HEADER_SIZE)} to lead to the first operation, or"
+                f" {_counted(operation, jump, end)} to lead to the end, counted from the end of the jump"
+                f"{_form(jump)}",
             )
         elif target != end and target not in self._numbers and self._is_known(target):
             inside = self._operations[bisect_left(self._starts, target) - 1]
@@ -108,7 +109,8 @@ class _Way:
                 codes.JUMP_INTO,
                 jump,
                 f"{jump.name} is {jump.value}, which leads to offset {target}, into the middle of {inside.name}",
-                f"give {inside.start - operation.end} to run {inside.name}, or {inside.end - operation.end} to skip it",
+                f"give {_counted(operation, jump, inside.start)} to run {inside.name}, or"
+                f" {_counted(operation, jump, inside.end)} to skip it{_form(jump)}",
             )
 
     def _is_known(self, target: int) -> bool:
@@ -201,6 +203,29 @@ def _jump(operation: CheckedOperation) -> Argument | None:
     if operation.arguments and operation.arguments[-1].parameter.role is Role.JUMP:
         return operation.arguments[-1]
     return None
+
+
+def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
+    """What a jump has to say to lead to an offset in the frame.
+
+    It is counted from the end of the jump, which lies further on where the number takes more bytes than the one that
+    stands there now.
+    """
+    kept = jump.length if jump.form.kind == CONSTANT else 0
+    for width, (low, high) in _ROOM.items():
+        number = target - (operation.end - jump.length + width) if target < operation.end else target - operation.end
+        if width >= kept and low <= number <= high:
+            return number
+    return target - operation.end
+
+
+def _form(jump: Argument) -> str:
+    """What has to be said of a jump that is written as a label and is none."""
+    return ", and write it as a constant" if jump.form.kind == JUMP else ""
+
+
+_ROOM = {1: (-32, 31), 2: (-0x7F, 0x7F), 3: (-0x7FFF, 0x7FFF), 5: (-0x7FFFFFFF, 0x7FFFFFFF)}
+"""The numbers that a constant of so many bytes can hold."""
 
 
 def _is_label(jump: Argument) -> bool:

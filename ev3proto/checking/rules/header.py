@@ -9,7 +9,8 @@ from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Reason
 from ev3proto.messages import DirectCommand
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size
+from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, with_length
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MessageType
 
 MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
@@ -70,11 +71,18 @@ def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]
         yield codes.INCOMPLETE.finding(
             0,
             LENGTH_FIELD,
-            f"the length field says that {plural(stated, 'byte')} follow it, and there are {follow}",
-            f"give {follow} as the length, or the bytes that are missing: {stated - follow}",
+            _says(stated, follow),
+            f"give {follow} as the length, or the bytes that are missing: {stated - follow}"
+            if _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context)
+            else f"give the {plural(stated - follow, 'byte')} that {'is' if stated - follow == 1 else 'are'} missing",
         )
     elif stated < follow:
         yield _left_over(frame, stated, follow, context)
+
+
+def _says(stated: int, follow: int) -> str:
+    verb = "follows" if stated == 1 else "follow"
+    return f"the length field says that {plural(stated, 'byte')} {verb} it, and there are {follow}"
 
 
 def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) -> Finding:
@@ -89,9 +97,27 @@ def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) ->
     return codes.LEFT_OVER.finding(
         0,
         LENGTH_FIELD,
-        f"the length field says that {plural(stated, 'byte')} follow it, and there are {follow}",
-        f"give {follow} as the length, or omit the last {plural(follow - stated, 'byte')}",
+        _says(stated, follow),
+        " or ".join(_ways_out(frame, stated, follow, context)),
     )
+
+
+def _ways_out(frame: bytes, stated: int, follow: int, context: CheckContext) -> Iterator[str]:
+    """What can be done about bytes after the end of a frame: what makes a frame of it, or what else is possible."""
+    is_start = stated + LENGTH_FIELD >= HEADER_SIZE
+    fits = len(frame) <= MAX_FRAME
+    if fits and (not is_start or _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context)):
+        yield f"give {follow} as the length" + "," * is_start
+    elif not is_start:
+        yield f"give the length of one frame, which has {MAX_FRAME} bytes at most"
+    if is_start:
+        yield f"omit the last {plural(follow - stated, 'byte')}"
+
+
+def _reads_to_its_end(frame: bytes, context: CheckContext) -> bool:
+    """Whether a frame could be meant so: it has a command's type, and no byte too few or too many."""
+    message = frame_schema(context.dialect).read_frame(frame, strict=False)
+    return message.type is not None and message.type.is_command and message.fault is None
 
 
 def check_command_header(context: CheckContext, command: DirectCommand) -> Iterator[Finding]:
@@ -105,7 +131,10 @@ def check_command_header(context: CheckContext, command: DirectCommand) -> Itera
                 "the command has no operation"
                 if context.end == COMMAND_HEADER_SIZE
                 else "the command ends before the two bytes that ask for memory",
-                "give at least one operation; NOP (0x01) does nothing",
+                "give at least one operation; NOP (0x01) does nothing"
+                if context.end == COMMAND_HEADER_SIZE
+                else "give two bytes that ask for memory, 0 for none, and then at least one operation; NOP (0x01) does"
+                " nothing",
             )
         return
     asked = command.global_size

@@ -10,7 +10,7 @@ from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
 from ev3proto.semantics.inline_arrays import InlineArray, inline_arrays
 from ev3proto.tables.declaration import Direction
-from ev3proto.tables.encoding import CONSTANT, TEXT
+from ev3proto.tables.encoding import CONSTANT, RANGES, TEXT
 
 
 def check_lists(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
@@ -54,12 +54,25 @@ def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]
             codes.ARRAY_TOO_SHORT,
             argument,
             f"{says}, and it has {present} with its zero",
-            f"give {present // array.one} as {length}, or all {plural(stated, 'byte')}",
+            ", or ".join((*_count(operation, array, present // array.one), f"give all {plural(stated, 'byte')}")),
         )
     elif stated < present - 1:
         yield operation.finding_at(
             codes.REST_UNUSED,
             argument,
             f"{says}, and it has {present - 1}",
-            f"give {(present - 1) // array.one} as {length}, or omit the rest",
+            ", or ".join(
+                (
+                    *_count(operation, array, -(-(present - 1) // array.one)),
+                    f"omit the last {plural(present - 1 - stated, 'byte')}",
+                )
+            ),
         )
+
+
+def _count(operation: CheckedOperation, array: InlineArray, count: int) -> Iterator[str]:
+    """The advice to give another number of values, where the array has so many and the parameter can say so."""
+    parameter = next(it for it in operation.facts.declaration.parameters if it.name == array.length)
+    limits = RANGES.get(parameter.type)
+    if 0 < count * array.one <= array.present and (limits is None or count <= limits.high):
+        yield f"give {count} as {array.length}"

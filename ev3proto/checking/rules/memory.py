@@ -28,7 +28,7 @@ def check_memory(context: CheckContext, command: DirectCommand) -> Iterator[Find
         for found in together:
             start = found.start
             if start % found.validator_alignment or start % found.cpu_alignment:
-                yield _misaligned(found)
+                yield _misaligned(found, asked)
             if start + found.size > asked:
                 yield _beyond(found, asked)
     if not context.is_whole:
@@ -46,23 +46,47 @@ def _about(found: Footprint, code: codes.Code, message: str, help_: str) -> Find
     return code.finding(argument.offset, argument.length, message, help_, found.operation.full_name, argument.name)
 
 
-def _misaligned(found: Footprint) -> Finding:
+def _misaligned(found: Footprint, asked: int) -> Finding:
     for_validator = found.start % found.validator_alignment != 0
     code = codes.MISALIGNED if for_validator else codes.UNALIGNED
     multiple = found.validator_alignment if for_validator else found.cpu_alignment
     aside = "" if for_validator else ", though the firmware does not look at it here"
-    better = Variable(found.argument.kind, found.start + -found.start % multiple)
     return _about(
         found,
         code,
         f"{found.argument.name} is {found.variable}, and must start at a multiple of {multiple}{aside}",
-        f"use {better}, or another multiple of {multiple}",
+        _aligned(found, asked),
     )
+
+
+def _aligned(found: Footprint, asked: int) -> str:
+    """Where a misaligned variable could start: upwards, if its memory has room there, or else below."""
+    multiple = max(found.validator_alignment, found.cpu_alignment)
+    scope, most = _memory_of(found)
+    asked = min(asked, most)
+    size = found.end - found.start
+    start = found.start + -found.start % multiple
+    if start + size > asked and asked >= size and start + size > most:
+        start = (asked - size) // multiple * multiple
+    elif start + size > most:
+        start = 0
+    better = f"use {Variable(found.argument.kind, start)}"
+    end = start + size
+    if end > most:
+        return f"use a multiple of {multiple}"
+    if end > asked:
+        return f"{better}, and ask for {plural(end, 'byte')} of {scope} memory"
+    return f"{better}, or another multiple of {multiple}"
+
+
+def _memory_of(found: Footprint) -> tuple[str, int]:
+    """The name of the memory that a variable is in, and how many bytes of it there are at most."""
+    return ("global", MOST_IN_REPLY) if found.is_global else ("local", MAX_LOCALS)
 
 
 def _beyond(found: Footprint, asked: int) -> Finding:
     """A variable that lies beyond its memory, in whole or in part."""
-    scope, most = ("global", MOST_IN_REPLY) if found.is_global else ("local", MAX_LOCALS)
+    scope, most = _memory_of(found)
     last = found.end - 1
     bytes_taken = f"byte {last}" if found.start == last else f"bytes {found.start} to {last}"
     has = f"{plural(asked, 'byte')} of" if asked else "no"

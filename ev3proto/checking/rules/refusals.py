@@ -127,11 +127,13 @@ def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> F
         return _undefined_form(at, first, name, "CMD")
     family = instruction_set(context.dialect).families[context.frame[start]]
     assert family is not None
-    known = ", ".join(
+    names = [
         f"{number} {schema.declaration.command.name}"  # type: ignore[union-attr]
-        for number, schema in sorted(family.commands.items())[:_MOST_NAMES]
-    )
-    more = ", ..." if len(family.commands) > _MOST_NAMES else ""
+        for number, schema in sorted(family.commands.items())
+        if context.dialect != "official" or not schema.declaration.is_newer
+    ]
+    known = ", ".join(names[:_MOST_NAMES])
+    more = ", ..." if len(names) > _MOST_NAMES else ""
     cmd, _ = CMD.read(context.frame[: context.end], at)
     if encoding.kind != CONSTANT:
         return codes.VARIABLE_CMD.finding(

@@ -52,13 +52,27 @@ def _unknown(context: CheckContext) -> Finding:
             context.end, 0, "the frame ends where the system command should stand", "give the number of one"
         )
     number = context.frame[HEADER_SIZE]
-    known = [entry for entry in SYSTEM_BY_NUMBER.values() if not entry.bootloader]
+    known = [
+        entry.number
+        for entry in SYSTEM_BY_NUMBER.values()
+        if not entry.bootloader and not (entry.usb_only and context.carrier not in (None, _USB))
+    ]
     return codes.UNKNOWN_SYSTEM.finding(
         HEADER_SIZE,
         1,
         f"0x{number:02X} is no system command",
-        f"give 0x{known[0].number:02X} to 0x{known[-1].number:02X}",
+        f"give {' or '.join(_runs(known))}",
     )
+
+
+def _runs(numbers: list[int]) -> Iterator[str]:
+    """`0x92 to 0x9F`, `0xA1`: numbers in a row as one."""
+    rest = sorted(numbers)
+    while rest:
+        last = first = rest.pop(0)
+        while rest and rest[0] == last + 1:
+            last = rest.pop(0)
+        yield f"0x{first:02X}" if first == last else f"0x{first:02X} to 0x{last:02X}"
 
 
 def _answer(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
@@ -150,17 +164,24 @@ def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
             ("name", name, paths.NAME, start),
             ("extension", dot + extension, paths.EXTENSION, start + len(name)),
         )
-    for what, part, room, start in parts:
-        if len(part) >= room:
-            yield codes.REFUSED_PATH.finding(
-                at + start,
-                len(part),
-                f"the {what} has {plural(len(part), 'character')}, and the firmware takes {room - 1} at most",
-                f"shorten it by {len(part) - room + 1}",
-                entry.name,
-                _PATH,
-            )
-            return
+    excesses = [len(part) - room + 1 for _, part, room, _ in parts]
+    for (what, part, room, start), excess in zip(parts, excesses, strict=True):
+        if excess <= 0:
+            continue
+        # A path that is too long may have a folder that is, too: shortening that helps both.
+        folder_excess = excesses[1] if what == "path" and len(parts) > 1 else 0
+        shorten = (
+            f"shorten its folder by {max(excess, folder_excess)}" if folder_excess > 0 else f"shorten it by {excess}"
+        )
+        yield codes.REFUSED_PATH.finding(
+            at + start,
+            len(part),
+            f"the {what} has {plural(len(part), 'character')}, and the firmware takes {room - 1} at most",
+            shorten,
+            entry.name,
+            _PATH,
+        )
+        return
 
 
 def _lists(entry: Entry) -> bool:

@@ -127,7 +127,7 @@ def with_long_fields(draw: st.DrawFn) -> bytes:
     """System commands whose paths and names are too long."""
     entry = draw(st.sampled_from([it for it in SYSTEM if any(field.kind is Kind.TEXT for field in it.request)]))
     path = st.lists(st.text("ab.", max_size=140), max_size=4).map("/".join)
-    values = {
+    values: dict[str, Any] = {
         field.name: draw(path) if field.kind is Kind.TEXT else b"" if field.kind is Kind.DATA else 1
         for field in entry.request
     }

@@ -64,7 +64,10 @@ class Conversation:
             number = frame[HEADER_SIZE] if size > HEADER_SIZE else -1
         if not is_command:
             told = size - HEADER_SIZE if carries == _DIRECT and not is_error else None
-            record.request = self._pairing.answered((carries, counter, number), told)
+            request = record.request = self._pairing.answered((carries, counter, number), told)
+            if request is not None:
+                failed = is_error if carries != _SYSTEM else _is_failure(record.message)
+                request.answered = Answered(time_ns, failed)
         elif wants_reply:
             has_memory = carries == _DIRECT and size >= COMMAND_HEADER_SIZE
             asked = unpack_memory(frame, HEADER_SIZE)[0] & MAX_GLOBALS if has_memory else 0

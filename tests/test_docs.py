@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import json
+import fcntl
+import os
 import re
 import subprocess
 import sys
@@ -10,6 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from selenium.webdriver.support.ui import WebDriverWait
+from support.browser import chromium
 from support.wireshark import Tshark
 
 import ev3proto
@@ -19,7 +22,7 @@ from ev3proto.checking.checking import check
 from ev3proto.generate.pages.examples import example_of, explained, system_example
 from ev3proto.generate.pages.markdown import anchor
 from ev3proto.generate.pages.operations import dialect_of, filter_name
-from ev3proto.tables import OPCODES
+from ev3proto.tables import AREAS, OPCODES
 from ev3proto.tables.declaration import Effect, declarations
 from ev3proto.tables.system import SYSTEM
 from ev3proto.version import VERSION
@@ -39,29 +42,40 @@ def headings(path: Path) -> list[str]:
     return [re.sub(r"`", "", found) for found in re.findall(r"^#+ (.*)$", text, re.MULTILINE)]
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The documentation, built by the command that CONTRIBUTING.md names."""
-    folder = tmp_path_factory.mktemp("docs")
-    command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", str(DOCS), str(folder)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (0, "")
+    """The documentation, built by the command that CONTRIBUTING.md names; once for all workers of a run."""
+    base = tmp_path_factory.getbasetemp()
+    shared = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+    folder = shared / "documentation"
+    with (shared / "documentation.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not (folder / "index.html").exists():
+            command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", str(DOCS), str(folder)]
+            done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+            assert (done.returncode, done.stderr) == (0, "")
     return folder
 
 
-def test_the_search_finds_numbers_names_and_words(built: Path) -> None:
-    text = (built / "searchindex.js").read_text(encoding="utf-8")
-    index = json.loads(text.removeprefix("Search.setIndex(").removesuffix(")"))
-    pages = index["docnames"]
+def test_the_search_finds_numbers_names_and_words(built: Path, tmp_path: Path) -> None:
+    """In a browser, as people search."""
+    shown = "return [...document.querySelectorAll('#search-results li a')].map((link) => link.getAttribute('href'))"
+    with chromium(tmp_path / "profile") as browser:
 
-    def found(word: str) -> set[str]:
-        numbers = [index[part].get(word, []) for part in ("terms", "titleterms")]
-        return {pages[number] for each in numbers for number in (each if isinstance(each, list) else [each])}
+        def finds(words: str, *pages: str) -> bool:
+            browser.get(f"{(built / 'search.html').as_uri()}?q={words}")
+            links: set[str] = set()
 
-    assert {"reference/sound", "reference/numbers"} <= found("0x94")
-    assert "reference/sound" in found("sound")
-    assert "reference/sound" in found("tone")
-    assert {"reference/enumerations", "reference/numbers"} <= found("led_red_flash")
+            def is_there(_: Any) -> bool:
+                links.update(link.partition("#")[0] for link in browser.execute_script(shown))
+                return links >= {f"reference/{page}.html" for page in pages}
+
+            return bool(WebDriverWait(browser, 10, 0.1).until(is_there, f"{words} finds {links}"))
+
+        assert finds("0x94", "sound", "numbers")
+        assert finds("SOUND", "sound")
+        assert finds("tone", "sound")
+        assert finds("LED_RED_FLASH", "enumerations", "numbers")
 
 
 def test_every_page_of_the_html_says_its_version(built: Path) -> None:
@@ -126,6 +140,54 @@ def test_every_name_of_filters_is_on_their_page() -> None:
 def test_no_page_says_where_something_is_in_memory() -> None:
     for page in (DOCS / "reference").glob("*.md"):
         assert not re.search(r"\bat 0x[0-9a-f]{6,}", page.read_text(encoding="utf-8")), page
+
+
+def entries(page: str) -> dict[str, str]:
+    """What stands under each heading of a page of the reference."""
+    text = (DOCS / "reference" / f"{page}.md").read_text(encoding="utf-8")
+    parts = re.split(r"^#{2,3} (.+)$", text, flags=re.MULTILINE)
+    return dict(zip(parts[1::2], parts[2::2], strict=True))
+
+
+@pytest.mark.parametrize("area", AREAS)
+def test_every_operation_has_all_that_the_tables_know(area: str) -> None:
+    found = entries(area)
+    for each in declarations(AREAS[area]):
+        entry = found[each.name]
+        # Marks of Markdown are no part of what it says.
+        said = re.sub(r"\\(.)", r"\1", entry).lower()
+        assert f"0x{each.opcode.number:02x}" in said, each.name
+        assert each.text.lower() in said
+        assert all(f"it {effect.value.lower()}." in said for effect in each.effects), each.name
+        assert each.note is None or each.note.lower() in said
+        rows = {row.split("`")[1]: row for row in re.findall(r"^\| `.*$", entry, re.MULTILINE)}
+        assert list(rows) == [it.name for it in each.parameters]
+        for it in each.parameters:
+            row = re.sub(r"\\(.)", r"\1", rows[it.name])
+            assert it.text.lower() in row.lower(), (each.name, it.name)
+            assert it.unit is None or it.unit in row, (each.name, it.name)
+            assert it.note is None or it.note.lower() in row.lower(), (each.name, it.name)
+            assert it.enum is None or f"(enumerations.md#{anchor(it.enum.name)})" in row, (each.name, it.name)
+            assert all(str(limit) in row for limit in it.range or ()), (each.name, it.name)
+            assert all(f"{number}: {meaning}" in row for number, meaning in it.special.items()), (each.name, it.name)
+        if each.dialects:
+            assert "```python\nev3proto.command(" in entry
+            assert re.search(r"```text\n(?:[0-9A-F]{2} )+ +length: ", entry), each.name
+        assert "- In Wireshark: `ev3." in entry
+
+
+def test_every_system_command_has_all_that_the_tables_know() -> None:
+    found = entries("system-commands")
+    for each in SYSTEM:
+        entry = re.sub(r"\\(.)", r"\1", found[f"{each.name} (bootloader)" if each.bootloader else each.name])
+        assert f"0x{each.number:02X}" in entry
+        assert each.text.lower() in entry.lower()
+        assert all(f"it {effect.value.lower()}." in entry.lower() for effect in each.effects), each.name
+        for field in (*each.request, *each.reply):
+            assert f"`{field.name}`" in entry
+            assert field.text.lower() in entry.lower()
+        assert "```python\nsystem." in entry
+        assert "```text" in entry
 
 
 def test_an_entry_in_full() -> None:

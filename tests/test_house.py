@@ -20,8 +20,8 @@ FLOORS = (
     {"cli"},
 )
 
-DESCRIBES = {"generate/pages/command_line.py": "cli", "generate/pages/python_api.py": "brick"}
-"""Pages of the documentation look at the floor that they describe."""
+DESCRIBES = {"generate/pages/command_line.py": "cli"}
+"""A page of the documentation that looks at the floor that it describes."""
 
 
 def _modules() -> Iterator[tuple[str, Path]]:

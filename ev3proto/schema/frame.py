@@ -126,6 +126,7 @@ class FrameSchema(Bytewise):
         super().__init__()
         self._dialect = dialect
         self.instructions: InstructionSet = instruction_set(dialect)
+        self._is_flawless, self._operations = self.instructions.is_flawless, self.instructions.operations
         bodies: dict[str, tuple[type[Message], BodyReader]] = {
             "direct-command": (DirectCommand, self._direct_command),
             "direct-reply": (DirectReply, self._direct_reply),

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cache, cached_property
 from typing import Any
 
@@ -110,9 +110,9 @@ class InstructionSet(Bytewise):
         return tuple(operations), len(data)
 
     @cached_property
-    def _flawless(self) -> re.Pattern[bytes]:
+    def _whole(self) -> Callable[[bytes, int], re.Match[bytes] | None]:
         # Made for the first frame that is looked at: it takes longer than reading a few frames.
-        return byte_code_pattern(self.by_name.values())
+        return byte_code_pattern(self.by_name.values()).fullmatch
 
     def is_flawless(self, data: bytes, at: int) -> bool:
         """Says whether operations without a fault stand from an offset to the end of the bytes, without making any.
@@ -125,7 +125,7 @@ class InstructionSet(Bytewise):
             True: `scan` finds no fault. False: only `scan` can say.
 
         """
-        return self._flawless.fullmatch(data, at) is not None
+        return self._whole(data, at) is not None
 
     def operations(self, data: bytes, at: int) -> tuple[Operation, ...]:
         """Reads all operations from an offset to the end of bytes in which there is no fault."""

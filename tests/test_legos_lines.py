@@ -49,6 +49,10 @@ LINES = {
     # The line under the display's title ends a column after the last.
     "UI_DRAW(LINE,FG_COLOR,0,TOPLINE_HEIGHT,LCD_WIDTH,TOPLINE_HEIGHT)": "84 03 01 00 0A 82 B2 00 0A",
     "FILENAME(PACK,'../prjs/My\\ Robot')": "C6 15 84 2E 2E 2F 70 72 6A 73 2F 4D 79 5C 20 52 6F 62 6F 74 00",
+    # Where a CMD stands, its name means the CMD, whatever else has that name.
+    "define LINE 64\nDATAS text LINE\nUI_DRAW(LINE,1,0,0,9,9)": "84 03 01 00 00 09 09",
+    # A letter is its number where an array of any type is filled.
+    "ARRAY_APPEND(LV0(0),'T')": "C4 40 81 54",
     # What is defined twice as the same thing.
     "define PORT 1\ndefine PORT 1\nOUTPUT_START(0,PORT)": "A6 00 01",
 }
@@ -66,8 +70,9 @@ CALLS = {
     ),
     "define Show 2\nCALL(Show)": "09 02 00",
     "define Show 2\nCALL(Show,'-')": "09 02 01 84 2D 00",
-    # The number of values may be written, and must be where it could be taken for one.
-    "define Show 2\nCALL(Show,2,5,6)": "09 02 02 05 06",
+    # The number of values stands where the subroutine is called by its number, never where it is called by name.
+    "define Add 2\nCALL(Add,2,2,LV0(0))": "09 02 03 02 02 40",
+    "CALL(2,2,5,6)": "09 02 02 05 06",
     "CALL(2,1,'-')": "09 02 01 84 2D 00",
     "CALL(2,'-')": "09 02 01 84 2D 00",
     "opCALL, LC0(2), LC0(1), LCS('-')": "09 02 01 84 2D 00",

@@ -211,6 +211,8 @@ class ArgumentSchema(Bytewise):
             number = parameter.number_of(value)
             if number is not None:
                 return encode_integer(number)
+            if parameter.type is Type.ARRAY_TYPED and len(value) == 1:
+                return encode_integer(encode_string(value, parameter.name)[1])
             if parameter.type is not Type.STRING and parameter.length is None and not parameter.any_type:
                 expected = "a number"
                 if parameter.enum is not None:

@@ -18,8 +18,8 @@ What else there is:
     @handle  HND(LV1(4))     the memory object that a variable is a handle to; &place and ADR(...) what it points to
 
 What LEGO's own sources have is read, too: a missing ) at the end of a line, names of CMDs as numbers, letters of motor
-ports (`OUTPUT_POWER(0, A+B, 50)`), CALL by the name of an object that `define` gives its number, and then without the
-number of its values.
+ports (`OUTPUT_POWER(0, A+B, 50)`), CALL by the name of an object, which `define` gives its number. After a name stands
+no number of values; after a number it does: `CALL(Show, 'text', 5)` is `CALL(2, 2, 'text', 5)`.
 
 Values are legal where `ev3proto.ops` takes them; others are refused, unless their encoding is named, or a header stands
 in front, or `unchecked=True` is given.

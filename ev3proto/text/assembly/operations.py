@@ -115,7 +115,10 @@ class Assembler:
         named = value
         while isinstance(named, Macro):
             named = named.part
-        if isinstance(named, Named) and named.token.text not in self._encoder.names.constants:
+        # A name that the text defines may be that of a CMD, too: LEGO's sources define SIZE and LINE.
+        if isinstance(named, Named) and (
+            named.token.text in _numbers(family) or named.token.text not in self._encoder.names.constants
+        ):
             number = self._command_number(family, named.token.text, named.token)
             if named is value:
                 return encode_integer(number), number
@@ -157,19 +160,14 @@ class Assembler:
     ) -> tuple[WrittenArgument, ...]:
         """The values of a CALL with the number of those for the subroutine, which LEGO's sources do not write.
 
-        It is omitted if the second value cannot be that number, or if the subroutine is called by a name and the second
-        value is another number.
+        It is omitted where the subroutine is called by a name, and where the second value cannot be that number.
         """
         counter = schema.list_parameter
         if counter is None or not counter.any_type or not arguments or is_operation_word(call.token.text):
             return arguments
         first, *others = arguments
-        stated = self._encoder.whole_or_none(others[0].value) if others else None
-        if isinstance(first.value, Named):
-            is_omitted = stated is None or stated != len(others) - 1
-        else:
-            is_omitted = stated is None and bool(others)
-        if not is_omitted:
+        is_by_name = isinstance(first.value, Named)
+        if not is_by_name and (not others or self._encoder.whole_or_none(others[0].value) is not None):
             return arguments
         count = Token(TokenKind.NUMBER, str(len(others)), first.token.line, first.token.column, False)
         return (first, WrittenArgument(None, Literal(count)), *others)

@@ -151,6 +151,7 @@ def decode(
       ev3proto decode "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|"
       ev3proto decode 0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03
       ev3proto decode --format table robot.log
+      ev3proto decode --format lego robot.log
       ev3proto decode --dialogues --filter 'op==SOUND && VOLUME>1' robot.pcapng
       ev3proto decode --format lego robot.rbf
       ev3proto decode --programs robot.pcapng

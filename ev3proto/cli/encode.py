@@ -393,6 +393,7 @@ def encode(
     \b
       ev3proto encode 'SOUND(TONE, 1, 440, 1000)'
       ev3proto encode 'opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)' --to c
+      ev3proto encode 'OUTPUT_POWER(0, A+B, 50)' 'OUTPUT_START(0, A+B)'
       ev3proto encode robot.lms -o robot.rbf
       ev3proto encode --counter 42 --to raw -o tone.bin tone.lms
       ev3proto decode --json robot.log | jq -c '.counter = 7' | ev3proto encode

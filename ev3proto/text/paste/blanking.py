@@ -27,7 +27,7 @@ _FOREIGN = late_pattern(
 _CAST = late_pattern(
     r"\(\s?(?:(?:un)?signed )?(?:byte|char|u?int8_t|u8|sbyte|Byte|SByte|UInt8|uint8|BYTE)\s?\)"
     r"|\.to(?:Byte|UByte|Char)\(\)|\bas (?:u8|i8|byte|Byte)\b"
-    r"|\b(?:byte|char|chr|Chr\$?|ord|CByte|UInt8|uint8|int8|u8|ToByte|Word8|fromIntegral)(?=\s?\()"
+    r"|\b(?:byte|char|chr|Chr\$?|ord|CByte|UInt8|uint8|int8|u8|ToByte|Word8|fromIntegral|int)(?=\s?\()"
     r"|\bb?(?=')(?='..?')",
 )
 _BESIDE = late_pattern(

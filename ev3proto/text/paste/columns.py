@@ -24,6 +24,7 @@ _PAIR = late_pattern(r"[0-9a-fA-F]{2}")
 _MOST_TEXT = 1 << 10
 _NUMBERS = late_pattern(r"[\s\d-]+")
 _MOST_GROUPS = 64
+_MOST_ROW = 16
 
 
 def without_columns(line: str, counts: Collection[int] = ()) -> str:
@@ -123,6 +124,8 @@ def _without_text(line: str, start: int, *, has_offset: bool) -> str:
             return line
         is_wide = len(group["blanks"]) > 1 or text[0] in "|>"
         if not is_wide:
+            if has_offset and len(data) == _MOST_ROW and _PAIR.match(text) is None:
+                return line[:position] + " " * len(text)
             continue
         if _says(text, data):
             return line[:position] + " " * len(text)

@@ -91,8 +91,7 @@ def frames_in(
             is_long = end - at >= LOOKS
             is_lone = data[at + _TYPE_AT] in _COMMANDS and 0 < at < HEADER_SIZE
             may = not starts_well and (ends_well or is_lone)
-            # Zeros and ones are operations without a flaw, but no frame that anybody sends.
-            says_something = len(set(data[at + HEADER_SIZE : end])) > 2 or not is_long
+            says_something = is_something(data[at:end]) or not is_long
             takes = may and says_something and (is_long or at <= 2) and is_flawless(bytes(data[at:end]))
         if takes and not any(at <= place < at + 2 or at + 4 <= place < end for place in unknown):
             found.append(Span(at, end, starts_well and ends_well))
@@ -100,6 +99,11 @@ def frames_in(
         else:
             at += 1
     return found
+
+
+def is_something(frame: bytes) -> bool:
+    """Whether more is in a frame than zeros and ones: they are operations without a flaw, but nobody sends them."""
+    return len(set(frame[HEADER_SIZE:])) > 2
 
 
 def _is_in_rfcomm(data: bytes, at: int, end: int) -> bool:

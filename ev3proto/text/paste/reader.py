@@ -8,12 +8,14 @@ from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.familiar import Familiar
 from ev3proto.text.paste.fitting import bare_reason, reason
 from ev3proto.text.paste.forms import Forms
+from ev3proto.text.paste.labelled import Labelled
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, Pasted, Wants, short
 from ev3proto.text.paste.scanner import Row, Scanner
 
 MAX_LINE = 1 << 20
 
 _ADDRESS = late_pattern(r"(?:[0-9a-fA-F]{2}([:-]))(?:[0-9a-fA-F]{2}\1){4}[0-9a-fA-F]{2}")
+_UUID = late_pattern(r"[{(\"']*[0-9a-fA-F]{8}-(?:[0-9a-fA-F]{4}-){3}[0-9a-fA-F]{12}[})\"'.,;]*")
 _DENSE = late_pattern(r"[\"'<(]*(?:[0-9a-fA-F]{2}[:-]?)+[\"'>),;.]*")
 
 
@@ -24,6 +26,7 @@ class Reader:
         self._scanner = Scanner()
         self._forms = Forms(Wants(LEAST, is_sure=False))
         self._familiar = Familiar()
+        self._labelled = Labelled()
         self._held: list[Pasted] = []
 
     def read(self, lines: Iterable[str]) -> Iterator[Pasted]:
@@ -39,6 +42,7 @@ class Reader:
                 yield from self._all(self._scanner.feed(line.rstrip("\r\n"), number))
             elif (piece := self._familiar.read(line, number)) is not None:
                 self._scanner.skip()
+                self._labelled.clear()
                 yield piece
             else:
                 pieces = [*self._all(self._scanner.feed(line.rstrip("\r\n"), number))]
@@ -50,7 +54,12 @@ class Reader:
     def _all(self, found: Iterator[Pasted | Row]) -> Iterator[Pasted]:
         for one in found:
             if isinstance(one, Pasted):
+                self._labelled.clear()
                 yield one
+                continue
+            piece = self._labelled.take(one)
+            if piece is not None:
+                yield piece
                 continue
             if one.looks is not None:
                 self._held.append(one.looks)
@@ -73,7 +82,11 @@ class Reader:
 
 def _is_worth(piece: Pasted) -> bool:
     """Whether a piece that is no frame is reported: the text says that it is meant as one, or it looks like one."""
-    if _ADDRESS.fullmatch(piece.text.strip()):
+    text = piece.text.strip()
+    if _ADDRESS.fullmatch(text) or _UUID.fullmatch(text):
+        return False
+    if not piece.data and piece.time is not None and piece.direction is None:
+        # A log has many other numbers.
         return False
     if piece.problem is not None or piece.cut or piece.direction is not None or piece.text.startswith("0x|"):
         return True

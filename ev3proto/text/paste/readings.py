@@ -42,10 +42,10 @@ class Reading:
         return sum(covered(spans) for _, spans in self.spans)
 
     @property
-    def worth(self) -> tuple[int, int]:
-        """By which of two readings the likelier one is known: bytes of frames with natural boundaries, and of all."""
+    def worth(self) -> tuple[int, bool, int]:
+        """What tells the likelier of two readings: bytes of natural frames, whether it is complete, bytes of all."""
         natural = sum(span.end - span.start for _, spans in self.spans for span in spans if span.is_natural)
-        return natural, self.covered
+        return natural, self.is_complete, self.covered
 
     @property
     def is_natural(self) -> bool:
@@ -166,3 +166,25 @@ def best_reading(run: Run) -> tuple[Reading, list[Reading]]:
             best = one
     assert best is not None
     return best, tried
+
+
+def plain_bytes(run: Run) -> bytes | None:
+    """The bytes of a run that has padded hex or marked numbers only; None for any other."""
+    found = b""
+    for value in run.values:
+        if value.data is not None and value.style is Style.MARKED:
+            found += value.data
+        elif value.style in (Style.BARE, Style.LONG) and len(value.text) % 2 == 0:
+            found += bytes.fromhex(value.text)
+        else:
+            return None
+    return found
+
+
+def mixed_bytes(run: Run) -> bytes | None:
+    """The bytes of a run in the likeliest reading that gives bytes for all of it; None where there is none."""
+    for name in readings(run):
+        parts = stretches(run, name)
+        if len(parts) == 1 and len({*parts[0].places}) == len(run.values):
+            return parts[0].data
+    return None

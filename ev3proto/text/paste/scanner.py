@@ -20,16 +20,25 @@ from ev3proto.text.paste.blanking import (
     without_remarks,
 )
 from ev3proto.text.paste.columns import repeated_rows, without_columns
-from ev3proto.text.paste.fitting import HASHES, bare_reason, reason
+from ev3proto.text.paste.fitting import HASHES, bare_reason, is_flawless, is_something, reason
 from ev3proto.text.paste.head import NO_HEAD, Direction, Head, announced, head_before, way
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_TEXT, Pasted, short
-from ev3proto.text.paste.readings import Stretch, best_reading, boundaries, changes_in, stretches
+from ev3proto.text.paste.readings import (
+    Stretch,
+    best_reading,
+    boundaries,
+    changes_in,
+    mixed_bytes,
+    plain_bytes,
+    stretches,
+)
 from ev3proto.text.paste.rhythm import rhythmic_runs
-from ev3proto.text.paste.values import Run, Style, Value, character_cells, readings, runs
+from ev3proto.text.paste.values import Run, Style, Value, character_cells, readings, runs, says_the_same
 
 _MAY_HAVE = late_pattern(r"[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
 # What `check` prints under a finding: the frame itself stands above it.
 _EXCERPT = late_pattern(r"\s*\+\d+ \| ")
+_INDEX_ALONE = late_pattern(r"\s*\[\d{1,5}\]\s?=>\s*")
 _CHECK_SUM = late_pattern(r"^\s+FCS: 0x([0-9a-fA-F]{2})\b")
 _DIGITS = late_pattern(r"[0-9]+|0x[0-9a-fA-F]+")
 
@@ -132,7 +141,8 @@ class Scanner:
             yield Row(number, line, None)
             return
         whole = clean(line)
-        plain = self._plain(whole)
+        cells = character_cells(line)
+        plain = self._plain(whole) if cells is None else [cells]
         found = list(self._frames(line, number, plain, self._said))
         if any(piece.data for piece in found):
             yield from found
@@ -145,7 +155,7 @@ class Scanner:
             if any(piece.data for piece in stripped):
                 found = stripped
         if not any(piece.data for piece in found):
-            found = self._rhythmic(line, number, whole) or found
+            found = self._rhythmic(line, number, whole, plain) or found
         if any(piece.data for piece in found):
             yield from found
         elif row.run is not None and _is_heading(row.run):
@@ -158,8 +168,9 @@ class Scanner:
             self._pending = Pending([replace(row, said=said)], {}, depth, is_opened, len(line), in_comment, index)
             self._take(row.run)
         else:
+            said = self._said
             self._listen(line)
-            yield Row(number, line, None, found[0] if found else None)
+            yield replace(row, looks=found[0] if found else None, said=said)
 
     def _listen(self, line: str) -> None:
         """Remembers what a line without frames says of the frames that follow."""
@@ -168,11 +179,20 @@ class Scanner:
             self._check_sum = int(check_sum[1], 16)
         self._said = announced(line) or self._said
 
-    def _rhythmic(self, line: str, number: int, whole: str) -> list[Pasted]:
-        """The frame in a line whose values have the same words between them."""
+    def _rhythmic(self, line: str, number: int, whole: str, found: list[Run]) -> list[Pasted]:
+        """The frame in a line whose values have words between them: always the same, or what each part is."""
         for run in rhythmic_runs(whole):
             if best_reading(run)[0].is_whole:
                 return list(self._pieces([Row(number, line, run, said=self._said)], run))
+        for index in range(min(len(found) - 1, _MOST_BEFORE)):
+            parts = [mixed_bytes(run) for run in found[index : index + _MOST_PARTS]]
+            data = b"".join(part for part in parts if part is not None)
+            is_frame = len(data) >= LEAST and frame_size(data) == len(data) and is_something(data)
+            if is_frame and None not in parts and is_flawless(data):
+                first, last = found[index].start, found[-1].end
+                head = head_before(line, 0, first)
+                direction, time = head.direction or self._said.direction, head.time or self._said.time
+                return [Pasted(data, number, short(line[first:last], MAX_TEXT), direction, time, column=first + 1)]
         return []
 
     def close(self) -> Iterator[Pasted | Row]:
@@ -286,6 +306,9 @@ class Scanner:
             return True
         if pending.has_gap and not self._filled(last, line):
             return False
+        if _INDEX_ALONE.fullmatch(line) or says_the_same(line, plain_bytes(last.run)):
+            pending.rows.append(Row(number, line, None))
+            return True
         whole = clean(line)
         row, index, in_comment = self._row(line, number, whole, pending.index, is_inside=pending.in_comment)
         if row.run is None:
@@ -482,6 +505,8 @@ class Scanner:
 
 _MOST_STARTS = 8
 _MOST_EMPTY = 3
+_MOST_BEFORE = 4
+_MOST_PARTS = 64
 _HEADING = [*"01234567"]
 _MOST_SHOWN = 20
 _MOST_PREFIX = 3

@@ -208,6 +208,7 @@ def _between(line: str, run: Run) -> int:
 
 
 _CELLS = late_pattern(r"\s*[0-7]{7}(?P<cells>(?: (?: {2}[ \S]| \\[0abtnvfr]|[0-7]{3}))+)\s*")
+_NO_OFFSET = " " * 8
 _CELL_NAMES = {"\\0": 0, "\\a": 7, "\\b": 8, "\\t": 9, "\\n": 10, "\\v": 11, "\\f": 12, "\\r": 13}
 
 
@@ -223,6 +224,7 @@ def character_cells(line: str, *, goes_on: bool = False) -> Run | None:
         return None
     start = row.start("cells")
     values = []
+    end = len(line.rstrip())
     for column in range(start, row.end("cells"), 4):
         text = line[column : column + 4].strip() or " "
         code = _CELL_NAMES.get(text)
@@ -231,7 +233,17 @@ def character_cells(line: str, *, goes_on: bool = False) -> Run | None:
         if code > 255:
             return None
         values.append(Value(column + 1, column + 4, Style.MARKED, text, bytes((code,))))
-    return Run(values, ["", *[" "] * (len(values) - 1)], is_head=True, is_tail=True)
+    # hexdump fills its last row with blanks, which are no cells.
+    gaps = [" " if value.start < end else "" for value in values]
+    return Run(values, ["", *gaps[1:]], is_head=True, is_tail=True)
+
+
+def says_the_same(line: str, data: bytes | None) -> bool:
+    """Whether a line is the row of characters below one of hex, as `od -t x1c` prints both."""
+    if data is None or not line.startswith(_NO_OFFSET):
+        return False
+    run = character_cells(f"0000000{line[len(_NO_OFFSET) - 1 :]}", goes_on=True)
+    return run is not None and b"".join(value.data or b"" for value in run.values) == data
 
 
 def _opening(gap: str) -> int:

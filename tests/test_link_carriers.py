@@ -299,3 +299,15 @@ def test_a_python_without_bluetooth_asks_for_the_serial_port(monkeypatch: pytest
         open_wire(Target(Way.BLUETOOTH, "00:16:53:42:2B:99"))
     with pytest.raises(ev3proto.NoBrickError, match="is no MAC address"):
         open_wire(Target(Way.BLUETOOTH, "my brick"))
+
+
+# The virtual brick
+
+
+def test_a_virtual_brick_has_files_until_it_is_gone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    with EV3(target="virtual") as brick:
+        brick.download(b"abc", "../prjs/demo/x.rtf")
+        assert brick.upload("../prjs/demo/x.rtf") == b"abc"
+        assert len(list(tmp_path.iterdir())) == 1
+    assert list(tmp_path.iterdir()) == []

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
 import threading
 import time
+import weakref
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
+from tempfile import mkdtemp
 
 from ev3proto.brick import Brick
 from ev3proto.link.errors import ConnectionLostError, NoBrickError
@@ -18,8 +23,13 @@ _TURN = 0.01
 class VirtualWire:
     """A virtual brick; `Wire` says what its methods do."""
 
-    def __init__(self, brick: Brick) -> None:
-        """Takes a brick over; its clock follows the real one from now on."""
+    def __init__(self, brick: Brick, leave: Callable[[], object] = lambda: None) -> None:
+        """Takes a brick over; its clock follows the real one from now on.
+
+        Args:
+            brick: The brick.
+            leave: Is called once, when the connection is closed or nobody has it any more.
+        """
         self.carrier = DEFAULT_CARRIER
         self.label = "the virtual brick"
         self._brick = brick
@@ -27,6 +37,7 @@ class VirtualWire:
         self._changed = threading.Condition()
         self._now = time.monotonic()
         self._is_closed = False
+        self._leave = weakref.finalize(self, leave)
 
     def send(self, frame: bytes) -> None:
         """Sends one whole frame. Raises ConnectionLostError."""
@@ -60,6 +71,7 @@ class VirtualWire:
     def close(self) -> None:
         """Ends the connection. A second call does nothing."""
         self.stop()
+        self._leave()
 
     def _advance(self) -> None:
         now = time.monotonic()
@@ -71,11 +83,14 @@ def open_virtual(target: Target) -> VirtualWire:
     """Switches a virtual brick on.
 
     Args:
-        target: The host is the folder of its files; None: there are no files.
+        target: The host is the folder of its files; None: a new one, which is gone at the end.
 
     Raises:
         NoBrickError: There is no such folder.
     """
-    if target.host is not None and not Path(target.host).is_dir():
+    if target.host is None:
+        folder = mkdtemp(prefix="ev3proto-")
+        return VirtualWire(Brick(root=folder), partial(shutil.rmtree, folder, ignore_errors=True))
+    if not Path(target.host).is_dir():
         raise NoBrickError(f"{target.host} is no folder: the virtual brick's files are in one")
     return VirtualWire(Brick(root=target.host))

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from support.wireshark import Tshark
 
 ROOT = Path(__file__).parent.parent
 PAGES = sorted([ROOT / "README.md", *(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "howto").glob("*.md")])
@@ -153,6 +154,58 @@ def test_the_javascript_program_reads_the_frame(tmp_path: Path) -> None:
         )
         assert (done.returncode, done.stderr) == (0, ""), "run tests/run once"
     assert done.stdout == shown
+
+
+CLIENT = """\
+#!/usr/bin/env python3
+import sys
+import ev3proto
+
+with ev3proto.EV3(target=f"wifi:{sys.argv[2]}") as brick:
+    print(brick.battery.voltage > 6)
+    brick.send_direct_cmd(bytes.fromhex("9401 0a 82 0000 82 e803".replace(" ", "")))
+"""
+"""The tests of somebody's library: they ask, and send a tone of a pitch that there is not."""
+
+
+def test_the_lines_for_ci_run(tmp_path: Path) -> None:
+    (script,) = blocks(ROOT / "docs" / "howto" / "test-your-library.md", "sh")
+    (tmp_path / "your-tests").write_text(CLIENT)
+    (tmp_path / "your-tests").chmod(0o755)
+    path = f"{tmp_path}{os.pathsep}{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(
+        ["bash", "-e", "-c", script],
+        cwd=tmp_path,
+        env={**os.environ, "PATH": path},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert (done.returncode, done.stdout.splitlines()[0]) == (0, "True"), done.stderr
+    assert "FREQUENCY" in done.stdout, "the report names what check finds"
+
+
+def test_the_program_for_pyshark_prints_what_is_in_packets(tshark: Tshark) -> None:
+    (program,) = blocks(ROOT / "docs" / "howto" / "pyshark.md", "py")
+    capture = tshark.place(ROOT / "captures" / "usb-plugged.pcap")
+    assert program.count('"robot.pcapng"') == 1
+    program = program.replace('"robot.pcapng"', f'"{capture}", tshark_path="{tshark.path}"')
+    program = program.replace("parameters()", f'parameters(tshark="{tshark.path}")')
+    # A tshark with a root of its own sees the dissector in its work folder only.
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**os.environ, "TMPDIR": str(tshark.folder)},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    lines = done.stdout.splitlines()
+    assert lines[0].startswith("1 DirectCommand(DIRECT_COMMAND_REPLY, counter=1000")
+    assert lines[1].startswith("3 DirectReply(DIRECT_REPLY, counter=1000")
+    assert lines[2].startswith("answers DirectCommand(DIRECT_COMMAND_REPLY, counter=1000")
 
 
 def test_there_are_commands_and_programs() -> None:

@@ -57,7 +57,7 @@ class Fix:
 
     frame     the fixed bytes; those that were given where nothing was fixed
     changes   what was fixed, in the order in which it was done
-    unfixed  sentences: what looked fixable and was left, and why
+    unfixed   sentences: what looked fixable and was left, and why
     report    what a check says of the fixed bytes
     """
 
@@ -65,6 +65,14 @@ class Fix:
     changes: tuple[Change, ...]
     unfixed: tuple[str, ...]
     report: Report
+
+    def __str__(self) -> str:
+        """What `ev3proto check --fix` prints of it."""
+        from ev3proto.text.diagnostics import fixed
+        from ev3proto.text.spans import plain_text
+        from ev3proto.text.visible import visible
+
+        return "\n".join(visible(plain_text(line)) for line in fixed(self, dialect=self.report.dialect))
 
     @property
     def unmended(self) -> tuple[str, ...]:

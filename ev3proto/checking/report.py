@@ -80,8 +80,9 @@ class Report:
         """What `ev3proto check` prints of it."""
         from ev3proto.text.diagnostics import diagnostics
         from ev3proto.text.spans import plain_text
+        from ev3proto.text.visible import visible
 
-        return "\n".join(plain_text(line).rstrip() for line in diagnostics(self, dialect=self.dialect))
+        return "\n".join(visible(plain_text(line)) for line in diagnostics(self, dialect=self.dialect))
 
     @property
     def fixed(self) -> Fix:

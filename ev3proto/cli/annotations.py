@@ -1,101 +1,211 @@
-"""The findings of `check` for continuous integration: SARIF, and the annotations of GitHub's workflows."""
+"""What `check` finds, for continuous integration: SARIF, and the annotations of GitHub's workflows."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+from urllib.parse import quote
 
 from ev3proto.checking.codes import CODES
+from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.version import VERSION
+
+if TYPE_CHECKING:
+    from ev3proto.program.source.errors import SourceWarning
+    from ev3proto.text.assembly.errors import AssemblyError
 
 SARIF_SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 SARIF_VERSION = "2.1.0"
 
 REFUSED = "E000"
-"""The code of a frame that the brick refuses and that no finding explains."""
+"""The code of a frame that the brick refuses where no finding that is shown explains it."""
+
+SOURCE = "source"
+"""What stands in place of a code where a source cannot be assembled, or is assembled with a warning."""
+
+UNREAD = "unread"
+"""What stands in place of a code where input could not be read."""
+
+_TITLES = {REFUSED: "refused by the brick", SOURCE: "a program's source"}
 
 _GITHUB = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.HINT: "notice"}
 _SARIF = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.HINT: "note"}
 
 
-def github(report: Report, findings: Iterable[Finding], facts: Mapping[str, Any]) -> list[str]:
-    """The findings as commands of a workflow on GitHub, which marks the lines of the file with them.
+@dataclass(frozen=True, slots=True)
+class Note:
+    """One thing to say about a file or a frame.
+
+    severity   how bad it is
+    code       of the finding
+    sentence   what is wrong, and what would be right
+    source     the file, empty where there is none
+    line       of a text, from 1 on; None where it has no lines
+    column     in that line, from 1 on
+    at         offset and number of bytes in a file of bytes, None for texts and captures
+    more       what else is known, for other tools
+    """
+
+    severity: Severity
+    code: str
+    sentence: str
+    source: str = ""
+    line: int | None = None
+    column: int | None = None
+    at: tuple[int, int] | None = None
+    more: Mapping[str, Any] = field(default_factory=dict)
+
+
+def notes_on(
+    report: Report, findings: Iterable[Finding], facts: Mapping[str, Any], *, is_file: bool = False
+) -> list[Note]:
+    """The findings of a frame or a program as notes.
 
     Args:
-        report: What was found in a frame.
+        report: What was found.
         findings: Those of them to show.
-        facts: Where the frame stands: `source`, and `line` or `packet`.
+        facts: Where the frame stands: `source`, and `line` and `column`, or `packet`.
+        is_file: Offsets are those of the whole file.
 
     Returns:
-        A line for each.
+        A note for each, and one more where the brick refuses it for a reason that none of them gives.
     """
-    place = [f"file={_property(str(facts['source']))}"] if "source" in facts else []
-    place += [f"line={facts['line']}"] if "line" in facts else []
+    shown = list(findings)
+    if not report.accepted and not any(one.severity is Severity.ERROR for one in shown):
+        at = report.rejected_at or 0
+        told = "ev3proto check shows why" if report.findings else "the bytes there are not what it reads"
+        shown.insert(0, Finding(Severity.ERROR, REFUSED, at, 0, "the brick refuses it", told))
+    packet = f"packet {facts['packet']}, " if "packet" in facts else ""
     return [
-        f"::{_GITHUB[one.severity]} {','.join([*place, f'title={_property(one.code)}'])}::{_message(_sentence(one))}"
-        for one in _all(report, findings)
+        Note(
+            one.severity,
+            one.code,
+            f"{packet}offset {one.offset}: {one.message}; {one.help}",
+            str(facts.get("source", "")),
+            facts.get("line"),
+            facts.get("column"),
+            (one.offset, one.length) if is_file else None,
+            {"offset": one.offset, "length": one.length}
+            | ({} if is_file else {"frame": report.frame.hex()})
+            | {name: facts[name] for name in ("packet",) if name in facts},
+        )
+        for one in shown
     ]
 
 
+def notes_on_source(
+    label: str, error: AssemblyError | None = None, warnings: Iterable[SourceWarning] = ()
+) -> list[Note]:
+    """The errors and warnings of a program's source as notes."""
+    found = [] if error is None else [error, *error.others]
+    notes = [Note(Severity.ERROR, SOURCE, one.reason, label, one.line, one.column) for one in found]
+    return notes + [Note(Severity.WARNING, SOURCE, one.reason, label, one.line, one.column) for one in warnings]
+
+
+def github(note: Note) -> str:
+    """A note as a command of a workflow on GitHub, which marks the line of the file with it."""
+    parts = [f"file={_property(note.source)}"] if note.source else []
+    parts += [] if note.line is None else [f"line={note.line}"]
+    parts.append(f"title={_property(note.code)}")
+    parts += [] if note.line is None or note.column is None else [f"col={note.column}"]
+    return f"::{_GITHUB[note.severity]} {','.join(parts)}::{_message(note.sentence)}"
+
+
 class Sarif:
-    """Findings of any number of frames as one SARIF log."""
+    """Notes as one SARIF log."""
 
     def __init__(self) -> None:
         self._results: list[dict[str, Any]] = []
+        self._complaints: list[str] = []
 
-    def add(self, report: Report, findings: Iterable[Finding], facts: Mapping[str, Any]) -> None:
-        """Adds what was found in a frame; the arguments are those of `github`."""
-        for one in _all(report, findings):
-            result: dict[str, Any] = {
-                "ruleId": one.code,
-                "level": _SARIF[one.severity],
-                "message": {"text": _sentence(one)},
-                "properties": {"offset": one.offset, "length": one.length, "frame": report.frame.hex()},
-            }
-            if "source" in facts:
-                location: dict[str, Any] = {"artifactLocation": {"uri": str(facts["source"]).replace("\\", "/")}}
-                if "line" in facts:
-                    location["region"] = {"startLine": facts["line"]}
-                result["locations"] = [{"physicalLocation": location}]
-            self._results.append(result)
+    def add(self, note: Note) -> None:
+        """Adds a note."""
+        result: dict[str, Any] = {
+            "ruleId": note.code,
+            "level": _SARIF[note.severity],
+            "message": {"text": note.sentence},
+        }
+        if note.more:
+            result["properties"] = dict(note.more)
+        if note.source:
+            location: dict[str, Any] = {"artifactLocation": {"uri": quote(note.source.replace("\\", "/"))}}
+            region = _region(note)
+            if region:
+                location["region"] = region
+            result["locations"] = [{"physicalLocation": location}]
+        self._results.append(result)
+
+    def complain(self, sentence: str) -> None:
+        """Adds a sentence about input that could not be read."""
+        self._complaints.append(sentence)
 
     def text(self) -> str:
         """The log, as JSON on one line."""
         used = sorted({result["ruleId"] for result in self._results})
-        rules = [
-            {"id": code, "shortDescription": {"text": CODES[code].title}, "fullDescription": {"text": _story(code)}}
-            if code in CODES
-            else {"id": code}
-            for code in used
-        ]
-        driver = {"name": "ev3proto", "version": VERSION, "rules": rules}
-        log = {
-            "$schema": SARIF_SCHEMA,
-            "version": SARIF_VERSION,
-            "runs": [{"tool": {"driver": driver}, "results": self._results}],
+        driver = {"name": "ev3proto", "version": VERSION, "rules": [_rule(code) for code in used]}
+        complaints = [{"level": "error", "message": {"text": sentence}} for sentence in self._complaints]
+        run = {
+            "tool": {"driver": driver},
+            "invocations": [{"executionSuccessful": not complaints, "toolExecutionNotifications": complaints}],
+            "results": self._results,
         }
-        return json.dumps(log, ensure_ascii=False)
+        return json.dumps({"$schema": SARIF_SCHEMA, "version": SARIF_VERSION, "runs": [run]}, ensure_ascii=False)
 
 
-def _all(report: Report, findings: Iterable[Finding]) -> list[Finding]:
-    """The findings, and one more where the brick refuses a frame for a reason that none of them has."""
-    shown = list(findings)
-    if not report.accepted and not report.errors:
-        at = report.rejected_at or 0
-        shown.insert(
-            0, Finding(Severity.ERROR, REFUSED, at, 0, "the brick refuses the frame", "see the other findings")
-        )
-    return shown
+class Annotations:
+    """Shows what is found to a workflow: at once on GitHub, at the end as SARIF."""
+
+    def __init__(self, style: str, show: Callable[[str], None]) -> None:
+        """`style` is github or sarif; `show` prints a line."""
+        self._show = show
+        self._log = Sarif() if style == "sarif" else None
+
+    def report(
+        self, report: Report, findings: Iterable[Finding], facts: Mapping[str, Any], *, is_file: bool = False
+    ) -> None:
+        """Shows findings; the arguments are those of `notes_on`."""
+        self._notes(notes_on(report, findings, facts, is_file=is_file))
+
+    def source(self, label: str, error: AssemblyError | None = None, warnings: Iterable[SourceWarning] = ()) -> None:
+        """Shows what is wrong with a program's source."""
+        self._notes(notes_on_source(label, error, warnings))
+
+    def complaint(self, sentence: str) -> None:
+        """Shows a sentence about input that could not be read."""
+        if self._log is None:
+            self._show(github(Note(Severity.ERROR, UNREAD, sentence)))
+        else:
+            self._log.complain(sentence)
+
+    def end(self) -> None:
+        """Shows what is left to be shown."""
+        if self._log is not None:
+            self._show(self._log.text())
+
+    def _notes(self, notes: Iterable[Note]) -> None:
+        for note in notes:
+            if self._log is None:
+                self._show(github(note))
+            else:
+                self._log.add(note)
 
 
-def _sentence(one: Finding) -> str:
-    return f"offset {one.offset}: {one.message}; {one.help}"
+def _region(note: Note) -> dict[str, int]:
+    if note.line is not None:
+        column = {} if note.column is None else {"startColumn": note.column}
+        return {"startLine": note.line, **column}
+    return {} if note.at is None else {"byteOffset": note.at[0], "byteLength": note.at[1]}
 
 
-def _story(code: str) -> str:
-    return " ".join(CODES[code].explanation.split())
+def _rule(code: str) -> dict[str, Any]:
+    entry = CODES.get(code) or PROGRAM_CODES.get(code)
+    if entry is None:
+        return {"id": code, "shortDescription": {"text": _TITLES[code]}}
+    story = " ".join(entry.explanation.split())
+    return {"id": code, "shortDescription": {"text": entry.title}, "fullDescription": {"text": story}}
 
 
 def _message(text: str) -> str:

@@ -17,12 +17,11 @@ from ev3proto.cli.programs import (
     SOURCE_SUFFIX,
     complain_of,
     complain_of_warnings,
-    finding_lines,
     program_explanation,
     read_source,
 )
 from ev3proto.cli.sources import Source, SourceReader, sources
-from ev3proto.errors import near_misses
+from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.paste import Pasted
 from ev3proto.text.spans import Line, Role
@@ -33,10 +32,13 @@ if TYPE_CHECKING:
     from ev3proto.checking.codes import Code
     from ev3proto.checking.fixing import Fix
     from ev3proto.checking.report import Finding, Report
-    from ev3proto.cli.annotations import Sarif
+    from ev3proto.cli.annotations import Annotations
 
 FORMATS = ("text", "json", "sarif", "github")
 """How findings are printed."""
+
+SEVERITIES = ("error", "warning", "hint")
+"""What is counted, the worst first."""
 
 ALL_CODES = "all"
 """What --explain takes instead of a code."""
@@ -99,8 +101,9 @@ class Checking(SourceReader):
         self._is_single = is_single
         self._printer = Printer()
         self._was_long: bool | None = None
-        self._sarif: Sarif | None = None
+        self._annotations = _annotations(options.style, self._printer)
         self.frames = 0
+        self.programs = 0
         self.replies = 0
         self.counts: Counter[str] = Counter()
 
@@ -117,7 +120,8 @@ class Checking(SourceReader):
         if source.is_frame:
             place = Place("" if self._is_single else f"frame {self.frames + 1}", {})
         else:
-            place = Place(source.where(pasted), {"source": source.label, "line": pasted.line})
+            facts = {"source": source.label, "line": pasted.line, "column": pasted.column}
+            place = Place(source.where(pasted), facts)
         self._frame(frame, place, self._options.carrier)
 
     def capture(self, capture: CaptureSource) -> int:
@@ -148,20 +152,18 @@ class Checking(SourceReader):
     def program(self, source: Source, image: bytes) -> None:
         """A program image."""
         from ev3proto.program import check_program
+        from ev3proto.program.report import program_findings
 
         if self._options.fixes:
             raise click.UsageError(f"--fix is for frames, and {source.label[:60]} is a program")
-        self.frames += 1
+        self.programs += 1
         report = check_program(image, dialect=self.reading.dialect)
         place = Place("" if self._is_single else source.label, {"source": source.label})
-        if self._options.as_json:
-            self._json(place, report.as_dict(), report)
-        else:
+        if not self._is_shown_otherwise(report, place, report.as_dict, is_file=True):
             shown = self._options.shown(report)
             label = f"{place.label}, " if place.label else ""
-            self._paragraph(finding_lines(report, shown, label), len(shown) > 0)
-        self.counts.update(str(finding.severity) for finding in report.findings)
-        self.at_fault |= not report.accepted or bool(report.errors or (self._options.strict and report.warnings))
+            self._paragraph(program_findings(report, shown, label), len(shown) > 0)
+        self._count(report)
 
     def _source(self, source: Source) -> None:
         """The source of a program: what is wrong with it, or else with the image that it becomes."""
@@ -175,25 +177,49 @@ class Checking(SourceReader):
         try:
             made = assemble(text)
         except AssemblyError as error:
-            self.frames += 1
+            self.programs += 1
             self.at_fault = True
-            complain_of(source.label, error)
+            self.counts["error"] += 1 + len(error.others)
+            if self._annotations is not None:
+                self._annotations.source(source.label, error)
+            elif not self._options.quiet:
+                complain_of(source.label, error)
             return
-        complain_of_warnings(source.label, made.warnings)
+        self.counts["warning"] += len(made.warnings)
+        if self._annotations is not None:
+            self._annotations.source(source.label, warnings=made.warnings)
+        elif not self._options.hidden >= {"warning"} and not self._options.quiet:
+            complain_of_warnings(source.label, made.warnings)
         self.at_fault |= self._options.strict and bool(made.warnings)
         self.program(source, made.image)
 
+    def complain(self, sentence: str) -> None:
+        """Prints a sentence about input that is at fault, also where a workflow shows it."""
+        super().complain(sentence)
+        if self._annotations is not None:
+            self._annotations.complaint(sentence)
+
     def summary(self) -> None:
         """How many frames there were and what was found, where there was more than one."""
-        if self._options.style == "sarif":
-            self._printer.text(self._log().text())
-        if self._options.style != FORMATS[0] or (self.frames + self.replies < 2 and not self._options.quiet):
+        if self._annotations is not None:
+            self._annotations.end()
+        elif self._options.as_json and self._options.quiet:
+            counts = {f"{severity}s": self.counts[severity] for severity in SEVERITIES}
+            entry = {"frames": self.frames, "programs": self.programs, "replies": self.replies, **counts}
+            self._printer.text(json.dumps(entry))
+        many = self.frames + self.programs + self.replies > 1
+        if self._options.style != FORMATS[0] or not (many or self._options.quiet):
             return
-        told = [f"{self.counts[name]} {name}{'s' * (self.counts[name] != 1)}" for name in ("error", "warning", "hint")]
-        line: Line = [(f"{_frames(self.frames)}: ", Role.HEADING), (", ".join(told), Role.PLAIN)]
+        found = ", ".join(counted(self.counts[severity], severity) for severity in SEVERITIES)
+        line: Line = [(f"{self._inputs()}: ", Role.HEADING), (found, Role.PLAIN)]
         if self.replies:
             line.append((f"; {_frames(self.replies)} from the brick not checked", Role.ASIDE))
         self._paragraph(iter([line]), False)
+
+    def _inputs(self) -> str:
+        """`4 frames`, `2 programs`, `1 frame and 1 program`."""
+        programs = [counted(self.programs, "program")] if self.programs else []
+        return " and ".join([*([_frames(self.frames)] if self.frames or not programs else []), *programs])
 
     def _frame(self, frame: bytes, place: Place, carrier: str | None) -> None:
         from ev3proto.checking.checking import check
@@ -207,13 +233,16 @@ class Checking(SourceReader):
         else:
             report = check(frame, dialect=self.reading.dialect, carrier=carrier)
             self._show(report, place)
+        self._count(report)
+
+    def _count(self, report: Report) -> None:
         self.counts.update(str(finding.severity) for finding in report.findings)
         self.at_fault |= not report.accepted or bool(report.errors or (self._options.strict and report.warnings))
 
     def _show(self, report: Report, place: Place) -> None:
         from ev3proto.text.diagnostics import diagnostics
 
-        if self._is_told(report, place, report.as_dict):
+        if self._is_shown_otherwise(report, place, report.as_dict):
             return
         shown = self._options.shown(report)
         self._paragraph(diagnostics(report, shown, place=place.label, dialect=self.reading.dialect), len(shown) > 0)
@@ -221,34 +250,22 @@ class Checking(SourceReader):
     def _show_fix(self, fix: Fix, place: Place) -> None:
         from ev3proto.text.diagnostics import fixed
 
-        if self._is_told(fix.report, place, fix.as_dict):
+        if self._is_shown_otherwise(fix.report, place, fix.as_dict):
             return
         shown = self._options.shown(fix.report)
         self._paragraph(fixed(fix, shown, place=place.label, dialect=self.reading.dialect), True)
 
-    def _is_told(self, report: Report, place: Place, entry: Callable[[], dict[str, Any]]) -> bool:
-        """Prints what was found in any form but as text; tells whether nothing is left to be printed."""
-        match self._options.style:
-            case "json":
-                self._json(place, entry(), report)
-            case "github":
-                from ev3proto.cli.annotations import github
-
-                for line in github(report, self._options.shown(report), place.facts):
-                    self._printer.text(line)
-            case "sarif":
-                self._log().add(report, self._options.shown(report), place.facts)
-            case _:
-                return self._options.leaves_out(report, is_alone=self._is_single and not place.facts)
-        return True
-
-    def _log(self) -> Sarif:
-        """What was found so far, for SARIF."""
-        from ev3proto.cli.annotations import Sarif
-
-        if self._sarif is None:
-            self._sarif = Sarif()
-        return self._sarif
+    def _is_shown_otherwise(
+        self, report: Report, place: Place, entry: Callable[[], dict[str, Any]], *, is_file: bool = False
+    ) -> bool:
+        """Shows what was found in any form but as text; says whether nothing is left to be shown."""
+        if self._options.leaves_out(report, is_alone=self._is_single and not place.facts.keys() - {"source"}):
+            return True
+        if self._annotations is not None:
+            self._annotations.report(report, self._options.shown(report), place.facts, is_file=is_file)
+        elif self._options.as_json:
+            self._json(place, entry(), report)
+        return self._options.style != FORMATS[0]
 
     def _json(self, place: Place, entry: dict[str, Any], report: Report) -> None:
         entry["findings"] = [finding.as_dict() for finding in self._options.shown(report)]
@@ -262,6 +279,15 @@ class Checking(SourceReader):
         self._printer.lines(lines)
 
 
+def _annotations(style: str, printer: Printer) -> Annotations | None:
+    """What shows findings to a workflow; None where they are for people, or for other tools."""
+    if style not in ("github", "sarif"):
+        return None
+    from ev3proto.cli.annotations import Annotations
+
+    return Annotations(style, printer.text)
+
+
 def _is_reply(record: Record) -> bool:
     """Whether a frame comes from the brick, as the capture tells it, or else its type."""
     if record.direction is not None:
@@ -270,7 +296,7 @@ def _is_reply(record: Record) -> bool:
 
 
 def _frames(count: int) -> str:
-    return f"{count} frame{'s' * (count != 1)}"
+    return counted(count, "frame")
 
 
 @click.command()
@@ -328,6 +354,10 @@ def check(
         return
     if strict and errors_only:
         raise click.UsageError("--strict counts warnings and --errors-only hides them: give one or the other")
+    if as_json and style not in (None, "json"):
+        raise click.UsageError(f"--json is one form of output and --format {style} another: give one or the other")
+    if quiet and style in ("sarif", "github"):
+        raise click.UsageError(f"--quiet shows numbers only, and --format {style} findings: give one or the other")
     hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
     style = style or ("json" if as_json else FORMATS[0])
     options = CheckOptions(style, fixes, strict, carrier, frozenset(hidden), quiet)
@@ -336,7 +366,7 @@ def check(
     for source in found:
         checking.read(source)
     checking.summary()
-    if not checking.frames:
+    if not checking.frames and not checking.programs:
         if not checking.at_fault:
             complain(_nothing(checking.replies))
         checking.at_fault = True

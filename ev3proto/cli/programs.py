@@ -17,7 +17,6 @@ from ev3proto.text.spans import Line, Role
 
 if TYPE_CHECKING:
     from ev3proto.checking.codes import Code
-    from ev3proto.checking.report import Finding, Report
     from ev3proto.cli.sources import Source
     from ev3proto.program import Program
     from ev3proto.program.source.errors import SourceWarning
@@ -114,6 +113,7 @@ def program_explanation(code: Code, dialect: str) -> Iterator[Line]:
     from textwrap import wrap
 
     from ev3proto.program import check_program
+    from ev3proto.program.report import program_findings
     from ev3proto.text.diagnostics import ROLES
     from ev3proto.text.phrases import spaced_hex
 
@@ -124,25 +124,9 @@ def program_explanation(code: Code, dialect: str) -> Iterator[Line]:
     yield []
     yield [("example: ", Role.ASIDE), (spaced_hex(code.example), Role.VALUE)]
     report = check_program(code.example, dialect=dialect)
-    yield from finding_lines(report, report.findings, "")
+    yield from program_findings(report, report.findings)
     yield []
     yield [("without it: ", Role.ASIDE), (spaced_hex(code.counterexample), Role.VALUE)]
-
-
-def finding_lines(report: Report, shown: Sequence[Finding], place: str) -> Iterator[Line]:
-    """The findings of a program as lines, and the brick's verdict."""
-    from ev3proto.text.diagnostics import ROLES
-
-    for finding in shown:
-        yield [
-            (f"{finding.severity}[{finding.code}]", ROLES[finding.severity]),
-            (f": {place}offset {finding.offset}: {finding.message}", Role.PLAIN),
-        ]
-        yield [(f"  help: {finding.help}", Role.ASIDE)]
-    if report.accepted:
-        yield [(f"{place}the brick takes the program", Role.HEADING)]
-    else:
-        yield [(f"{place}the brick refuses the program at offset {report.rejected_at}", Role.FAULT)]
 
 
 def encode_program(

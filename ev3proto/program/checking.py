@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from ev3proto.checking import program_codes as codes
 from ev3proto.checking.codes import Code
-from ev3proto.checking.report import Finding, Report
+from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import code_verdict
 from ev3proto.errors import DecodeError, counted
 from ev3proto.messages import Argument, Operation
@@ -15,6 +15,7 @@ from ev3proto.program.header import IMAGE_HEADER_SIZE
 from ev3proto.program.image import parse
 from ev3proto.program.objects import CodeObject, Program
 from ev3proto.program.parameters import table_bytes
+from ev3proto.program.report import ProgramReport
 from ev3proto.program.retyped import CALL
 from ev3proto.program.source.writing import goal_of
 from ev3proto.tables.declaration import Direction, Effect
@@ -26,23 +27,26 @@ _OBJECT_END = "OBJECT_END"
 _HANDLE_SIZE = 2
 
 
-def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "official") -> Report:
+def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "official") -> ProgramReport:
     """What is wrong with a program image, and whether the brick starts it. Never raises for what is in an image.
 
-    image    from its sign to its last byte
-    dialect  "official", "xtended" or "compat": the firmware whose instruction set to read by
+    Args:
+        image: From its sign to its last byte.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
 
-    The report's `rejected_at` is the offset of the first operation that the firmware's validator stops at.
+    Returns:
+        The findings, and the verdict: `rejected_at` is the offset of the first operation that the firmware's validator
+        stops at.
     """
     image = bytes(memoryview(image))
     try:
         program = parse(image, strict=False, dialect=dialect)
     except DecodeError as error:
         finding = codes.DAMAGED.finding(error.offset, 0, error.reason, "give the whole image")
-        return Report(image, False, 0, (finding,))
+        return ProgramReport(image, False, 0, (finding,))
     findings = sorted(_Check(image, program, dialect).findings(), key=lambda it: (it.offset, it.code))
     refusals = [it.offset for it in findings if it.code in (codes.REFUSED.code, codes.DAMAGED.code)]
-    return Report(image, not refusals, min(refusals, default=None), tuple(findings))
+    return ProgramReport(image, not refusals, min(refusals, default=None), tuple(findings))
 
 
 class _Check:
@@ -71,7 +75,8 @@ class _Check:
                 yield from self._object(part)
 
     def _left_over(self, offset: int, size: int) -> Finding:
-        return codes.LEFT_OVER.finding(offset, size, f"{counted(size, 'byte')} belong to no object", "leave them out")
+        verb, them = ("belongs", "it") if size == 1 else ("belong", "them")
+        return codes.LEFT_OVER.finding(offset, size, f"{counted(size, 'byte')} {verb} to no object", f"omit {them}")
 
     def _object(self, part: CodeObject) -> Iterator[Finding]:
         if part.flaw.headless and part.fault is not None:
@@ -140,7 +145,7 @@ class _Check:
                 first,
                 codes.NO_SUCH_OBJECT,
                 f"{operation.name} is about object {first.value}, and the program has 1 to {len(self._by_number)}",
-                "give the number of one that there is",
+                f"give 1 to {len(self._by_number)}",
             )
         elif operation.name == CALL:
             yield from self._call(operation, arguments, named)
@@ -162,7 +167,7 @@ class _Check:
                 arguments[1],
                 codes.CALL_COUNT,
                 f"object {callee.number} takes {counted(declared, 'parameter')}, and here {given} are given",
-                f"give {declared}",
+                f"give {counted(declared, 'parameter')}",
             )
         for argument, parameter in zip(arguments[2:], callee.parameters, strict=False):
             if parameter.direction is not Direction.IN and argument.kind not in (LOCAL, GLOBAL):
@@ -189,7 +194,7 @@ class _Check:
                 argument,
                 codes.OUTSIDE_MEMORY,
                 f"{argument.name} ends at {argument.kind} byte {end}, and there are {size}",
-                f"ask for {counted(end, 'byte')}, or give a variable that is in them",
+                f"ask for {counted(end, 'byte')} of {argument.kind} memory, or use a lower index",
             )
 
 
@@ -256,7 +261,7 @@ def _unreached(steps: tuple[Operation, ...], reached: Iterable[int]) -> Iterator
                 run[0].offset,
                 last.offset + last.length - run[0].offset,
                 f"no way leads to {run[0].full_name}{more}",
-                "leave it out, or let a jump lead there",
+                "omit it, or let a jump lead there",
                 run[0].full_name,
             )
         run = []

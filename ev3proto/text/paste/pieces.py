@@ -57,7 +57,8 @@ class Found:
     def pasted(self, number: int, line: str) -> Pasted:
         """The same for those who do not have the line at hand."""
         text = short(line[self.start : self.end], MAX_TEXT)
-        return Pasted(self.data, number, text, self.head.direction, self.head.time, self.cut, self.problem)
+        head, column = self.head, self.start + 1
+        return Pasted(self.data, number, text, head.direction, head.time, self.cut, self.problem, column)
 
 
 class Wants(NamedTuple):

@@ -1,0 +1,51 @@
+"""What a check of a program found, and how it is printed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import NoReturn
+
+from ev3proto.checking.report import Finding, Report
+from ev3proto.text.spans import Line, Role, plain_text
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramReport(Report):
+    """What a check of a program found. Its `frame` is the image, and `accepted` says whether the brick starts it."""
+
+    def __str__(self) -> str:
+        """What `ev3proto check` prints of it."""
+        from ev3proto.text.visible import visible
+
+        return "\n".join(visible(plain_text(line)) for line in program_findings(self, self.findings))
+
+    @property
+    def fixed(self) -> NoReturn:
+        """Only frames are fixed. Raises ValueError."""
+        raise ValueError("only frames can be fixed, and this is the report on a program")
+
+
+def program_findings(report: Report, findings: Iterable[Finding], place: str = "") -> Iterator[Line]:
+    """The findings of a program as lines, and the brick's verdict.
+
+    Args:
+        report: What the check found.
+        findings: Those of its findings to show.
+        place: What stands before each offset, such as `robot.rbf, `.
+
+    Yields:
+        Two lines for each finding, and one for the verdict.
+    """
+    from ev3proto.text.diagnostics import ROLES
+
+    for finding in findings:
+        yield [
+            (f"{finding.severity}[{finding.code}]", ROLES[finding.severity]),
+            (f": {place}offset {finding.offset}: {finding.message}", Role.PLAIN),
+        ]
+        yield [(f"  help: {finding.help}", Role.ASIDE)]
+    if report.accepted:
+        yield [(f"{place}the brick takes the program", Role.HEADING)]
+    else:
+        yield [(f"{place}the brick refuses the program at offset {report.rejected_at}", Role.FAULT)]

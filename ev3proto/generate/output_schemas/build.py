@@ -29,13 +29,14 @@ from ev3proto.version import VERSION
 
 FILE_NAME = "ev3-output.schema.json"
 
-_COMMANDS = ("decode", "check", "stats", "values")
+_COMMANDS = ("decode", "check", "check_counts", "stats", "values")
 
 
 def build() -> str:
     """The text of the file."""
     commands: Schema = {
         "check": _check(),
+        "check_counts": _counts(),
         "finding": _finding(),
         "stats": of_dataclass(Summary),
         "values": _values(),
@@ -44,7 +45,8 @@ def build() -> str:
         {
             "$schema": "https://json-schema.org/draft/2020-12/schema",
             "title": f"What ev3proto {VERSION} prints with --json",
-            "description": "$defs/decode, check and values: a line of each; $defs/stats: all of stats.",
+            "description": "$defs/decode, check and values: a line of each; $defs/stats: all of stats;"
+            " $defs/check_counts: all of check --quiet.",
             "anyOf": [reference(name) for name in _COMMANDS],
             "$defs": definitions() | commands,
         }
@@ -56,6 +58,7 @@ def _check() -> Schema:
         "source": TEXT,
         "packet": WHOLE,
         "line": WHOLE,
+        "column": WHOLE,
         "accepted": FLAG,
         "rejected_at": maybe(WHOLE),
         "findings": list_of(reference("finding")),
@@ -63,7 +66,12 @@ def _check() -> Schema:
         "changes": list_of(object_of({field.name: TEXT for field in fields(Change)})),
         "unmended": list_of(TEXT),
     }
-    return object_of(properties, "source", "packet", "line", "changes", "unmended")
+    return object_of(properties, "source", "packet", "line", "column", "changes", "unmended")
+
+
+def _counts() -> Schema:
+    names = ("frames", "programs", "replies", *(f"{severity}s" for severity in Severity))
+    return object_of(dict.fromkeys(names, WHOLE))
 
 
 def _finding() -> Schema:

@@ -1,4 +1,4 @@
-"""What all tests share: the tshark, the marker on tests that use it, hypothesis's settings, the Kaitai compiler.
+"""What all tests share: the tshark, the marker on tests that use it, hypothesis's settings, where temporary files are.
 
 By default hypothesis draws the same few examples in every run, so that a change turns a test red and chance does not.
 With EV3PROTO_THOROUGH it draws many, others each time, and keeps those that fail.
@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+from support import scratch
 from support.effort import THOROUGH
 from support.wireshark import Tshark
 
@@ -27,6 +28,20 @@ settings.load_profile("thorough" if THOROUGH else "usual")
 COMPILER = Path(__file__).parents[1] / ".kaitai" / "node_modules" / "kaitai-struct-compiler"
 if COMPILER.is_dir():
     os.environ.setdefault("EV3PROTO_KSC", str(COMPILER))
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Gives the session a folder of its own for temporary files, where nothing must be left at the end."""
+    if not hasattr(config, "workerinput"):
+        scratch.begin()
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Fails the session where something was left."""
+    left = [] if hasattr(session.config, "workerinput") else scratch.end()
+    if left:
+        print(f"\nleft in the folder for temporary files: {', '.join(left)}")
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
 
 @pytest.fixture(scope="session")

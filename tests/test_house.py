@@ -9,7 +9,7 @@ from pathlib import Path
 PACKAGE = Path(__file__).parent.parent / "ev3proto"
 
 FLOORS = (
-    {"errors", "extras", "bounded", "late", "calls", "starting", "tables", "version", "whole_files"},
+    {"errors", "extras", "bounded", "late", "calls", "starting", "tables", "temporary", "version", "whole_files"},
     {"enums", "messages", "schema"},
     {"names", "stream"},
     {"semantics"},

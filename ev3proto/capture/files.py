@@ -9,8 +9,8 @@ all was read: only then it is known whether it is whole and whether there are se
 
 from __future__ import annotations
 
-import shutil
-import tempfile
+import filecmp
+from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -19,7 +19,6 @@ from pathlib import Path
 from types import TracebackType
 from typing import BinaryIO, Self
 
-from ev3proto.bounded import Bounded
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.moving import LISTINGS, UPLOADS, entry_of, piece_of
 from ev3proto.capture.record import CaptureError, Event, Record
@@ -28,6 +27,7 @@ from ev3proto.dialogue import Transfer
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.tables.system import Kind, SystemStatus
 from ev3proto.tables.system import SystemCommand as SystemEntry
+from ev3proto.temporary import PREFIX, temporary_folder
 
 MOST_FILES = 10_000
 """The most files that a capture can give."""
@@ -61,7 +61,7 @@ class RecoveredFile:
     bytes      that were moved
     size       bytes of the whole file, None where it was not said
     outcome    complete, incomplete, or refused by the brick before anything was moved
-    trouble    for what is not complete: why not, as a sentence
+    trouble    for what is not complete, or cannot be written: why not, as a sentence
     packets    the first and the last packet that is about it
     file       where it was written, None where nothing was
     """
@@ -106,7 +106,9 @@ def recover(
 
     Nothing outside the folder is touched, whatever paths the capture says. Where there are several bricks each gets a
     folder in it. A file that is not whole is written with `.part` after its name, an empty one of these not at all. A
-    name that is taken gets a number: `hello (2).rbf`.
+    name that is taken gets a number, `hello (2).rbf`, unless the file that has it is the same: that one stays as it is.
+
+    A file that cannot be written, such as on a full disk, has no `file` and a `trouble`. The others are written.
 
     Args:
         events: The events of a capture.
@@ -118,18 +120,23 @@ def recover(
         The files, in the order in which they began.
 
     Raises:
-        OSError: Something cannot be written.
+        OSError: Nothing can be written into the folder.
         CaptureError: The capture is damaged, or moves more than MOST_FILES files. All others were given before.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    with _Pieces(folder) as pieces:
+    with temporary_folder(folder, f".{PREFIX}") as beside, _Pieces(beside) as pieces:
         found = _Files(pieces.append, listings=listings)
         trouble = found.take(events)
         pieces.close()
         shelf = Shelf(folder, force=force)
         several = len({moving.peer for moving in found.all}) > 1
         for moving in found.all:
-            yield moving.result(_written(moving, pieces, shelf, several=several))
+            file = None
+            try:
+                file = _written(moving, pieces, shelf, several=several)
+            except OSError as error:
+                moving.unwritten = error.strerror or str(error)
+            yield moving.result(file)
     if trouble is not None:
         raise trouble
 
@@ -139,9 +146,16 @@ def _written(moving: _Moving, pieces: _Pieces, shelf: Shelf, *, several: bool) -
     if not is_whole and not moving.bytes:
         return None
     parts = (safe_name(moving.peer), *moving.parts) if several else moving.parts
-    place = shelf.place(parts, "" if is_whole else PART)
-    pieces.path(moving.number).replace(place)
+    found = pieces.path(moving.number)
+    place = shelf.place(parts, "" if is_whole else PART, lambda path: _is_same(path, found))
+    if not _is_same(place, found):
+        found.replace(place)
     return place
+
+
+def _is_same(path: Path, other: Path) -> bool:
+    """Whether two files have the same bytes; False where there is only one."""
+    return path.is_file() and filecmp.cmp(path, other, shallow=False)
 
 
 # What is moved
@@ -156,6 +170,7 @@ class _Moving:
     transfer  what the dialogue knows of it, None where the dialogue does not follow it
     stated    bytes of it all, where there is no transfer that knows it
     failure   what the brick said when something went wrong
+    unwritten why it is not on this computer's disk
     """
 
     number: int
@@ -170,6 +185,7 @@ class _Moving:
     stated: int | None = None
     bytes: int = 0
     failure: str | None = None
+    unwritten: str | None = None
 
     @property
     def size(self) -> int | None:
@@ -183,6 +199,8 @@ class _Moving:
 
     @property
     def trouble(self) -> str | None:
+        if self.unwritten is not None:
+            return f"it cannot be written: {self.unwritten}"
         if self.outcome is Outcome.COMPLETE:
             return None
         if self.outcome is Outcome.REFUSED:
@@ -350,29 +368,55 @@ def _begins_image(entry: SystemEntry) -> bool:
 
 
 class _Pieces:
-    """Files that grow, known by their numbers, in a folder of their own that is removed in the end."""
+    """Files that grow, known by their numbers, in a folder of their own."""
 
     def __init__(self, folder: Path) -> None:
-        self._folder = Path(tempfile.mkdtemp(prefix=".ev3proto-", dir=folder))
-        self._open: Bounded[int, BinaryIO] = Bounded(MOST_OPEN)
+        self._folder = folder
+        self._open: OrderedDict[int, BinaryIO] = OrderedDict()
+        self._failed: dict[int, OSError] = {}
 
     def path(self, number: int) -> Path:
-        """Where a file is; an empty one is made where nothing was written."""
+        """Where a file is; an empty one is made where nothing was written. Raises OSError where it is not whole."""
+        if number in self._failed:
+            raise self._failed[number]
         path = self._folder / str(number)
         path.touch()
         return path
 
     def append(self, number: int, piece: bytes) -> None:
-        """Writes a piece after those that were written."""
-        file, oldest = self._open.use(number, lambda: (self._folder / str(number)).open("ab"))
-        if oldest is not None:
-            oldest.close()
-        file.write(piece)
+        """Writes a piece after those that were written. What cannot be written takes no room any more."""
+        if number in self._failed:
+            return
+        try:
+            if number not in self._open:
+                if len(self._open) == MOST_OPEN:
+                    self._close_oldest()
+                self._open[number] = (self._folder / str(number)).open("ab")
+            self._open.move_to_end(number)
+            self._open[number].write(piece)
+        except OSError as error:
+            self._fail(number, error)
 
     def close(self) -> None:
         """Closes all; nothing is written any more."""
         while self._open:
-            self._open.pop_oldest().close()
+            self._close_oldest()
+
+    def _close_oldest(self) -> None:
+        number, file = self._open.popitem(last=False)
+        try:
+            file.close()
+        except OSError as error:
+            self._fail(number, error)
+
+    def _fail(self, number: int, error: OSError) -> None:
+        self._failed[number] = error
+        file = self._open.pop(number, None)
+        with suppress(OSError):
+            if file is not None:
+                file.close()
+        with suppress(OSError):
+            (self._folder / str(number)).unlink()
 
     def __enter__(self) -> Self:
         return self
@@ -380,7 +424,4 @@ class _Pieces:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
     ) -> None:
-        # That the disk is full was already said, and a file that cannot be closed is removed all the same.
-        with suppress(OSError):
-            self.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self.close()

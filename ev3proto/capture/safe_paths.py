@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import stat
+from collections.abc import Callable
 from pathlib import Path
 
 MOST_BYTES = 120
@@ -83,12 +84,15 @@ class Shelf:
         self._taken: set[tuple[Path, str]] = set()
         self._numbers: dict[tuple[Path, str], int] = {}
 
-    def place(self, parts: tuple[str, ...], suffix: str = "") -> Path:
+    def place(
+        self, parts: tuple[str, ...], suffix: str = "", is_same: Callable[[Path], bool] = lambda _path: False
+    ) -> Path:
         """Finds a place for a file, and makes its folder.
 
         Args:
             parts: Names of folders, and of the file.
             suffix: What to add to the file's name, for one that is not whole.
+            is_same: Tells of a file that was there before whether it is the one to be written: that is its place.
 
         Returns:
             The path, which no other file has.
@@ -102,7 +106,8 @@ class Shelf:
         number = self._numbers.get((folder, _key(parts[-1] + suffix)), 1)
         while True:
             name = numbered(parts[-1], number) + suffix
-            if (folder, _key(name)) not in self._taken and self._is_free(folder / name):
+            path = folder / name
+            if (folder, _key(name)) not in self._taken and (self._is_free(path) or (_is_file(path) and is_same(path))):
                 break
             number += 1
         self._numbers[folder, _key(parts[-1] + suffix)] = number + 1
@@ -138,6 +143,11 @@ class Shelf:
         except FileNotFoundError:
             return True
         return self._force and not stat.S_ISDIR(mode)
+
+
+def _is_file(path: Path) -> bool:
+    """Whether it is a file, and no link to one."""
+    return stat.S_ISREG(path.lstat().st_mode)
 
 
 def _key(name: str) -> str:

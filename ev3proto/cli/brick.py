@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import sys
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from inspect import cleandoc
@@ -15,15 +14,17 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.ending import stopped_by_signals
+from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import Printer, complain, flush, say
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
+from ev3proto.temporary import temporary_folder
 
 if TYPE_CHECKING:
     from ev3proto.brick.servers.script import Script
     from ev3proto.brick.servers.server import Options
 
-_SHARE = click.FloatRange(0, 1)
+_SHARE = Between(0, 1)
 _PORT = click.IntRange(0, 65535)
 _MOST_DELAY = 60
 
@@ -98,9 +99,7 @@ class _WithDifferences(click.Command):
     metavar="FILE",
     help="Picture (PNG) of the display at the end.",
 )
-@click.option(
-    "--delay", type=click.FloatRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold every reply back."
-)
+@click.option("--delay", type=Between(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold every reply back.")
 @click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies that are lost, 0 to 1.")
 @click.option(
     "--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte, 0 to 1."
@@ -220,8 +219,8 @@ def interrupted() -> Iterator[asyncio.Event]:
 def folder(root: Path | None) -> Iterator[Path]:
     """The folder of the brick's files: the one named, made if need be, or a fresh one that is removed at the end."""
     if root is None:
-        with tempfile.TemporaryDirectory(prefix="ev3proto-brick-") as fresh:
-            yield Path(fresh)
+        with temporary_folder() as fresh:
+            yield fresh
         return
     try:
         root.mkdir(parents=True, exist_ok=True)

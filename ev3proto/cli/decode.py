@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -67,17 +66,16 @@ class Decoding(SourceReader):
 
     def _moved_programs(self, capture: CaptureSource) -> None:
         """The programs that a capture moves to or from the brick, as far as they were captured."""
-        import tempfile
-
         from ev3proto.capture import CaptureError
         from ev3proto.capture.files import recover
         from ev3proto.capture.moving import printable
+        from ev3proto.temporary import temporary_folder
 
-        with tempfile.TemporaryDirectory(prefix="ev3proto-") as folder:
+        with temporary_folder() as folder:
             found: list[RecoveredFile] = []
             try:
                 # One by one, so that what was found stays when the capture comes to a bad end.
-                found += recover(capture.events(), Path(folder))
+                found += recover(capture.events(), folder)
             except CaptureError as error:
                 self.complain(f"{capture.label}: {error}")
             except OSError as error:

@@ -35,19 +35,25 @@ class Ended(SystemExit):
         self.number = number
 
 
-def _ending_signals() -> list[signal.Signals]:
-    """The signals that end the program, without those that whoever started it wants ignored, as `nohup` does."""
+def _numbers(*, also_ignored: bool = False) -> list[signal.Signals]:
+    """The signals that end the program, without those that whoever started it wants ignored.
+
+    Args:
+        also_ignored: Ctrl-C counts all the same. Shells have it ignored in what scripts start with `&`, and there is no
+            other way to end a server in order. Hanging up stays ignored, as `nohup` wants it.
+    """
     numbers = [signal.Signals[name] for name in _NAMES if hasattr(signal, name)]
-    return [number for number in numbers if signal.getsignal(number) is not signal.SIG_IGN]
+    counts = {signal.SIGINT} if also_ignored else set()
+    return [number for number in numbers if number in counts or signal.getsignal(number) is not signal.SIG_IGN]
 
 
 @contextmanager
-def _handled_by(handler: Handler) -> Iterator[None]:
-    """While it lasts, a function is called in place of what the signals that end the program do otherwise."""
+def _handled_by(handler: Handler, numbers: list[signal.Signals]) -> Iterator[None]:
+    """While it lasts, a function is called in place of what signals do otherwise."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    before = {number: signal.signal(number, handler) for number in _ending_signals()}
+    before = {number: signal.signal(number, handler) for number in numbers}
     try:
         yield
     finally:
@@ -62,14 +68,15 @@ def stopped_by_signals(stop: Callable[[], object]) -> Iterator[None]:
     Args:
         stop: Is called once, between any two steps of the program.
     """
-    before = {number: signal.getsignal(number) for number in _ending_signals()}
+    numbers = _numbers(also_ignored=True)
+    before = {number: signal.getsignal(number) for number in numbers}
 
     def handle(_number: int, _frame: object) -> None:
         for number, former in before.items():
             signal.signal(number, former)
         stop()
 
-    with _handled_by(handle):
+    with _handled_by(handle, numbers):
         yield
 
 
@@ -101,7 +108,7 @@ def ended_by_signals() -> Iterator[None]:
     before = sys.unraisablehook
     sys.unraisablehook = unraisable
     try:
-        with _handled_by(end):
+        with _handled_by(end, _numbers()):
             yield
     finally:
         sys.unraisablehook = before

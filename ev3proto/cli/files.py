@@ -68,7 +68,7 @@ def files(
             if folder is not None and recovered.trouble is not None:
                 place = f"{source.label}, {source.unit} {recovered.packets[0]}"
                 complain(f"{place}: {printable(recovered.path)}: {recovered.trouble}")
-                source.status |= recovered.outcome is Outcome.INCOMPLETE
+                source.status |= recovered.outcome is not Outcome.REFUSED
         if is_empty and not source.status:
             complain(f"{source.label}: no file is moved in it")
         status |= source.status

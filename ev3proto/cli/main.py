@@ -121,12 +121,13 @@ def _printing_help() -> Iterator[None]:
 
 
 def _forget_unwritten() -> None:
-    """Lets what could not be written to standard error go."""
-    if sys.stderr is not None:
-        try:
-            sys.stderr.flush()
-        except OSError:
-            _forget(sys.stderr)
+    """Lets what could not be written to the standard streams go; what there is to say of it was said."""
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:
+            try:
+                stream.flush()
+            except OSError:
+                _forget(stream)
 
 
 def _forget(stream: TextIO | None) -> None:

@@ -5,17 +5,20 @@ from __future__ import annotations
 import ipaddress
 import sys
 from contextlib import ExitStack
+from pathlib import Path
 from random import Random
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, BinaryIO, cast
 
 import click
 
 from ev3proto.cli.ending import stopped_by_signals
-from ev3proto.cli.output import binary_output, complain, flush, is_terminal, say
+from ev3proto.cli.numbers import Between
+from ev3proto.cli.output import complain, flush, is_terminal, say
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
+from ev3proto.whole_files import GrowingFile
 
 if TYPE_CHECKING:
     from ev3proto.capture.dialogues import RequestReply
@@ -23,7 +26,7 @@ if TYPE_CHECKING:
 
 _LOOPBACK = "127.0.0.1"
 _UNKNOWN_SERIAL = "0" * 12
-_SHARE = click.FloatRange(0, 1)
+_SHARE = Between(0, 1)
 _MOST_DELAY = 60
 
 
@@ -41,9 +44,7 @@ _MOST_DELAY = 60
 @click.option("--read-only", is_flag=True, help="Let nothing through that changes the brick.")
 @click.option("--hide", is_flag=True, help="Write over names, addresses and PINs in what is recorded and shown.")
 @click.option("--from", "only_from", metavar="ADDRESS", help="Serve only clients with this address.")
-@click.option(
-    "--delay", type=click.FloatRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold replies back."
-)
+@click.option("--delay", type=Between(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold replies back.")
 @click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies that are lost, 0 to 1.")
 @click.option(
     "--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte, 0 to 1."
@@ -161,9 +162,12 @@ def _recorded_to(record: str | None, stack: ExitStack) -> BinaryIO | None:
     if record == "-":
         if is_terminal():
             raise click.UsageError("a capture would garble the terminal: pipe it, or give --record FILE")
-        return stack.enter_context(binary_output())
+        if sys.stdout is None:
+            complain("the output cannot be written: standard output is closed")
+            sys.exit(1)
+        return sys.stdout.buffer
     try:
-        return stack.enter_context(open(record, "wb"))  # noqa: PTH123 - a name as it was typed
+        return cast(BinaryIO, stack.enter_context(GrowingFile(Path(record))))
     except OSError as error:
         complain(f"{record}: cannot be written: {error.strerror or error}")
         sys.exit(1)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.send import REPLY_TIMEOUT
 from ev3proto.cli.show import Show
@@ -63,7 +64,7 @@ def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[
 @click.option("--fast", is_flag=True, help="As fast as answers come, not at the pace of the capture.")
 @click.option(
     "--timeout",
-    type=click.FloatRange(0, min_open=True),
+    type=Between(0, min_open=True),
     default=REPLY_TIMEOUT,
     show_default=True,
     metavar="SECONDS",

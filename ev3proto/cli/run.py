@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.brick import folder, interrupted, read_script_file
+from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import complain, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of, is_image
 
@@ -67,7 +68,7 @@ _MOST_NAME = 20
     metavar="PNG",
     help="Picture of the display at the end.",
 )
-@click.option("--limit", type=click.FloatRange(0), metavar="SECONDS", help="End the program after so long.")
+@click.option("--limit", type=Between(0), metavar="SECONDS", help="End the program after so long.")
 def run(
     file: Path,
     page: int | None,

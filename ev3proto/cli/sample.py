@@ -9,6 +9,7 @@ from itertools import islice
 
 import click
 
+from ev3proto.cli.numbers import MOST_COUNT
 from ev3proto.cli.output import binary_output, complain, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
@@ -23,7 +24,7 @@ MOST_SEEDS = 1 << 64
 
 
 @click.command()
-@click.option("-n", "--count", type=click.IntRange(1), default=10, show_default=True, help="How many frames.")
+@click.option("-n", "--count", type=click.IntRange(1, MOST_COUNT), default=10, show_default=True, help="How many.")
 @click.option(
     "--seed",
     type=click.IntRange(0, MOST_SEEDS - 1),

@@ -9,6 +9,7 @@ import click
 
 from ev3proto.cli.captures import CaptureOptions
 from ev3proto.cli.encode import Encoding, Wants
+from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import complain
 from ev3proto.cli.show import Show
 from ev3proto.cli.sources import Source, sources
@@ -67,7 +68,7 @@ class _Commands(Encoding):
 @click.option("--force", is_flag=True, help="Send also what the brick would refuse.")
 @click.option(
     "--timeout",
-    type=click.FloatRange(0, min_open=True),
+    type=Between(0, min_open=True),
     default=REPLY_TIMEOUT,
     show_default=True,
     metavar="SECONDS",

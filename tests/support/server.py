@@ -6,7 +6,6 @@ import asyncio
 import contextlib
 import fcntl
 import socket
-import tempfile
 import threading
 import time
 from collections.abc import Iterator
@@ -16,6 +15,7 @@ from typing import NamedTuple
 
 from ev3proto.brick.servers.server import Options, Running, running
 from ev3proto.text.assembly import assemble
+from support.scratch import usual_folder
 
 UNLOCK = b"GET /target?sn=0016530f0c1e VMTP1.0\r\nProtocol: EV3\r\n\r\n"
 ACCEPT = b"Accept:EV340\r\n\r\n"
@@ -132,7 +132,7 @@ def command(text: str, counter: int = 1) -> bytes:
 def beacon_port() -> Iterator[None]:
     """Has the UDP port of beacons to itself: the tests run in several processes, and it is one for all of them."""
     until = time.monotonic() + MOST_WAITING
-    with (Path(tempfile.gettempdir()) / "ev3proto-tests-beacon.lock").open("w") as lock:
+    with (usual_folder() / "ev3proto-tests-beacon.lock").open("w") as lock:
         while True:
             try:
                 fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, BinaryIO, cast
 
 from ev3proto.generate.captures import PacketFile, carrier_writer
 from ev3proto.tables.carriers import Carrier
+from ev3proto.whole_files import GrowingFile
 
 if TYPE_CHECKING:
     from ev3proto.brick.servers.host import Connection, Say
@@ -30,8 +31,8 @@ class Recorder:
         """Opens the file, and empties it. OSError where it cannot be written."""
         self._say = say
         self._path = path
-        self._stream = path.open("wb")
-        self._file = PacketFile(self._stream)
+        self._stream = GrowingFile(path)
+        self._file = PacketFile(cast(BinaryIO, self._stream))
         self._interface = self._file.interface(Carrier("wifi"))
         self._writers: dict[Connection, tuple[CarrierWriter, int]] = {}
         self._is_open = True
@@ -72,7 +73,10 @@ class Recorder:
             self.closed(connection)
         if self._is_open:
             self._is_open = False
-            self._stream.close()
+            try:
+                self._stream.close()
+            except OSError as error:
+                self._say(f"{self._path}: it cannot be ended: {error.strerror or error}")
 
     def _write(self, connection: Connection, packets: list[bytes]) -> None:
         writer, interface = self._writers[connection]

@@ -136,9 +136,14 @@ def read_script(path: Path) -> Script:
         raise ScriptError(f"it has more than {MOST_SCRIPT} bytes")
     try:
         found = tomllib.loads(text.decode())
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         raise ScriptError(f"it is no TOML: {error}") from None
-    return _Reading().script(found)
+    try:
+        return _Reading().script(found)
+    except ScriptError:
+        raise
+    except ValueError:  # Python writes no number of more than 4300 digits, not even to say what is wrong with it
+        raise ScriptError("it has a number that is too large") from None
 
 
 @dataclass

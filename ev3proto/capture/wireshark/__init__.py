@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import tempfile
 from collections.abc import Collection, Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -19,6 +18,7 @@ from ev3proto.capture.record import CaptureError
 from ev3proto.capture.wireshark.events import Events
 from ev3proto.capture.wireshark.process import Process
 from ev3proto.capture.wireshark.program import EngineError, Program
+from ev3proto.temporary import temporary_folder
 
 if TYPE_CHECKING:
     from ev3proto.capture.byte_account import Account
@@ -84,7 +84,7 @@ def _file(source: str | os.PathLike[str] | BinaryIO | CaptureFile, stack: ExitSt
         path = Path(source)
         with path.open("rb"):
             return path.absolute()
-    copy = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="ev3proto-"))) / "capture"
+    copy = stack.enter_context(temporary_folder()) / "capture"
     with copy.open("wb") as stream:
         shutil.copyfileobj(source, stream)
     return copy

@@ -5,14 +5,13 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
-import tempfile
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 from ev3proto.capture.record import CaptureError
 from ev3proto.generate.dissector.build import FILE_NAME, build
 from ev3proto.generate.dissector.install import USUAL_PLACES
+from ev3proto.temporary import temporary_folder
 
 OLDEST = (4, 0)
 """The oldest Wireshark that the dissector runs in."""
@@ -87,10 +86,10 @@ class Program:
         if self._has_dissector():
             yield words
             return
-        with tempfile.TemporaryDirectory(prefix="ev3proto-") as folder:
+        with temporary_folder() as folder:
             # What runs tshark may be somebody else, such as a program that drops the rights of root.
-            Path(folder).chmod(0o755)
-            script = Path(folder) / FILE_NAME
+            folder.chmod(0o755)
+            script = folder / FILE_NAME
             script.write_text(build(), encoding="utf-8")
             script.chmod(0o644)
             yield ["-X", f"lua_script:{script}", *words]

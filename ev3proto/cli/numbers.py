@@ -7,9 +7,6 @@ from typing import Any
 
 import click
 
-MOST_COUNT = 1 << 53
-"""What is counted one by one never comes so far."""
-
 
 class Between(click.FloatRange):
     """A finite number in a range."""

@@ -9,7 +9,6 @@ from itertools import islice
 
 import click
 
-from ev3proto.cli.numbers import MOST_COUNT
 from ev3proto.cli.output import binary_output, complain, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
@@ -24,7 +23,7 @@ MOST_SEEDS = 1 << 64
 
 
 @click.command()
-@click.option("-n", "--count", type=click.IntRange(1, MOST_COUNT), default=10, show_default=True, help="How many.")
+@click.option("-n", "--count", type=click.IntRange(1), default=10, show_default=True, help="How many frames.")
 @click.option(
     "--seed",
     type=click.IntRange(0, MOST_SEEDS - 1),
@@ -70,7 +69,7 @@ def sample(
     frames = _frames(seed, names, areas, types, mutate, dialect)
     write = _writer(style, dialect)
     written = 0
-    for frame in islice(frames, count):
+    for frame in islice(frames, min(count, sys.maxsize)):
         write(frame)
         written += 1
     if written < count:

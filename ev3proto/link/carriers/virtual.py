@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import shutil
 import threading
 import time
 import weakref
 from collections.abc import Callable
-from functools import partial
+from contextlib import ExitStack
 from pathlib import Path
-from tempfile import mkdtemp
 
 from ev3proto.brick import Brick
 from ev3proto.link.errors import ConnectionLostError, NoBrickError
 from ev3proto.link.targets import Target
 from ev3proto.tables.carriers import DEFAULT_CARRIER
+from ev3proto.temporary import temporary_folder
 
 _TURN = 0.01
 """Seconds from one look at the clock to the next."""
@@ -89,8 +88,8 @@ def open_virtual(target: Target) -> VirtualWire:
         NoBrickError: There is no such folder.
     """
     if target.host is None:
-        folder = mkdtemp(prefix="ev3proto-")
-        return VirtualWire(Brick(root=folder), partial(shutil.rmtree, folder, ignore_errors=True))
+        stack = ExitStack()
+        return VirtualWire(Brick(root=stack.enter_context(temporary_folder())), stack.close)
     if not Path(target.host).is_dir():
         raise NoBrickError(f"{target.host} is no folder: the virtual brick's files are in one")
     return VirtualWire(Brick(root=target.host))

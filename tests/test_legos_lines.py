@@ -88,6 +88,12 @@ def test_what_is_missing_is_named() -> None:
     assert reason("CALL(Show,'text')") == (
         "there is no object Show: `define Show 2` in front of it tells the number of the object, counted from 1"
     )
+    assert reason("INPUT_DEVICE(READY_SI,0,Port,0,0,1,GV0(0))").endswith(
+        " Or `DATA8 Port` in front of it declares a variable"
+    )
+    assert reason("MOVE8_8(SQRTT,LV0(0))") == (
+        "there is no variable or constant SQRTT: did you mean SQRT? Or `DATA8 SQRTT` in front of it declares a variable"
+    )
     assert reason("CALL(2,3,'text')") == "PARAMETERS says 3, but 1 values follow"
     assert reason("IN_16 width\nMOVE16_16(width, LV0(0))") == (
         "a direct command has no subroutines: it is one piece, as a vmthread is; DATA16 declares a variable"

@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 
 from ev3proto.tables import OPCODES
+from ev3proto.tables.source import PARAMETER_WORDS
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.assembly.parser import GLOBAL_WORD, LOCAL_WORD, TYPES
 from ev3proto.text.assembly.words import BYTES, FRAME, MESSAGE
 from ev3proto.text.late_pattern import late_pattern
 
-_DECLARATION = "|".join((*TYPES, GLOBAL_WORD, LOCAL_WORD, r"\#?define", "vmthread"))
+_DECLARATION = "|".join((*TYPES, *PARAMETER_WORDS, GLOBAL_WORD, LOCAL_WORD, r"\#?define", "vmthread"))
 _STATEMENT = late_pattern(
     rf"""op[A-Z]\w*(?:[\s,(;]|$) | [A-Z][A-Z0-9_]*(?:\.[A-Z0-9_]+)?\s*\(
       | (?:{_DECLARATION})\s+[A-Za-z_]

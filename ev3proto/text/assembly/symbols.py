@@ -116,7 +116,7 @@ class Names:
         if parameter is None:
             return [*own, *firmware_constants()]
         if parameter.enum is None:
-            return [*parameter.names, *own, *firmware_constants()]
+            return [*parameter.names, *own, *firmware_constants(), *_commands()]
         others = [name for name in firmware_constants() if name not in _members() and name not in _ends()]
         return [*parameter.enum.members, *parameter.names, *own, *others]
 

@@ -162,14 +162,15 @@ class Encoder:
         else:
             what, known = f"variable or constant {name}", self.names.known(parameter)
         hint = suggestion(name, known)
-        if not hint and parameter.role is Role.OBJECT:
-            hint = f": `define {name} 2` in front of it tells the number of the object, counted from 1"
-        if not hint and enum is not None and not parameter.is_output:
+        if parameter.role is Role.OBJECT:
+            hint = hint or f": `define {name} 2` in front of it tells the number of the object, counted from 1"
+        elif enum is None or parameter.is_output:
+            kind = parameter.type.label if parameter.type.label in TYPES else DATA8.label
+            declares = f"`{kind} {name}` in front of it declares a variable"
+            hint = f"{hint} Or {declares}" if hint else f": {declares}"
+        elif not hint:
             hint = f": it has {', '.join(list(enum.members)[:_MOST_MEMBERS])}, ..."
-        declared = parameter.type.label if parameter.type.label in TYPES else DATA8.label
-        return error_at(
-            token, f"there is no {what}{hint or f': `{declared} {name}` in front of it declares a variable'}"
-        )
+        return error_at(token, f"there is no {what}{hint}")
 
     def _number(self, value: Expression, parameter: Parameter | None) -> int | float:
         found = self.constant(value, parameter)

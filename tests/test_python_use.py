@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 
 import ev3proto
-from ev3proto import GV, LV, BuildError, DecodeError, DirectCommand, DirectReply, Message, SystemReply, ops
+from ev3proto import GV, LV, BuildError, DecodeError, DirectCommand, DirectReply, Message, SystemReply, ops, program
+from ev3proto.brick import Brick
 from ev3proto.capture import read
 
 ROOT = Path(__file__).parent.parent
@@ -47,6 +48,13 @@ def test_wrong_types_get_a_sentence() -> None:
         "a frame is bytes, not text: bytes.fromhex('0e002a0080000094...') makes bytes of hex"
     )
     assert wrong(ev3proto.parse, 14) == "a frame is bytes, not int"
+    for call in (ev3proto.check, ev3proto.fix, Brick().receive):
+        assert wrong(call, "0e002a00") == "a frame is bytes, not text: bytes.fromhex('0e002a00') makes bytes of hex"
+        assert wrong(call, 14) == "a frame is bytes, not int"
+    for image_call in (program.parse, program.check_program):
+        assert (
+            wrong(image_call, "4c45474f") == "an image is bytes, not text: bytes.fromhex('4c45474f') makes bytes of hex"
+        )
     assert wrong(ev3proto.Decoder().feed, "0e") == (
         "a chunk of a stream is bytes, not text: bytes.fromhex('0e') makes bytes of hex"
     )

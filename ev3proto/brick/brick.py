@@ -46,6 +46,7 @@ from ev3proto.brick.storage import Storage
 from ev3proto.brick.system_commands import SystemCommands
 from ev3proto.brick.terminal import Terminal
 from ev3proto.checking.verdict import Reason, verdict
+from ev3proto.errors import as_bytes
 from ev3proto.schema.header import (
     COMMAND_HEADER_SIZE,
     HEADER_SIZE,
@@ -205,8 +206,10 @@ class Brick:
 
         channel  names the connection; every reply says to which it goes
         """
+        if type(frame) is not bytes:
+            frame = as_bytes(frame, "a frame")
         if self._waiting_bytes + len(frame) <= MOST_WAITING:
-            self._waiting.append(Incoming(channel, bytes(frame)))
+            self._waiting.append(Incoming(channel, frame))
             self._waiting_bytes += len(frame)
         if self._command is None:
             self._deadline = thread_time() + self._stretch

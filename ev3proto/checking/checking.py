@@ -16,6 +16,7 @@ from ev3proto.checking.rules.refusals import check_refusals
 from ev3proto.checking.rules.system import check_daisy, check_system
 from ev3proto.checking.rules.values import check_values
 from ev3proto.checking.verdict import verdict
+from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
@@ -37,6 +38,7 @@ def check(
         The brick's verdict, and the findings in the order of their offsets.
 
     Raises:
+        TypeError: It is neither bytes nor a message.
         ValueError: The dialect or the carrier is unknown.
     """
     if carrier is not None and carrier not in CARRIERS:
@@ -44,7 +46,7 @@ def check(
     if isinstance(frame, Message):
         frame = frame.build()
     elif type(frame) is not bytes:
-        frame = bytes(memoryview(frame))
+        frame = as_bytes(frame, "a frame")
     context = _context(frame, dialect, carrier)
     findings = sorted(_without_echoes(list(_findings(context))), key=_order)
     accepted, rejected_at = _answer(context, findings)

@@ -14,7 +14,7 @@ from typing import Any
 from ev3proto.checking.checking import check
 from ev3proto.checking.report import Report
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
-from ev3proto.errors import BuildError
+from ev3proto.errors import BuildError, as_bytes
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
 from ev3proto.schema.argument import encode_as, encode_integer, encode_variable
 from ev3proto.schema.frame import parse
@@ -104,7 +104,7 @@ def fix(
     Raises:
         ValueError: The dialect or the carrier is unknown.
     """
-    given = frame.build() if isinstance(frame, Message) else bytes(frame)
+    given = frame.build() if isinstance(frame, Message) else as_bytes(frame, "a frame")
     report = check(given, dialect=dialect, carrier=carrier)
     if not report.findings:
         return Fix(given, (), (), report)

@@ -9,7 +9,7 @@ from ev3proto.checking import program_codes as codes
 from ev3proto.checking.codes import Code
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import code_verdict
-from ev3proto.errors import DecodeError, counted
+from ev3proto.errors import DecodeError, as_bytes, counted
 from ev3proto.messages import Argument, Operation
 from ev3proto.program.header import IMAGE_HEADER_SIZE
 from ev3proto.program.image import parse
@@ -38,7 +38,7 @@ def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "offi
         The findings, and the verdict: `rejected_at` is the offset of the first operation that the firmware's validator
         stops at.
     """
-    image = bytes(memoryview(image))
+    image = as_bytes(image, "an image")
     try:
         program = parse(image, strict=False, dialect=dialect)
     except DecodeError as error:

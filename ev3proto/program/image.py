@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from construct import Int16ul, Int32ul
 
-from ev3proto.errors import BuildError, DecodeError, Fault, counted
+from ev3proto.errors import BuildError, DecodeError, Fault, as_bytes, counted
 from ev3proto.messages import NO_FLAW, Flaw, Operation
 from ev3proto.program.header import (
     IMAGE_HEADER_SIZE,
@@ -315,7 +315,7 @@ def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect
     `program.build()` gives the same bytes again. Raises DecodeError, a ValueError with `offset` and `reason`;
     ValueError for an unknown dialect.
     """
-    program = image_schema(dialect).read_image(bytes(memoryview(image)))
+    program = image_schema(dialect).read_image(as_bytes(image, "an image"))
     if strict and program.fault is not None:
         raise DecodeError(*program.fault)
     return program

@@ -31,7 +31,7 @@ for _entry in operations().values():
 
 
 def argument(frame: bytes, at: int, kind: Type) -> tuple[object, int]:
-    """The value at an offset and the offset behind it."""
+    """The value at an offset and the offset after it."""
     first = frame[at]
     if first < 32:
         return first, at + 1

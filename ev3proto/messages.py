@@ -320,7 +320,7 @@ _NOTHING: tuple[object, ...] = (NO_FLAW, None, 0, b"", (), {})
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Message:
-    """What every message has. A message that is no subclass is one whose type could not be told.
+    """What every message has. A message that is no subclass is one whose type is not known.
 
     type     which of the twelve types; None when the frame is too short or the type is unknown
     counter  the sender's message counter, 0 to 65535, echoed in the reply

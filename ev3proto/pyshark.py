@@ -45,7 +45,7 @@ def parameters(
         dialect: The firmware whose instruction set to read by.
         ports: TCP ports on which bricks listen.
         tshark: Path of the tshark that pyshark uses (its `tshark_path`), where it is not on the path.
-        use_ek: Whether pyshark is told so, too. By itself it does not know the fields of a dissector in Lua in that
+        use_ek: Whether pyshark uses it, too. By itself it does not know the fields of a dissector in Lua in that
             mode, and raises when one is asked for. This tells it.
 
     Returns:

@@ -24,7 +24,7 @@ _SCRIPTS = ("ev3proto", "ev3proto.exe", "ev3proto-script.py")
 def is_command_line() -> bool:
     """Whether this process is `ev3proto` or `python -m ev3proto`, and no other program that uses the package."""
     name = sys.argv[0] if getattr(sys, "argv", None) else ""
-    if name == "-m":  # what Python has there while it looks for the module that it was told to run
+    if name == "-m":  # what Python has there while it looks for the module that it is to run
         words = sys.orig_argv
         return "-m" in words[:-1] and words[words.index("-m") + 1] == "ev3proto"
     return os.path.basename(name) in _SCRIPTS  # noqa: PTH119 - pathlib takes long to load

@@ -135,7 +135,7 @@ def _constants(parameter: Parameter) -> SearchStrategy[PlainValue]:
 
 
 def _element_of(parameter: Parameter, announced: Type | None = None) -> Parameter:
-    """One element of a list as a parameter of its own; `announced` is the type that another argument told."""
+    """One element of a list as a parameter of its own; `announced` is the type that another argument gives."""
     kind = parameter.element if isinstance(parameter.element, Type) else announced or Type.ARRAY_TYPED
     direction = parameter.elements if parameter.type is Type.COUNT else Direction.IN
     return parameter._replace(type=kind, direction=direction, element=None)

@@ -150,7 +150,7 @@ def test_variables_in_a_thread_are_local() -> None:
           JR_LT8(i,STEPS,Loop)
         }
     """
-    # Timer is at 4, the first multiple of its size behind i; the jump goes back over 4 operations of 15 bytes.
+    # Timer is at 4, the first multiple of its size after i; the jump goes back over 4 operations of 15 bytes.
     assert assembled(text) == ["14 00 00 00 80 00 20 85 82 F4 01 44 86 44 10 40 01 40 64 40 03 31"]
 
 

@@ -148,7 +148,7 @@ def test_waiting_for_itself_waits_for_ever(brick: Brick) -> None:
 
 def test_a_constant_is_read_in_the_type_of_the_parameter(brick: Brick) -> None:
     assert run(brick, bytes.fromhex("34 82 2C 01 60"), globals=1) == (OK, bytes((44 + 83,)))  # clamped: 300 as 16 bits
-    # Behind a first parameter that passes, a 16-bit 300 as DATA8 is 44.
+    # After a first parameter that passes, a 16-bit 300 as DATA8 is 44.
     assert run(brick, bytes.fromhex("10 00 82 2C 01 60"), globals=1) == (OK, bytes((44,)))
 
 

@@ -175,7 +175,7 @@ def test_damaged_images_are_not_started(brick: Brick, data: bytes) -> None:
 
 
 def test_what_the_validator_does_not_mind_is_no_damage(brick: Brick) -> None:
-    """A CMD that no table has is accepted, and does nothing; bytes behind the last object are not looked at."""
+    """A CMD that no table has is accepted, and does nothing; bytes after the last object are not looked at."""
     code = bytes.fromhex("8D 1F") + op("MOVE8_8", 7, GV(0)) + op("JR", -2)
     start(brick, image((0, 0, 0, code + op("OBJECT_END")), globals=1) + b"more")
     brick.advance(0.01)
@@ -237,7 +237,7 @@ def test_an_open_box_cannot_be_opened_and_a_closed_one_still_gets_messages(brick
     run(brick, op("MAILBOX_CLOSE", 1))
     write_mailbox(brick, "abc", b"\x07")
     assert run(brick, op("MAILBOX_TEST", 1, GV(0)), globals=1) == (OK, b"\0")
-    # What stands behind the number of values is skipped: this brick does not execute it.
+    # What stands after the number of values is skipped: this brick does not execute it.
     skipped = op("MOVE8_8", 9, GV(0)), op("MAILBOX_READ", 1, 4, [GV(0)])
     assert run(brick, *skipped, globals=1) == (OK, b"\x09")
     assert run(brick, box, op("MAILBOX_TEST", 1, GV(0)), globals=1) == (OK, b"\x01")

@@ -1,4 +1,4 @@
-"""The virtual brick on loopback: carriers, clients that behave badly, and what its user is told."""
+"""The virtual brick on loopback: carriers, clients that behave badly, and what its user is shown."""
 
 from __future__ import annotations
 

@@ -106,7 +106,7 @@ def test_a_packet_may_be_cut_anywhere(name: str) -> None:
 
 
 def ipv6(carried: bytes, *extensions: tuple[int, bytes], protocol: int = 6, from_host: bool = True) -> bytes:
-    """A packet of IPv6; each extension is its number and its bytes behind the number of the next."""
+    """A packet of IPv6; each extension is its number and its bytes after the number of the next."""
     ends = [bytes.fromhex("20010db8000000000000000000000001"), bytes.fromhex("20010db8000000000000000000000010")]
     source, target = ends if from_host else ends[::-1]
     numbers = [number for number, _ in extensions] + [protocol]

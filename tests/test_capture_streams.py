@@ -129,7 +129,7 @@ def test_requests_latencies_and_values() -> None:
 @pytest.mark.parametrize("text", [UNLOCK, UNLOCK[:-2], UNLOCK[:-4], UNLOCK.replace(b"\r", b"")])
 @pytest.mark.parametrize("frame", [voltage(1), tone(2), led(3)])
 def test_an_unlock_text_is_cut_anywhere(text: bytes, frame: bytes) -> None:
-    """The frame behind it may start with the byte of a line end."""
+    """The frame after it may start with the byte of a line end."""
     for size in range(1, len(text) + 6):
         stream = text + frame + led(9) + tone(10)
         events, capture = of(connected(*(stream[at : at + size] for at in range(0, len(stream), size))))
@@ -517,7 +517,7 @@ def test_a_connection_kept_alive_when_the_capture_begins() -> None:
 
 
 def test_what_looks_like_a_long_frame_where_a_capture_begins() -> None:
-    """Inside a frame anything may stand, a length too; whole frames behind it are given all the same."""
+    """Inside a frame anything may stand, a length too; whole frames after it are given all the same."""
     for packets in (
         [segment(True, 1000, b"\0\x03\0\0\0" + voltage(1) + voltage(2))],
         [segment(True, 1000, b"\0\x03\0\0\0"), segment(True, 1005, voltage(1)), segment(True, 1015, voltage(2))],
@@ -796,7 +796,7 @@ def test_a_port_that_is_opened_again_starts_anew() -> None:
 
 
 def test_bluetooth_packets_cut_by_the_capture() -> None:
-    """What is missing of a stream is told, and the next frame is found."""
+    """What is missing of a stream is reported, and the next frame is found."""
     link = Link()
     link.ask()
     link.rfcomm(True, voltage(1))

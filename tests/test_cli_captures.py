@@ -211,7 +211,7 @@ def test_a_file_cut_off_in_the_middle() -> None:
 
 def test_a_length_that_lies() -> None:
     data = bytearray(dialogue())
-    # The second packet: behind the file's header, the first packet's header, and the first packet.
+    # The second packet: after the file's header, the first packet's header, and the first packet.
     second = 24 + 16 + 56
     data[second + 8 : second + 12] = (0x7FFFFFFF).to_bytes(4, "little")
     done = run("decode", "--json", stdin=bytes(data))

@@ -145,7 +145,7 @@ def test_findings_that_are_not_shown() -> None:
     assert "error[" in run("--errors-only", MISALIGNED).stdout
 
 
-# Mending
+# Fixes
 
 
 def test_a_fixed_frame() -> None:

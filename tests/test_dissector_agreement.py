@@ -132,7 +132,7 @@ def over_rfcomm(*words: str) -> Callable[[Tshark, Path], Iterator[Frame]]:
 
 
 class Carrier(NamedTuple):
-    """How to get at the frames of a capture, how many there are, and what tshark must be told to see them."""
+    """How to get at the frames of a capture, how many there are, and what tshark needs to see them."""
 
     frames: Callable[[Tshark, Path], Iterator[Frame]]
     total: int
@@ -140,7 +140,7 @@ class Carrier(NamedTuple):
 
 
 LATE = ("-d", "btl2cap.cid==0x41,btrfcomm", "-d", "btl2cap.cid==0x51,btrfcomm")
-"""A capture that begins behind the search for the serial port does not say which channels are RFCOMM."""
+"""A capture that begins after the search for the serial port does not say which channels are RFCOMM."""
 
 CARRIERS = {
     "bluetooth.log": Carrier(over_rfcomm(), 24),

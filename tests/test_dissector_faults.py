@@ -737,6 +737,6 @@ def test_the_fault_of_the_bootloader(tshark: Tshark) -> None:
         "a known fault of the EV3's bootloader on USB 3 ports: the reply to GET_VERSION with the request written over "
         "its first bytes"
     )
-    # Behind the request's six bytes stands what is left of the reply.
+    # After the request's six bytes stands what is left of the reply.
     assert padding.startswith("7f b6 00 00 00 06 00 00")
     assert len(bytes.fromhex(padding)) == 1024 - 6

@@ -78,7 +78,7 @@ class Home:
         return run(*words, path=f"{self.program.parent}{os.pathsep}{os.environ['PATH']}")
 
     def read(self, capture: str, *words: str) -> str:
-        """What tshark prints of a capture, without being told of any script, and without complaining."""
+        """What tshark prints of a capture, without the name of any script, and without complaining."""
         placed = self.tshark.place(CAPTURES / capture)
         done = subprocess.run(
             [str(self.program), "-n", "-r", str(placed), *words],

@@ -194,7 +194,7 @@ def test_spoilt_streams(opened: Open, tshark: Tshark, spoilt: str) -> None:
     captured = opened(data)
     found = list(captured.events())
     if "repeated" in spoilt and tshark.version >= (4, 4):
-        # A segment that comes twice inside a frame makes Wireshark lose its place behind that one: it is no secret.
+        # A segment that comes twice inside a frame makes Wireshark lose its place after that one: it is no secret.
         assert captured.account.frames + captured.account.skipped == pytest.approx(sum(map(len, frames)), rel=0.01)
         assert captured.account.balance == 0
         assert any(isinstance(event, Skipped) for event in found)

@@ -36,7 +36,7 @@ IMAGE = "de81ab23fa9ca98471ad147225e394d30170c68c684e4fb8e28103c559a94433"
 
 
 class Brick:
-    """A computer and a brick that move files. What they say is told as a capture tells it."""
+    """A computer and a brick that move files. What they say is recorded as a capture has it."""
 
     def __init__(self, peer: str = "1.7", handle: int = 0) -> None:
         self.peer = peer

@@ -1,4 +1,4 @@
-"""Mending: what is fixed, what is left alone, and that no mend does any harm."""
+"""Fixes: what is fixed, what is left alone, and that no fix does any harm."""
 
 from __future__ import annotations
 
@@ -244,7 +244,7 @@ def test_an_array_of_unknown_length_stays() -> None:
 
 
 def test_what_only_the_processor_needs_moves_too() -> None:
-    """Behind a count of parameters the firmware looks at no index."""
+    """After a count of parameters the firmware looks at no index."""
     frame = asking(operation("INPUT_DEVICE.READY_SI", 0, 0, 0, 0, [GV(1)]), global_size=5)
     assert check(frame).accepted
     assert variables(fix(frame).frame) == ["GV(0)"]
@@ -373,9 +373,9 @@ def test_mending_makes_no_new_error(frame: bytes) -> None:
     if not before.findings:
         assert fixed.frame == frame
     if any(change.what == "length field" for change in fixed.changes):
-        return  # What stood behind the stated length was not looked at before.
+        return  # What stood after the stated length was not looked at before.
     new = problems(fixed) - Counter((it.code, it.operation, it.parameter) for it in before.errors)
-    # The brick stops at the first operation that it refuses: only what is wrong with that one was told before.
+    # The brick stops at the first operation that it refuses: only what is wrong with that one was reported before.
     assert {code for code, _, _ in new if before.accepted or not code.startswith("E2")} == set()
     assert fixed.report.accepted or not before.accepted
 

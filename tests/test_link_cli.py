@@ -228,7 +228,7 @@ def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
         assert found.said == [
             "not let through (--read-only): COM_SET.SET_BRICKNAME changes settings",
             "not let through (--read-only): CREATE_DIR creates or changes files",
-            "not let through (--read-only): the frame does what cannot be told, because not all of it can be read",
+            "not let through (--read-only): the frame does what is not known, because not all of it can be read",
         ]
 
 

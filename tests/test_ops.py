@@ -1,4 +1,4 @@
-"""Operations as functions: values by position and by name, enumerations, outputs left away, and what is refused."""
+"""Operations as functions: values by position and by name, enumerations, outputs omitted, and what is refused."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The protocol by example: what the published frames mean, what faulty ones are told, what the builder refuses.
+"""The protocol by example: what the published frames mean, what is said of faulty ones, what the builder refuses.
 
 Every expected value is written out from the description of the protocol. The schemas are shown as the Constructs that
 they are, for people who want to put them into a `Struct` of their own.

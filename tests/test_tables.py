@@ -121,7 +121,7 @@ def test_system_commands() -> None:
         for fields in (entry.request, entry.reply):
             names = [field.name for field in fields]
             assert all(field.counts in (None, *names) for field in fields)
-            # What has no length of its own takes all that is left, so nothing can stand behind it.
+            # What has no length of its own takes all that is left, so nothing can stand after it.
             assert all(field.kind not in (Kind.DATA, Kind.LISTING) for field in fields[:-1])
 
 

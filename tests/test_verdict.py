@@ -164,7 +164,7 @@ def test_the_rules(code: str, expected: tuple[int | None, Reason | None]) -> Non
     [("0C 3F", 0), ("0C 3E 00 00", 2), ("0C 3E 00", None), ("82 3F", 0), ("83 3F 00 00 00 00 84 00 00 0D 40", 9)],
 )
 def test_a_negative_cmd_reaches_into_the_table_before(code: str, number: int | None) -> None:
-    """The firmware does not expect it: the tables stand one behind the other."""
+    """The firmware does not expect it: the tables stand one after the other."""
     assert verdict(command(code)).accepted == (number is not None)
 
 

@@ -1,4 +1,4 @@
-"""The virtual brick: frames in, frames out, and a clock that stands still until it is told to advance. No I/O.
+"""The virtual brick: frames in, frames out, and a clock that stands still until somebody advances it. No I/O.
 
 It is made of the machine, which executes direct commands and programs, and of the parts that operations act on. A
 direct command that waits keeps the whole brick from reading on, as on the real one: what arrives meanwhile is served
@@ -63,7 +63,7 @@ _OBJECT_END = operations()["OBJECT_END"].opcode.number
 _DIRECT = {int(member): member.wants_reply for member in MessageType if member.kind == "direct-command"}
 _SYSTEM = {int(member): member.wants_reply for member in MessageType if member.kind == "system-command"}
 
-BEHIND = bytes((_OBJECT_END,)) + bytes(8)
+AFTER_CODE = bytes((_OBJECT_END,)) + bytes(8)
 """What the firmware puts after the operations of a direct command, and some of the zeros that follow."""
 
 LOCALS = 64
@@ -299,7 +299,7 @@ class Brick:
             return
         global_size, local_size = read_memory(frame)
         code = bytearray(frame[COMMAND_HEADER_SIZE:])
-        code += BEHIND
+        code += AFTER_CODE
         end = len(frame) - COMMAND_HEADER_SIZE
         only = ProgramObject(1, 0, bytearray(LOCALS), local_size, status=RUNNING)
         program = Program(CMD_SLOT, code, end, self._global_memory, global_size, {1: only}, started=self.microseconds)

@@ -16,7 +16,7 @@ class Part:
         """Time has passed; `microseconds` is what the clock says now, counted from when the brick was switched on."""
 
     def program_started(self, program: Program) -> None:
-        """A program was started in a slot. Direct commands are not told of."""
+        """A program was started in a slot. Direct commands are not reported."""
 
     def program_ended(self, program: Program) -> None:
-        """A program in a slot has ended. Direct commands are not told of."""
+        """A program in a slot has ended. Direct commands are not reported."""

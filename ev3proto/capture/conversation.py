@@ -63,8 +63,8 @@ class Conversation:
         if carries == _SYSTEM:
             number = frame[HEADER_SIZE] if size > HEADER_SIZE else -1
         if not is_command:
-            told = size - HEADER_SIZE if carries == _DIRECT and not is_error else None
-            request = record.request = self._pairing.answered((carries, counter, number), told)
+            carried = size - HEADER_SIZE if carries == _DIRECT and not is_error else None
+            request = record.request = self._pairing.answered((carries, counter, number), carried)
             if request is not None:
                 failed = is_error if carries != _SYSTEM else _is_failure(record.message)
                 request.answered = Answered(time_ns, failed)

@@ -491,7 +491,7 @@ UNALIGNED = _code(
     "W405",
     "a misaligned variable that the firmware does not notice",
     """
-    Behind a count of parameters the firmware no longer checks where variables lie, and for a few parameters it
+    After a count of parameters the firmware no longer checks where variables lie, and for a few parameters it
     checks the wrong type. The processor still wants numbers of 16 bits at even places and those of 32 bits and
     floats at multiples of 4; elsewhere it may read and write other bytes than were meant.
     """,
@@ -706,7 +706,7 @@ WRONG_CARRIER = _code(
     "a command that this carrier cannot bring",
     """
     Commands of the firmware updater, and BLUETOOTHPIN, reach the brick by USB only. A check knows the carrier
-    when it is told (`--carrier`), or reads a capture.
+    when `--carrier` says so, or it reads a capture.
     """,
     _frame("04:00|2A:00|01|F6"),
     _frame("04:00|2A:00|01|9D"),

@@ -76,8 +76,8 @@ def notes_on(
     shown = list(findings)
     if not report.accepted and not any(one.severity is Severity.ERROR for one in shown):
         at = report.rejected_at or 0
-        told = "ev3proto check shows why" if report.findings else "the bytes there are not what it reads"
-        shown.insert(0, Finding(Severity.ERROR, REFUSED, at, 0, "the brick refuses it", told))
+        advice = "ev3proto check shows why" if report.findings else "the bytes there are not what it reads"
+        shown.insert(0, Finding(Severity.ERROR, REFUSED, at, 0, "the brick refuses it", advice))
     packet = f"packet {facts['packet']}, " if "packet" in facts else ""
     return [
         Note(

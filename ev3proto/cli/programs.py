@@ -162,9 +162,9 @@ def encode_program(
         except OSError as error:
             complain(f"{path}: cannot be written: {error.strerror or error}")
             return 1
-    told = "the strict dialect" if made.dialect == "strict" else "LEGO's dialect"
+    written = "the strict dialect" if made.dialect == "strict" else "LEGO's dialect"
     size, objects = counted(len(made.image), "byte"), counted(len(made.program.objects), "object")
-    complain(f"{path or 'the image'}: {size}, {objects}, from a source in {told}")
+    complain(f"{path or 'the image'}: {size}, {objects}, from a source in {written}")
     return 0
 
 

@@ -45,7 +45,7 @@ def pieces(lines: Iterator[str], missing: Missing | None, complain: Callable[[st
     Args:
         lines: The lines.
         missing: What the bytes of each line lack to be a frame.
-        complain: Is told at the end what looks like frames and was not read.
+        complain: Is called at the end with a sentence on what looks like frames and was not read.
 
     Yields:
         Pieces that have bytes, or a problem.

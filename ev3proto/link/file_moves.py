@@ -31,7 +31,7 @@ Task = Generator[SystemCommand, SystemReply, T]
 """Yields commands and is sent the reply to each. What it returns is the result."""
 
 Progress = Callable[[int, int], None]
-"""Is told how many bytes have been moved, and how many there are."""
+"""Is called with how many bytes have been moved, and how many there are."""
 
 MOST_FILE = 1 << 28
 """Bytes of the largest file or listing that is read from a brick: more than any brick has, card included, in RAM."""
@@ -65,7 +65,7 @@ def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task
     Args:
         data: The contents.
         path: Where it goes, absolute or relative to /home/root/lms2012/sys.
-        progress: Is told how far it is.
+        progress: Is called with how far it is.
 
     Returns:
         The file as the brick lists it.
@@ -91,7 +91,7 @@ def upload(path: str, progress: Progress = nothing_moved) -> Task[bytes]:
 
     Args:
         path: Where it is, absolute or relative to /home/root/lms2012/sys.
-        progress: Is told how far it is.
+        progress: Is called with how far it is.
 
     Returns:
         The contents.

@@ -45,7 +45,7 @@ _TEXTS = {
     Harm.RESTARTS: "restarts the brick",
     Harm.FIRMWARE: "erases or writes firmware",
     Harm.SHELL: "runs a command on the brick's operating system",
-    Harm.UNKNOWN: "does what cannot be told, because not all of it can be read",
+    Harm.UNKNOWN: "does what is not known, because not all of it can be read",
 }
 
 _BY_EFFECT = {

@@ -72,7 +72,7 @@ Shown = Callable[[RequestReply], None]
 """Is given each command with its reply, or without one where it wants none."""
 
 Say = Callable[[str], None]
-"""Is told what the user of the proxy should know."""
+"""Is called with what the user of the proxy should know."""
 
 
 class Proxy:
@@ -99,7 +99,7 @@ class Proxy:
             peer: What it is called in what is shown.
             options: What is wanted.
             show: Is given what goes by.
-            say: Is told, in sentences, what is odd.
+            say: Is called with what is odd, in sentences.
             recording: Is given what goes by, too.
 
         Raises:

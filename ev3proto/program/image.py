@@ -68,8 +68,8 @@ class _Reader:
             PACKED_OBJECT.unpack_from(self.image, IMAGE_HEADER_SIZE + index * OBJECT_HEADER_SIZE)
             for index in range(known)
         ]
-        told = tuple(offset for offset, *_ in entries)
-        if not any(told):
+        stated = tuple(offset for offset, *_ in entries)
+        if not any(stated):
             entries = self._in_their_order(entries, table_end)
         starts = sorted({offset for offset, *_ in entries if table_end <= offset < end})
         self._ends = dict(zip(starts, [*starts[1:], end], strict=True)) if starts else {}
@@ -81,7 +81,7 @@ class _Reader:
             tuple(self.faults),
             size if size != end else None,
             count if known < count else None,
-            told if told != regular or gaps else None,
+            stated if stated != regular or gaps else None,
             gaps,
         )
         return Program(

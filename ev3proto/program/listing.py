@@ -66,10 +66,10 @@ def called_by(part: CodeObject) -> list[int]:
 
 def _head(program: Program) -> Iterator[Line]:
     writer = VERSIONS.get(program.version)
-    told = f" ({writer})" if writer else ""
+    by = f" ({writer})" if writer else ""
     yield [
         ("program", Role.HEADING),
-        (f"  version 0x{program.version:02X}{told}, {counted(len(program.objects), 'object')},", Role.PLAIN),
+        (f"  version 0x{program.version:02X}{by}, {counted(len(program.objects), 'object')},", Role.PLAIN),
         (f" {counted(program.global_size, 'byte')} of globals", Role.PLAIN),
     ]
     if program.defects.has_no_offsets:

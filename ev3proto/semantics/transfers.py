@@ -35,7 +35,7 @@ class Transfer:
 
 
 class Transfers:
-    """The files and listings between one computer and one brick, told apart by the handles that the brick gives."""
+    """The files and listings between one computer and one brick, kept apart by the handles that the brick gives."""
 
     def __init__(self) -> None:
         self._begun: dict[int, Transfer] = {}

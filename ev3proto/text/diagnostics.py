@@ -56,8 +56,8 @@ def tally(findings: Iterable[Finding]) -> str:
     """`2 errors, 1 hint`, or `no findings`."""
     severities = [finding.severity for finding in findings]
     present = [(severity, severities.count(severity)) for severity in _SEVERITIES if severity in severities]
-    told = [f"{count} {severity}{'s' * (count != 1)}" for severity, count in present]
-    return ", ".join(told) or "no findings"
+    counts = [f"{count} {severity}{'s' * (count != 1)}" for severity, count in present]
+    return ", ".join(counts) or "no findings"
 
 
 def diagnostics(

@@ -346,7 +346,7 @@ class _Reading:
 
 
 def _said(item: Tree) -> tuple[str, str | None]:
-    """The name in front of a line, and what stands behind it where that is a whole number."""
+    """The name in front of a line, and what stands after it where that is a whole number."""
     name, _, said = item.line.partition(": ")
     for mark in (" [truncated]", " […]"):
         name = name.removesuffix(mark)
@@ -477,7 +477,7 @@ class Follower:
         self.records.append(replace(record, **body))
 
     def _linked(self, record: Record, exchange: Exchange, frame: Frame) -> Record:
-        """With what a message has to do with others; a command's reply is told to the command's record."""
+        """With what a message has to do with others; a command's record gets to know its reply."""
         message, complaints = exchange.message, list(record.complaints)
         if isinstance(message, DirectReply) and message.is_error:
             complaints.append("error_reply")

@@ -176,7 +176,7 @@ def read_element(vm: Machine, handle: int, index: int, value: Place) -> None:
 
 @handles("ARRAY_APPEND")
 def append(vm: Machine, handle: int, value: Place) -> None:
-    """Behind the last element."""
+    """After the last element."""
     array = _array(vm, handle)
     data = value.read_bytes(array.type.size)
     end = len(array.data)

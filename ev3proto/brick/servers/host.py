@@ -57,7 +57,7 @@ class Line(Protocol):
 
 
 class Observer(Protocol):
-    """Who is told what goes over the connections."""
+    """Who sees what goes over the connections."""
 
     def opened(self, connection: Connection) -> None:
         """A client is there."""
@@ -146,7 +146,7 @@ class Host:
 
         Args:
             brick: the brick.
-            say: is told what the user of the server should know.
+            say: is called with what the user of the server should know.
             faults: what happens to replies.
         """
         self.brick = brick
@@ -228,7 +228,7 @@ class Host:
         self._tell(lambda observer: observer.frame(connection, reply, False))
 
     def _tell(self, news: Callable[[Observer], None]) -> None:
-        """Tells all observers something. One that has a defect is told nothing more."""
+        """Calls all observers. One that has a defect is not called again."""
         for observer in list(self.observers):
             try:
                 news(observer)

@@ -97,7 +97,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
     Args:
         options: what is wanted.
         root: the folder of its files.
-        say: is told, in sentences, what its user should know.
+        say: is called with what its user should know, in sentences.
 
     Yields:
         The brick with everything around it.

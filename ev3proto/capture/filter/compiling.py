@@ -37,7 +37,7 @@ _RANGE = ".."
 class Filter:
     """Whether a record is wanted, or a command together with its reply.
 
-    A filter that asks for `time` counts it from what `begin` was told, or else from the first record that it is asked
+    A filter that asks for `time` counts it from what `begin` was given, or else from the first record that it is asked
     about: compile one for each capture, or let each begin.
 
     text         as it was written

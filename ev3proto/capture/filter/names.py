@@ -63,7 +63,7 @@ class Known:
 
     kind         what its values can be compared with
     read         the values that a record has for it; None for `time`, which depends on the frame that came first
-    text         what it is, as people are told
+    text         what it is, for people
     example      a filter that uses it
     looks_ahead  of a command, it is only known when its reply was seen, or can no longer come
     """

@@ -98,7 +98,7 @@ _SCRIPT = """
     document.getElementById("hint").textContent = `The chart cannot be drawn: ${error.message}`;
   });
   start();
-  // A finger is nowhere before it touches, and after it: the chart has to be told what is under it, as by a mouse.
+  // A finger is nowhere before it touches, and after it: the chart has to work out what is under it, as for a mouse.
   let isTouched = false;
   const tell = (event) => {
     if (isTouched) event.target.dispatchEvent(new PointerEvent("pointermove", event));

@@ -17,7 +17,7 @@ def text() -> str:
 
 def _lines() -> Iterator[str]:
     yield (
-        "What a brick is told beside byte code: a number, then fields. A reply repeats the number, then has a"
+        "What a brick is sent besides byte code: a number, then fields. A reply repeats the number, then has a"
         " [status](#statuses) and fields of its own. Numbers stand in little-endian order, texts end at a zero."
     )
     yield ""

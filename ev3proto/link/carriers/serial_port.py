@@ -95,5 +95,5 @@ def _why(error: Exception, name: str) -> LinkError:
     if code in (errno.EBUSY, errno.EAGAIN):
         return PortInUseError(f"another program has {name} open: end it, then try again")
     if code == errno.EHOSTDOWN:
-        return NoBrickError(f"the brick behind {name} does not answer: is it on and near, is Bluetooth on at it?")
+        return NoBrickError(f"the brick at {name} does not answer: is it on and near, is Bluetooth on at it?")
     return NoBrickError(f"{name} cannot be opened: {error}")

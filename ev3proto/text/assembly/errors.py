@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 MOST_ERRORS = 20
-"""Errors of one text that are told; what follows the twentieth mostly follows from the others."""
+"""Errors of one text that are reported; what follows the twentieth mostly follows from the others."""
 
 MOST_SAID = 500
 """Characters of a sentence: what is cited in it may be as long as the text."""

@@ -250,8 +250,8 @@ def _takes(schema: OperationSchema) -> str:
     count = f"{len(names)} value{'s' * (len(names) != 1)}"
     if schema.list_parameter is not None:
         count += " and a list"
-    told = f" ({', '.join(names)})" if names else ""
-    return f"{schema.declaration.name} takes {count}{told}"
+    named = f" ({', '.join(names)})" if names else ""
+    return f"{schema.declaration.name} takes {count}{named}"
 
 
 def _bare(name: str) -> str:

@@ -1,4 +1,4 @@
-"""Whether a line is assembly, for those who are given a text and not told what it is."""
+"""Whether a line is assembly, for those who are given a text and do not know what it is."""
 
 from __future__ import annotations
 

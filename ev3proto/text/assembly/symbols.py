@@ -132,7 +132,7 @@ def firmware_constants() -> dict[str, Constant]:
         if name in found or name in others or name.startswith(("op", "SYSTEM_")):
             continue
         plain = constant(name)
-        # What is left as a text is how ev3_dc is told what to use, and no part of the protocol.
+        # What is left as a text says what ev3_dc is to use, and no part of the protocol.
         if not isinstance(plain, str):
             found[name] = plain if isinstance(plain, int) else int(CMD.read(plain, 0)[0].value)
     return found

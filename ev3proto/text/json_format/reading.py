@@ -152,8 +152,8 @@ def frame_of(entry: Mapping[str, Any], *, dialect: str = "official") -> bytes:
 def _is_told(entry: Mapping[str, Any], frame: bytes, dialect: str) -> bool:
     """Whether the object says of the frame what would be said of it now."""
     message = parse(frame, strict=False, dialect=dialect)
-    told = record(Exchange(message, None, [], None), Seen())
-    return all(entry[key] == value for key, value in told.items() if key in entry and key not in _OUTSIDE)
+    written = record(Exchange(message, None, [], None), Seen())
+    return all(entry[key] == value for key, value in written.items() if key in entry and key not in _OUTSIDE)
 
 
 # A frame made anew

@@ -50,7 +50,7 @@ def _row_bytes(line: str, position: int) -> tuple[bytes, str | None]:
         data += bytes.fromhex(group["digits"])
         position = group.end()
         blanks = len(group["blanks"])
-        # One blank between groups, one more in the middle; behind any wider gap stands the text column.
+        # One blank between groups, one more in the middle; after any wider gap stands the text column.
         if blanks != 1 and not (blanks == 2 and len(data) == 8):
             return bytes(data), None
     problem = None
@@ -70,7 +70,7 @@ class Dump:
     problem: str | None
 
     def takes(self, line: str, number: int) -> bool:
-        """Takes the line if it goes on with the dump. Behind a problem it takes whatever has a higher offset."""
+        """Takes the line if it goes on with the dump. After a problem it takes whatever has a higher offset."""
         if line.strip() == "*":
             self.problem = self.problem or f"line {number}: the dump leaves lines out here, as the * tells"
             return True

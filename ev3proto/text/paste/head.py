@@ -57,7 +57,7 @@ class Head(NamedTuple):
 
     @property
     def is_log(self) -> bool:
-        """True for the beginning of a log line, behind which one may expect bytes."""
+        """True for the beginning of a log line, after which one may expect bytes."""
         return self.is_clean and (self.direction is not None or self.time is not None)
 
 

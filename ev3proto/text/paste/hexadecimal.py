@@ -90,7 +90,7 @@ def _hex(line: str, start: int, end: int, *, cut: bool) -> tuple[bytes, str | No
 
 
 def _digits(group: str, *, is_alone: bool) -> tuple[str, str | None]:
-    """The digits of a group, or why there are none. Behind 0x stands one byte, or all of them if the group is alone."""
+    """The digits of a group, or why there are none. After 0x stands one byte, or all of them if the group is alone."""
     number = _HEX_GROUP.fullmatch(group)
     if number is None:
         return "", "is no hex"

@@ -67,7 +67,7 @@ def literal(body: str, *, is_decimal: bool) -> bytes | None:
             out.append(_CODES[found[kind]])
         elif kind == "letter":
             number = _CHARACTERS.get(found[kind])
-            # A letter without a meaning stands for itself behind its backslash, as in Python.
+            # A letter without a meaning stands for itself after its backslash, as in Python.
             out += b"\\" + found[kind].encode() if number is None else bytes((number,))
         elif found[kind] == "&" and is_decimal:
             continue

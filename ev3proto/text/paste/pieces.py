@@ -70,7 +70,7 @@ class Wants(NamedTuple):
     def takes(self, size: int, problem: str | None, head: Head, *, is_marked: bool = False) -> bool:
         """Whether so many bytes are worth reporting.
 
-        Behind a word for the direction, and where marked, two are: the length field of a frame that lost the rest.
+        After a word for the direction, and where marked, two are: the length field of a frame that lost the rest.
         """
         if problem is None:
             is_meant = is_marked or (head.is_log and head.direction is not None)

@@ -123,6 +123,8 @@ class _Fixing:
         self.changes: list[Change] = []
         self.unfixed: list[str] = []
         self._dialect = dialect
+        self._read: tuple[bytes, DirectCommand] | None = None
+        self._found: tuple[bytes, list[Footprint]] | None = None
 
     def run(self) -> None:
         """Every fix in turn, each on what the one before made."""
@@ -142,9 +144,18 @@ class _Fixing:
 
     def _command(self) -> DirectCommand:
         """The frame as it is by now."""
-        message = self._parsed(self.frame)
-        assert isinstance(message, DirectCommand)
-        return message
+        if self._read is None or self._read[0] != self.frame:
+            message = self._parsed(self.frame)
+            assert isinstance(message, DirectCommand)
+            self._read = self.frame, message
+        return self._read[1]
+
+    def _places(self) -> list[Footprint]:
+        """The variables that the operations name by now, in their order."""
+        if self._found is None or self._found[0] != self.frame:
+            operations = self._command().operations
+            self._found = self.frame, [found for operation in operations for found in footprints(operation)]
+        return self._found[1]
 
     def _parsed(self, frame: bytes) -> Message:
         return parse(frame, strict=False, dialect=self._dialect)
@@ -179,7 +190,7 @@ class _Fixing:
         pieces: dict[int, tuple[Argument, bytes]] = {}
         moved: list[tuple[Footprint, int]] = []
         for scope, size in ((GLOBAL, command.global_size), (LOCAL, command.local_size)):
-            found = [place for place in _places(command) if place.argument.kind == scope]
+            found = [place for place in self._places() if place.argument.kind == scope]
             rigid = {place.argument.offset for place in found if keeps_size[place.argument.offset]}
             # No variable moves where a reply would not carry it: it may still turn out that one is wanted.
             layout = _Layout(found, size, MOST_IN_REPLY if scope == GLOBAL else MAX_LOCALS, rigid)
@@ -215,7 +226,7 @@ class _Fixing:
         command = self._command()
         if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:
             return
-        found = _places(command)
+        found = self._places()
         read = [place for place in found if place.argument.kind == GLOBAL and place.is_read]
         for place in found:
             is_result = place.argument.kind == GLOBAL and place.is_written and place.end <= MOST_IN_REPLY
@@ -232,7 +243,7 @@ class _Fixing:
         sizes = {GLOBAL: command.global_size, LOCAL: command.local_size}
         for scope, stated in sizes.items():
             most = _most(command, scope)
-            beyond = [place for place in _places(command) if place.argument.kind == scope and place.end > stated]
+            beyond = [place for place in self._places() if place.argument.kind == scope and place.end > stated]
             if not beyond:
                 self._cut_to_limit(command, scope, sizes)
                 continue
@@ -255,7 +266,7 @@ class _Fixing:
     def _cut_to_limit(self, command: DirectCommand, scope: str, sizes: dict[str, int]) -> None:
         """Asks for as much as there is where more was asked for than anything places."""
         stated, most = sizes[scope], _most(command, scope)
-        if stated > most and all(place.end <= most for place in _places(command) if place.argument.kind == scope):
+        if stated > most and all(place.end <= most for place in self._places() if place.argument.kind == scope):
             sizes[scope] = most
             why = "the most that a reply carries" if command.wants_reply else "the most that the firmware grants"
             self._changed(f"{scope} memory", f"{stated} bytes", f"{most} bytes", why)
@@ -290,11 +301,6 @@ def _most(command: DirectCommand, scope: str) -> int:
     if scope == LOCAL:
         return MAX_LOCALS
     return MOST_IN_REPLY if command.wants_reply else GRANTED_GLOBALS
-
-
-def _places(command: DirectCommand) -> list[Footprint]:
-    """The variables that a command's operations name, in their order."""
-    return [found for operation in command.operations for found in footprints(operation)]
 
 
 def _multiple(place: Footprint) -> int:
@@ -383,7 +389,7 @@ class _Layout:
         return "there is no room elsewhere"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class _Block:
     """Variables that have to stay together: the bytes from `start` to `end`, and all that is used of them."""
 
@@ -420,8 +426,9 @@ def _blocks(found: list[Footprint], stated: int) -> list[_Block]:
     blocks: list[_Block] = []
     for (start, end), block_uses in sorted(together.items()):
         whole = _Block(start, end, tuple(block_uses))
-        while parts := [block for block in blocks if whole.belongs_to(block)]:
-            blocks = [block for block in blocks if not whole.belongs_to(block)]
+        # Most others end before this one begins, and have nothing to do with it.
+        while parts := [block for block in blocks if block.end >= whole.start and whole.belongs_to(block)]:
+            blocks = [block for block in blocks if block not in parts]
             for part in parts:
                 whole = _Block(min(part.start, whole.start), max(part.end, whole.end), part.places + whole.places)
         blocks.append(whole)

@@ -39,6 +39,7 @@ class Excerpt:
         self._operations = message.operations if isinstance(message, DirectCommand | DaisyCommand) else ()
         self._starts = [operation.offset for operation in self._operations]
         self._lines: dict[int, str] = {}
+        self._arguments: dict[int, dict[int, Argument]] = {}
         width = 2 + len(str(max(len(frame) - 1, 10)))
         self._width = width
         self.margin = " " * width
@@ -126,9 +127,13 @@ class Excerpt:
             return ""
         if offset == operation.offset:
             return operation.full_name if length == operation.length else ""
-        for argument in operation.arguments:
-            if argument.offset == offset:
-                return _said(argument) if length == argument.length else ""
+        arguments = self._arguments.get(operation.offset)
+        if arguments is None:
+            arguments = {argument.offset: argument for argument in operation.arguments}
+            self._arguments[operation.offset] = arguments
+        argument = arguments.get(offset)
+        if argument is not None:
+            return _said(argument) if length == argument.length else ""
         cmd = operation.cmd
         if cmd is not None and (offset, length) == (cmd.offset, cmd.length):
             return f"CMD = {cmd.value} {operation.command}"

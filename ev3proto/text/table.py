@@ -9,7 +9,6 @@ r"""The annotated table: the frame's bytes in groups, above them what each group
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import zip_longest
 
 from ev3proto.dialogue import Exchange
@@ -40,30 +39,24 @@ _MOST_BYTES = 12
 """Bytes shown in one cell; longer ones are cut in the middle of the text, not of the meaning."""
 
 
-@dataclass(frozen=True, slots=True)
 class Cell:
-    """A group of bytes. Upright meanings are written from top to bottom, a letter a row, as names of opcodes are."""
+    """A group of bytes. Upright meanings are written from top to bottom, a letter a row, as names of opcodes are.
 
-    label: str
-    data: bytes
-    meaning: str = ""
-    upright: bool = False
+    label  what stands above the bytes
+    hex    the bytes: `0E:00`
+    rows   what they say, row by row
+    width  columns it takes
+    """
 
-    @property
-    def hex(self) -> str:
-        """`0E:00`."""
-        text = self.data[:_MOST_BYTES].hex(":").upper()
-        return text + ":..." if len(self.data) > _MOST_BYTES else text
+    __slots__ = ("hex", "label", "rows", "width")
 
-    @property
-    def width(self) -> int:
-        """Columns it takes."""
-        return max(len(self.hex), len(self.label), 0 if self.upright else len(self.meaning))
-
-    @property
-    def rows(self) -> list[str]:
-        """Its meaning, row by row."""
-        return list(self.meaning) if self.upright else [self.meaning]
+    def __init__(self, label: str, data: bytes, meaning: str = "", upright: bool = False) -> None:
+        self.label = label
+        self.hex = data[:_MOST_BYTES].hex(":").upper()
+        if len(data) > _MOST_BYTES:
+            self.hex += ":..."
+        self.rows = list(meaning) if upright else [meaning]
+        self.width = max(len(self.hex), len(label), 0 if upright else len(meaning))
 
 
 def table(exchange: Exchange, seen: Seen) -> Iterator[Line]:
@@ -158,10 +151,11 @@ def _operation(operation: Operation) -> Iterator[Cell]:
     cmd = operation.cmd
     if cmd is not None:
         yield Cell("cd", cmd.raw, operation.command or "", upright=True)
+    read = 1 + (cmd.length if cmd else 0)
     for argument in operation.arguments:
+        raw, name = argument.raw, argument.name
+        read += len(raw)
         meaning = argument.symbol or argument_value(argument)
-        upright = len(meaning) > max(len(argument.name), 3 * len(argument.raw))
-        yield Cell(argument.name, argument.raw, meaning, upright)
-    read = sum((1, cmd.length if cmd else 0, *(argument.length for argument in operation.arguments)))
+        yield Cell(name, raw, meaning, upright=len(meaning) > max(len(name), 3 * len(raw)))
     if read < operation.length:
         yield Cell("rest", operation.raw[read:])

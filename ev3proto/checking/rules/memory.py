@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from itertools import groupby, pairwise
 
 from ev3proto.checking import codes
@@ -12,7 +13,11 @@ from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.semantics.footprint import Footprint, footprints
+from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
+
+_MOST_TEXTS = 4096
+"""Variables whose texts are kept."""
 
 _LARGEST = 4
 """Bytes of the largest value, to whose multiples people round sizes up."""
@@ -47,30 +52,39 @@ def _about(found: Footprint, code: codes.Code, message: str, help_: str) -> Find
 
 
 def _misaligned(found: Footprint, asked: int) -> Finding:
-    for_validator = found.start % found.validator_alignment != 0
-    code = codes.MISALIGNED if for_validator else codes.UNALIGNED
-    multiple = found.validator_alignment if for_validator else found.cpu_alignment
-    aside = "" if for_validator else ", though the firmware does not look at it here"
-    return _about(
-        found,
-        code,
-        f"{found.argument.name} is {found.variable}, and must start at a multiple of {multiple}{aside}",
-        _aligned(found, asked),
-    )
+    is_validated = found.start % found.validator_alignment != 0
+    multiples = found.validator_alignment, found.cpu_alignment
+    texts = _misaligned_texts(found.argument.name, found.is_global, found.start, found.size, multiples, asked)
+    return _about(found, codes.MISALIGNED if is_validated else codes.UNALIGNED, *texts)
 
 
-def _aligned(found: Footprint, asked: int) -> str:
+# Senders use the same variables again and again: what is said of one is kept.
+@lru_cache(_MOST_TEXTS)
+def _misaligned_texts(
+    name: str, is_global: bool, start: int, size: int, multiples: tuple[int, int], asked: int
+) -> tuple[str, str]:
+    """What is wrong with a misaligned variable, and what to do.
+
+    multiples  what the validator and the processor want its index to be a multiple of
+    """
+    for_validator, for_cpu = multiples
+    is_validated = start % for_validator != 0
+    multiple = for_validator if is_validated else for_cpu
+    aside = "" if is_validated else ", though the firmware does not look at it here"
+    message = f"{name} is {_variable(is_global, start)}, and must start at a multiple of {multiple}{aside}"
+    return message, _aligned(is_global, start, size, max(multiples), asked)
+
+
+def _aligned(is_global: bool, start: int, size: int, multiple: int, asked: int) -> str:
     """Where a misaligned variable could start: upwards, if its memory has room there, or else below."""
-    multiple = max(found.validator_alignment, found.cpu_alignment)
-    scope, most = _memory_of(found)
+    scope, most = _memory(is_global)
     asked = min(asked, most)
-    size = found.end - found.start
-    start = found.start + -found.start % multiple
+    start += -start % multiple
     if start + size > asked and asked >= size and start + size > most:
         start = (asked - size) // multiple * multiple
     elif start + size > most:
         start = 0
-    better = f"use {Variable(found.argument.kind, start)}"
+    better = f"use {_variable(is_global, start)}"
     end = start + size
     if end > most:
         return f"use a multiple of {multiple}"
@@ -79,27 +93,32 @@ def _aligned(found: Footprint, asked: int) -> str:
     return f"{better}, or another multiple of {multiple}"
 
 
-def _memory_of(found: Footprint) -> tuple[str, int]:
-    """The name of the memory that a variable is in, and how many bytes of it there are at most."""
-    return ("global", MOST_IN_REPLY) if found.is_global else ("local", MAX_LOCALS)
+def _variable(is_global: bool, index: int) -> Variable:
+    return Variable(GLOBAL if is_global else LOCAL, index)
+
+
+def _memory(is_global: bool) -> tuple[str, int]:
+    """The name of a memory, and how many bytes of it there are at most."""
+    return ("global", MOST_IN_REPLY) if is_global else ("local", MAX_LOCALS)
 
 
 def _beyond(found: Footprint, asked: int) -> Finding:
     """A variable that lies beyond its memory, in whole or in part."""
-    scope, most = _memory_of(found)
-    last = found.end - 1
-    bytes_taken = f"byte {last}" if found.start == last else f"bytes {found.start} to {last}"
+    is_global = found.is_global
+    texts = _beyond_texts(found.argument.name, is_global, found.start, found.end, asked)
+    return _about(found, codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS, *texts)
+
+
+@lru_cache(_MOST_TEXTS)
+def _beyond_texts(name: str, is_global: bool, start: int, end: int, asked: int) -> tuple[str, str]:
+    """What is wrong with a variable beyond its memory, and what to do."""
+    scope, most = _memory(is_global)
+    bytes_taken = f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}"
     has = f"{plural(asked, 'byte')} of" if asked else "no"
-    if found.end > most:
-        help_ = f"use a lower index; there are {plural(most, 'byte')} of {scope} memory at most"
-    else:
-        help_ = f"ask for {plural(found.end, 'byte')} of {scope} memory, or use a lower index"
-    return _about(
-        found,
-        codes.BEYOND_GLOBALS if found.is_global else codes.BEYOND_LOCALS,
-        f"{found.argument.name} takes {bytes_taken} of {scope} memory, and the header asks for {has} {scope} memory",
-        help_,
-    )
+    message = f"{name} takes {bytes_taken} of {scope} memory, and the header asks for {has} {scope} memory"
+    if end > most:
+        return message, f"use a lower index; there are {plural(most, 'byte')} of {scope} memory at most"
+    return message, f"ask for {plural(end, 'byte')} of {scope} memory, or use a lower index"
 
 
 def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
@@ -109,22 +128,22 @@ def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
     """
     if not _have_results_in_common(used):
         return
-    results: dict[int, Footprint] = {}
+    # What stands in each byte, written and searched in slices: with arrays there may be a thousand bytes each time.
+    results: list[Footprint | None] = [None] * MAX_FRAME
     for _, group in groupby(used, key=lambda found: found.operation.offset):
         together = list(group)
         for found in together:
             if found.is_read:
-                end = MAX_FRAME if found.most is None else found.start + found.most
-                for byte in range(found.start, min(end, MAX_FRAME)):
-                    results.pop(byte, None)
+                end = MAX_FRAME if found.most is None else min(found.start + found.most, MAX_FRAME)
+                results[found.start : end] = [None] * (end - found.start)
         for found in together:
             if not found.is_written:
                 continue
-            taken = range(found.start, min(found.end, MAX_FRAME))
-            before = next((results[byte] for byte in taken if byte in results), None)
+            end = min(found.end, MAX_FRAME)
+            before = next(filter(None, results[found.start : end]), None)
             if before is not None:
                 yield from _destroyed(before, found, is_kept)
-            results.update(dict.fromkeys(taken, found))
+            results[found.start : end] = [found] * (end - found.start)
 
 
 def _have_results_in_common(used: list[Footprint]) -> bool:

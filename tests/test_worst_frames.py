@@ -1,0 +1,109 @@
+"""What the worst frames cost: no frame of at most 1,024 bytes keeps any face busy for long.
+
+A millisecond of CPU time on the machine that this was written for is some rounds of a loop here. Measured against that
+loop a slow or busy machine makes no difference.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from functools import partial
+
+import pytest
+
+import ev3proto
+from ev3proto.checking.checking import check
+from ev3proto.checking.fixing import fix
+from ev3proto.dialogue import Exchange
+from ev3proto.text.assembly.writing import NOTATIONS, assembly
+from ev3proto.text.diagnostics import diagnostics, fixed
+from ev3proto.text.heading import Seen
+from ev3proto.text.json_format.writing import record_text
+from ev3proto.text.table import table
+from ev3proto.text.tree import tree, tree_texts
+
+BODY = 1017
+ROUNDS_OF_A_MILLISECOND = 5_700
+MOST = 40
+"""Milliseconds that a face may take. On a machine in peace none takes half of that."""
+
+
+def _frame(*operations: str, kind: int = 0, memory: int = 0) -> bytes:
+    """A frame as full as can be of operations, over and over."""
+    unit = bytes.fromhex("".join(operations))
+    body = unit * (BODY // len(unit))
+    return (5 + len(body)).to_bytes(2, "little") + bytes((1, 0, kind, *memory.to_bytes(2, "little"))) + body
+
+
+FRAMES = {
+    "operations of one byte": _frame("01"),
+    "errors": _frame("00"),
+    "jumps to the next operation": _frame("4000"),
+    "jumps into others": _frame("4005"),
+    "jumps back": _frame("403E"),
+    "jumps out of the command": _frame("40817F"),
+    "jumps by a variable": _frame("77010101"),
+    "jumps to labels": _frame("8201", "40A001"),
+    "strings": _frame("8005846100"),
+    "one string": _frame("D184" + "78" * 1014 + "00"),
+    "results on results": _frame("3A0160", memory=4),
+    "misaligned variables beyond memory": _frame("3AE10141", "E103"),
+    "variables of four bytes": _frame("69696969"),
+    "variables that no memory has": _frame("46464646"),
+    "handles": _frame("30D1016A"),
+    "sounds that cut one another off": _frame("94010101010101", kind=0x80),
+    "values out of range": _frame("940181C882C8008301000000", kind=0x80),
+    "long encodings": _frame("94830100000083010000008301000000"),
+    "moves that end one another": _frame("A6000F"),
+    "pictures": _frame("8400"),
+    "a list after the other": _frame("04010140"),
+    "a thousand values": bytes.fromhex("FE030100" + "00FF03" + "991C00000000" + "817F") + b"\x60" * 1009,
+    "unknown opcodes": _frame("FF"),
+    "unknown CMDs": _frame("943F"),
+    "zeros": bytes(1024),
+    "a system command": bytes.fromhex("FC030100" + "0192" + "00000000") + b"x" * 1012,
+}
+
+FACES: dict[str, Callable[[bytes], object]] = {
+    "tree": lambda frame: tree_texts(_exchange(frame), Seen()),
+    "tree in colours": lambda frame: list(tree(_exchange(frame), Seen())),
+    "JSON": lambda frame: record_text(_exchange(frame), Seen()),
+    "table": lambda frame: list(table(_exchange(frame), Seen())),
+    "assembly": lambda frame: [list(assembly(_exchange(frame), "", notation)) for notation in NOTATIONS],
+    "check": lambda frame: diagnostics(check(frame)),
+    "fix": lambda frame: list(fixed(fix(frame))),
+}
+
+
+def _exchange(frame: bytes) -> Exchange:
+    return Exchange(ev3proto.parse(frame, strict=False))
+
+
+def _yardstick() -> None:
+    texts = {}
+    for number in range(ROUNDS_OF_A_MILLISECOND):
+        texts[number & 0xFF] = f"{number} {number}"
+
+
+def _spent(work: Callable[[], object]) -> float:
+    start = time.process_time()
+    work()
+    return time.process_time() - start
+
+
+def _milliseconds(face: str, frame: bytes, rounds: int) -> float:
+    """What a face takes for a frame in the best of some rounds. The others may have been interrupted."""
+    work = partial(FACES[face], frame)
+    return min(_spent(work) / _spent(_yardstick) for _ in range(rounds))
+
+
+@pytest.mark.parametrize("name", FRAMES)
+def test_no_face_takes_long(name: str) -> None:
+    frame = FRAMES[name]
+    assert len(frame) <= 1024
+    for face in FACES:
+        taken = _milliseconds(face, frame, 2)
+        if taken > MOST:
+            taken = _milliseconds(face, frame, 10)
+        assert taken <= MOST, f"{face} takes {taken:.0f} ms"

@@ -19,6 +19,7 @@ import ev3proto
 from ev3proto import Decoder, DirectCommand, Message
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.instructions import instruction_set
+from ev3proto.schema.pattern import MOST_LISTED, byte_code_pattern
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.testing import frames, mutated_frames, operations, raw_operations
 
@@ -74,23 +75,30 @@ def test_they_are_the_messages_that_parsing_gives(drawn: tuple[str, bytes]) -> N
 @example(("official", bytes.fromhex("FF")))  # no such opcode
 @example(("official", bytes.fromhex("C2 09 84 61")))  # the zero after the string is missing
 @example(("official", bytes.fromhex("9E 00 00 00 00 02 02 60")))  # one of two values
-def test_nothing_that_counts_as_flawless_has_a_fault(drawn: tuple[str, bytes]) -> None:
+def test_what_counts_as_flawless_has_no_fault(drawn: tuple[str, bytes]) -> None:
     dialect, code = drawn
     instructions = instruction_set(dialect)
     found, fault = instructions.scan(code, 0, len(code))
-    if instructions.is_flawless(code, 0):
-        assert fault is None
+    assert instructions.is_flawless(code, 0, len(code)) == (fault is None)
+    if fault is None:
         assert instructions.operations(code, 0) == tuple(found)
 
 
 @many
 @given(dialects.flatmap(lambda dialect: st.tuples(st.just(dialect), operations(dialect))))
-def test_every_operation_in_its_shortest_encoding_counts_as_flawless(
-    drawn: tuple[str, ev3proto.Operation],
-) -> None:
+def test_the_expression_knows_every_operation_in_its_shortest_encoding(drawn: tuple[str, ev3proto.Operation]) -> None:
     dialect, operation = drawn
-    lists = [one for one in operation.arguments if one.name.endswith("]")]
-    assert instruction_set(dialect).is_flawless(operation.raw, 0) or len(lists) > 8
+    elements = [one for one in operation.arguments if one.name.endswith("]")]
+    known = byte_code_pattern(instruction_set(dialect).by_name.values())
+    assert known.fullmatch(operation.raw) or len(elements) > MOST_LISTED
+
+
+@many
+@given(dialects.flatmap(lambda dialect: st.tuples(st.just(dialect), frames(dialect) | mutated_frames(dialect))))
+def test_a_frame_among_other_bytes_is_flawless_where_parsing_it_raises_nothing(drawn: tuple[str, bytes]) -> None:
+    dialect, frame = drawn
+    fault = ev3proto.parse(frame, strict=False, dialect=dialect).fault
+    assert frame_schema(dialect).is_flawless(b"before" + frame + b"after", 6, 6 + len(frame)) == (fault is None)
 
 
 def test_nobody_can_change_them() -> None:

@@ -15,11 +15,11 @@ from typing import NamedTuple
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import FrameSchema
-from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size
+from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size, unpack_header
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, MessageType
 
-MOST_TRIALS = 256
+MOST_TRIALS = 64
 """Places in one piece of a stream where a whole frame is tried, before the piece is given up."""
 
 _TYPES = frozenset(map(int, MessageType))
@@ -225,7 +225,7 @@ class Cutter:
                 return PartKind.FRAME, more
             self._is_claimed = self._in_step = True
             return PartKind.FRAME, end
-        if end <= len(buffer) and self._is_flawless(buffer[at:end]):
+        if end <= len(buffer) and self._schema.is_flawless(buffer, at, end):
             return PartKind.FRAME, end
         # Senders begin their frames with a packet: there one may also be at fault, or not be whole yet. But where
         # something stands in the middle of it that cannot be by chance, it is none.
@@ -236,21 +236,24 @@ class Cutter:
 
     def _next_step(self, buffer: bytes, at: int, trials: int) -> tuple[int, int]:
         """The first place from an offset on where a frame or text stands, or the end; and the trials that are left."""
+        size = len(buffer)
+        begins = {start for start, _ in self._marks}
         for found in _STARTS.finditer(buffer, at):
             place = found.start()
             if buffer[place] in _TEXT_STARTS and self._whole_text(buffer, place):
                 return place, trials
-            if not self._may_start(buffer, place):
+            length, _, code = unpack_header(buffer, place)
+            if not MIN_LENGTH <= length <= MAX_LENGTH or code not in _TYPES:
                 continue
-            end = place + frame_size(buffer, place)
-            if any(start == place for start, _ in self._marks):
+            if place in begins:
                 return place, trials
-            if end > len(buffer):
+            end = place + LENGTH_FIELD + length
+            if end > size:
                 continue
             trials -= 1
             if trials <= 0:
                 break
-            if self._is_flawless(buffer[place:end]):
+            if self._schema.is_flawless(buffer, place, end):
                 return place, trials
         return len(buffer), trials
 
@@ -263,13 +266,6 @@ class Cutter:
 
     def _end_of_chunk(self, at: int) -> int:
         return next((start for start, _ in self._marks if start > at), len(self._buffer))
-
-    def _is_flawless(self, frame: bytes) -> bool:
-        try:
-            self._schema.read_for_later(frame)
-        except DecodeError:
-            return False
-        return True
 
     # Texts
 
@@ -333,4 +329,4 @@ class Cutter:
         if len(buffer) - at < HEADER_SIZE or not self._may_start(buffer, at):
             return False
         end = at + frame_size(buffer, at)
-        return end <= len(buffer) and self._is_flawless(buffer[at:end])
+        return end <= len(buffer) and self._schema.is_flawless(buffer, at, end)

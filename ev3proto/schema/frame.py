@@ -126,7 +126,7 @@ class FrameSchema(Bytewise):
         super().__init__()
         self._dialect = dialect
         self.instructions: InstructionSet = instruction_set(dialect)
-        self._is_flawless, self._operations = self.instructions.is_flawless, self.instructions.operations
+        self._operations = self.instructions.operations
         bodies: dict[str, tuple[type[Message], BodyReader]] = {
             "direct-command": (DirectCommand, self._direct_command),
             "direct-reply": (DirectReply, self._direct_reply),
@@ -216,11 +216,36 @@ class FrameSchema(Bytewise):
             if (
                 member is not None
                 and length + LENGTH_FIELD == size
-                and self.instructions.is_flawless(frame, COMMAND_HEADER_SIZE)
+                and self.instructions.is_flawless(frame, COMMAND_HEADER_SIZE, size)
             ):
-                read = partial(self.instructions.operations, frame, COMMAND_HEADER_SIZE)
+                read = partial(self._operations, frame, COMMAND_HEADER_SIZE)
                 return new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, read)
         return self.read_frame(frame, strict=strict)
+
+    def is_flawless(self, data: bytes, at: int, end: int) -> bool:
+        """Says whether one frame without a fault stands between two offsets, without making a message where it can.
+
+        Args:
+            data: The bytes that the frame may be in.
+            at: The offset of its length field.
+            end: The offset after its last byte.
+
+        Returns:
+            True where `read_frame` would raise nothing.
+
+        """
+        size = end - at
+        if COMMAND_HEADER_SIZE <= size <= MAX_FRAME:
+            length, _, code = unpack_header(data, at)
+            if length + LENGTH_FIELD != size:
+                return False
+            if code in _DIRECT_COMMANDS:
+                return self.instructions.is_flawless(data, at + COMMAND_HEADER_SIZE, end)
+        try:
+            self.read_frame(data[at:end])
+        except DecodeError:
+            return False
+        return True
 
     def _envelope_error(self, frame: bytes) -> DecodeError:
         """What is wrong around the body; the body itself is not looked at."""

@@ -110,22 +110,41 @@ class InstructionSet(Bytewise):
         return tuple(operations), len(data)
 
     @cached_property
-    def _whole(self) -> Callable[[bytes, int], re.Match[bytes] | None]:
+    def _usual(self) -> Callable[[bytes, int, int], re.Match[bytes] | None]:
         # Made for the first frame that is looked at: it takes longer than reading a few frames.
-        return byte_code_pattern(self.by_name.values()).fullmatch
+        return byte_code_pattern(self.by_name.values()).match
 
-    def is_flawless(self, data: bytes, at: int) -> bool:
-        """Says whether operations without a fault stand from an offset to the end of the bytes, without making any.
+    def is_flawless(self, data: bytes, at: int, end: int) -> bool:
+        """Says whether `scan` would find no fault, in a fifth of the time, because it makes no operations.
 
         Args:
             data: The bytes that the byte code is in.
             at: The offset of the first opcode.
+            end: Where the byte code ends.
 
         Returns:
-            True: `scan` finds no fault. False: only `scan` can say.
+            True where there is no fault.
 
         """
-        return self._whole(data, at) is not None
+        while True:
+            usual = self._usual(data, at, end)
+            assert usual is not None, "no operations at all are usual, too"
+            at = usual.end()
+            if at == end:
+                return True
+            if self._is_unknown(data, at, end):
+                return False
+            operation, fault = self._scan_one(data, at, end)
+            if operation is None or fault is not None:
+                return False
+            at += operation.length
+
+    def _is_unknown(self, data: bytes, at: int, end: int) -> bool:
+        """Whether nothing has that opcode, or that CMD in a form of one byte."""
+        code = data[at]
+        if self.families[code] is None:
+            return self.opcodes[code] is None
+        return at + 1 < end and data[at + 1] < len(SHORT) and self._by_command[code][data[at + 1]] is _UNUSUAL
 
     def operations(self, data: bytes, at: int) -> tuple[Operation, ...]:
         """Reads all operations from an offset to the end of bytes in which there is no fault."""

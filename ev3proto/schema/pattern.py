@@ -27,9 +27,9 @@ def byte_code_pattern(schemas: Iterable[OperationSchema]) -> re.Pattern[bytes]:
         schemas: The operations that there are.
 
     Returns:
-        The expression. What it matches is byte code without a fault. What it does not match may be without a fault all
-        the same: where a CMD or the counter of a list is longer than it need be, or a list has more than `MOST_LISTED`
-        elements.
+        The expression. It matches as many operations as are without a fault, and stops before the first that it does
+        not know. That one may be without a fault all the same: where a CMD or the counter of a list is longer than it
+        need be, or a list has more than `MOST_LISTED` elements.
 
     """
     heads: defaultdict[tuple[bool, int], list[bytes]] = defaultdict(list)

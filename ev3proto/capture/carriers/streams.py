@@ -62,12 +62,11 @@ class Stream:
             return [self._conversation.record(data, (number,), time_ns, self.route)]
         times = self._times
         times[number] = time_ns
-        events = self._events(self.cutter.feed(data, number))
-        waiting = self.cutter.waiting
-        if waiting:
-            self._times = {number: times[number] for number in waiting}
-        else:
-            times.clear()
+        pieces = self.cutter.feed(data, number)
+        if not pieces:
+            return []
+        events = self._events(pieces)
+        self._times = {number: times[number] for number in self.cutter.waiting}
         return events
 
     def leave_hole(self, missing: int) -> list[Event]:

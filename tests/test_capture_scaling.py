@@ -1,0 +1,167 @@
+"""Captures made to take long: twice as much of one takes twice as long, whatever is in it and whoever shows it.
+
+What is measured is CPU time. A long and a short one take turns, and the best times count: they change little where the
+machine is busy.
+"""
+
+from __future__ import annotations
+
+import io
+import random
+import time
+from collections.abc import Callable, Iterable, Iterator
+from itertools import cycle, islice
+from pathlib import Path
+
+import pytest
+from support.cli import run_ev3proto
+from support.effort import effort
+from support.files import RAW_IP, pcap, timed
+from support.packets import SYN, segment
+
+from ev3proto.capture import read
+
+PACKETS = effort(1_000, 10_000)
+MOST_RATIO = 2.2
+ROUNDS = 12
+
+TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
+"""SOUND.TONE at volume 1, 440 Hz, 1000 ms."""
+
+VOLTAGE = bytes.fromhex("08002b00000400810160")
+"""UI_READ.GET_VBATT, which wants a reply."""
+
+TRUNCATED = bytes.fromhex("1400000080000082")
+"""A header, and an operation of two arguments: where it stands again and again, a frame may start at each."""
+
+ENDLESS = bytes.fromhex("e803000080000094")
+"""A header that says that 1000 bytes follow."""
+
+
+def connected(pieces: Iterable[bytes]) -> Iterator[bytes]:
+    """A connection from its start, in which the host sends these pieces, each as a packet."""
+    yield segment(True, 999, flags=SYN)
+    at = 1000
+    for piece in pieces:
+        yield segment(True, at, piece)
+        at += len(piece)
+
+
+def in_step(count: int) -> Iterator[bytes]:
+    return connected(TONE for _ in range(count))
+
+
+def garbage(count: int) -> Iterator[bytes]:
+    rng = random.Random(1)
+    return connected([TONE, *(b"\xff\xff" + rng.randbytes(98) for _ in range(count))])
+
+
+def frames_that_never_fit(count: int) -> Iterator[bytes]:
+    return connected([TONE, *(b"\xff\xff" + TRUNCATED * 12 for _ in range(count))])
+
+
+def large_packets_that_never_fit(count: int) -> Iterator[bytes]:
+    return connected([TONE, *(b"\xff\xff" + TRUNCATED * 175 for _ in range(count // 8))])
+
+
+def long_frames_that_never_end(count: int) -> Iterator[bytes]:
+    return connected([TONE, *(b"\xff\xff" + ENDLESS * 5 for _ in range(count))])
+
+
+def single_bytes(count: int) -> Iterator[bytes]:
+    return connected(bytes((byte,)) for byte in islice(cycle(TONE + VOLTAGE), count))
+
+
+def single_bytes_out_of_step(count: int) -> Iterator[bytes]:
+    return connected([TONE, b"\xff\xff", *(bytes((byte,)) for byte in islice(cycle(ENDLESS), 4 * count))])
+
+
+def gaps(count: int) -> Iterator[bytes]:
+    for number in range(count):
+        yield segment(True, 1000 + 40 * number, TONE + VOLTAGE[:7])
+        yield segment(False, 77, acknowledged=1040 + 40 * number)
+
+
+def segments_in_reverse(count: int) -> Iterator[bytes]:
+    frames = b"".join(islice(cycle((TONE, VOLTAGE)), count))
+    yield segment(True, 999, flags=SYN)
+    for at in range(0, len(frames), 1300):
+        for back in range(min(at + 1300, len(frames)) - 13, at - 1, -13):
+            yield segment(True, 1000 + back, frames[back : back + 13])
+
+
+def connections(count: int) -> Iterator[bytes]:
+    for number in range(count):
+        yield segment(True, 1000, VOLTAGE + TONE[:9], port=1024 + number)
+
+
+def commands_without_replies(count: int) -> Iterator[bytes]:
+    return connected(VOLTAGE[:2] + number.to_bytes(2, "little") + VOLTAGE[4:] for number in range(count))
+
+
+HOSTILE = (
+    in_step,
+    garbage,
+    frames_that_never_fit,
+    large_packets_that_never_fit,
+    long_frames_that_never_end,
+    single_bytes,
+    single_bytes_out_of_step,
+    gaps,
+    segments_in_reverse,
+    connections,
+    commands_without_replies,
+)
+
+
+def seconds(work: Callable[[], object]) -> float:
+    begin = time.process_time()
+    work()
+    return time.process_time() - begin
+
+
+def assert_linear(short: Callable[[], object], long: Callable[[], object]) -> None:
+    """Twice as much takes at most 2.2 times as long."""
+    times = [(seconds(short), seconds(long)) for _ in range(3)]
+    while (ratio := min(b for _, b in times) / min(a for a, _ in times)) > MOST_RATIO and len(times) < ROUNDS:
+        times.append((seconds(short), seconds(long)))
+    assert ratio <= MOST_RATIO
+
+
+def messages(data: bytes) -> int:
+    """Reads a capture and all messages in it, and counts what there is."""
+    return sum(getattr(event, "message", event) is not None for event in read(io.BytesIO(data)).events())
+
+
+@pytest.mark.parametrize("packets", HOSTILE, ids=lambda made: made.__name__)
+def test_reading(packets: Callable[[int], Iterator[bytes]]) -> None:
+    short, long = (pcap(RAW_IP, timed(list(packets(count)))) for count in (PACKETS, 2 * PACKETS))
+    assert_linear(lambda: messages(short), lambda: messages(long))
+
+
+def test_a_stream_out_of_step_takes_hardly_longer_than_one_in_step() -> None:
+    """Packets of 98 bytes in each of which twelve frames may start, against packets of one frame."""
+    right, wrong = (pcap(RAW_IP, timed(list(made(PACKETS)))) for made in (in_step, frames_that_never_fit))
+    factors = [seconds(lambda: messages(wrong)) / seconds(lambda: messages(right)) for _ in range(5)]
+    assert min(factors) < 12
+
+
+@pytest.mark.parametrize(
+    "words",
+    [("decode",), ("decode", "--json"), ("decode", "--dialogues"), ("stats",), ("check",), ("timeline",), ("files",)],
+    ids=" ".join,
+)
+def test_showing(words: tuple[str, ...], tmp_path: Path) -> None:
+    """All of that in one capture, in every face."""
+    paths = []
+    for count in (PACKETS // 20, PACKETS // 10):
+        data = timed([packet for made in HOSTILE for packet in made(count)])
+        paths.append(tmp_path / f"{count}.pcap")
+        paths[-1].write_bytes(pcap(RAW_IP, data))
+    rest = {"timeline": ("-o", tmp_path / "page.html"), "files": ("-o", tmp_path / "files")}.get(words[0], ())
+
+    def show(path: Path) -> None:
+        done = run_ev3proto(*words, path, *rest)
+        assert done.returncode in (0, 1), done.stderr
+
+    assert_linear(lambda: show(paths[0]), lambda: show(paths[1]))

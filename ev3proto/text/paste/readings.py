@@ -146,6 +146,13 @@ def _found_changes(run: Run) -> set[int]:
 
 def best_reading(run: Run) -> tuple[Reading, list[Reading]]:
     """The reading of a run whose frames have the most bytes, and all that were tried."""
+    if run.known is None:
+        run.known = _found_best(run)
+    found: tuple[Reading, list[Reading]] = run.known
+    return found
+
+
+def _found_best(run: Run) -> tuple[Reading, list[Reading]]:
     tried: list[Reading] = []
     best: Reading | None = None
     for name in readings(run):

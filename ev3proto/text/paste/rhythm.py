@@ -6,9 +6,11 @@ what stands between, tells that the values belong together.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import islice
 
+from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.pieces import LEAST
 from ev3proto.text.paste.values import Run, Style, Value
@@ -19,6 +21,8 @@ _USUAL = late_pattern(r"[\s,;:|]*")
 _MOST_STARTS = 12
 _MOST_BETWEEN = 3
 _MOST_GAP = 48
+_MOST_TRIES = 2
+_MOST_VALUES = 2 * MAX_FRAME
 
 
 def rhythmic_runs(line: str) -> Iterator[Run]:
@@ -31,12 +35,14 @@ def rhythmic_runs(line: str) -> Iterator[Run]:
         Runs of at least five values. They may overlap: the one that is a frame is meant.
     """
     first = list(islice(_VALUE.finditer(line), _MOST_STARTS))
+    tried = Counter[str]()
     for index, start in enumerate(first):
         for following in first[index + 1 : index + 1 + _MOST_BETWEEN]:
             gap = line[start.end() : following.start()]
-            if len(gap) > _MOST_GAP or _USUAL.fullmatch(gap) is not None:
+            tried[gap] += 1
+            if len(gap) > _MOST_GAP or tried[gap] > _MOST_TRIES or _USUAL.fullmatch(gap) is not None:
                 continue
-            found = list(_values(line, start.start(), gap))
+            found = list(islice(_values(line, start.start(), gap), _MOST_VALUES))
             if len(found) >= LEAST:
                 yield Run(found, ["", *["="] * (len(found) - 1)])
 

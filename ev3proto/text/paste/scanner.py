@@ -68,6 +68,7 @@ class Pending:
     """Rows that may go on in the next line.
 
     data        their bytes by reading; a reading that does not fit a value is no more among them
+    has_commas  a comma ends each row but the last
     has_gap     a `*` stands for rows like the one before it, as many as the next offset says
     left_empty  empty lines since the last row
     """
@@ -79,13 +80,20 @@ class Pending:
     size: int
     in_comment: bool = False
     index: int = 0
+    has_commas: bool = True
     has_gap: bool = False
     left_empty: int = 0
 
     @property
     def is_array(self) -> bool:
         """Whether the rows are one list in brackets, separated by commas."""
-        return self.was_opened and all(row.run is None or row.run.has_comma for row in self.rows[:-1])
+        return self.was_opened and self.has_commas
+
+    def add(self, row: Row) -> None:
+        """Takes another row."""
+        last = self.rows[-1].run
+        self.has_commas = self.has_commas and (last is None or last.has_comma)
+        self.rows.append(row)
 
     def is_complete(self) -> bool:
         """Whether some reading has as many bytes as its length field says."""
@@ -256,8 +264,8 @@ class Scanner:
         if not found and not bare.strip():
             return Row(number, line, None), index, in_comment
         run = _without_prefix(found[-1], bare) if found else None
-        if run is not None:
-            run.check_sum = self._check_sum
+        if run is not None and run.check_sum != self._check_sum:
+            run.check_sum, run.known = self._check_sum, None
         if run is not None and not run.is_head and run.opened > 0 >= run.depth and len(run.values) < LEAST:
             # The brackets of a call that has one part of the bytes, as in `data.Add(0x0F);`.
             run = replace(run, opened=0, depth=0)
@@ -302,12 +310,12 @@ class Scanner:
         assert last.run is not None
         if line.strip() == "*" and not pending.has_gap:
             pending.has_gap = True
-            pending.rows.append(Row(number, line, None))
+            pending.add(Row(number, line, None))
             return True
         if pending.has_gap and not self._filled(last, line):
             return False
         if _INDEX_ALONE.fullmatch(line) or says_the_same(line, plain_bytes(last.run)):
-            pending.rows.append(Row(number, line, None))
+            pending.add(Row(number, line, None))
             return True
         whole = clean(line)
         row, index, in_comment = self._row(line, number, whole, pending.index, is_inside=pending.in_comment)
@@ -327,7 +335,7 @@ class Scanner:
         if pending.size > MAX_COLLECTED:
             # What goes on and on is read to its end all the same: its rows are no frames of their own.
             return True
-        pending.rows.append(replace(row, said=self._said))
+        pending.add(replace(row, said=self._said))
         pending.in_comment, pending.index = in_comment, index
         if row.run is not None:
             pending.left_empty = 0
@@ -524,6 +532,7 @@ def _without_prefix(run: Run, line: str) -> Run:
                 values=run.values[place:],
                 gaps=["", *run.gaps[place + 1 :]],
                 changes=None,
+                known=None,
                 is_head=False,
                 opened=0,
                 depth=depth,

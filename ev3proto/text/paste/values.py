@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import Any
 
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.text.late_pattern import late_pattern
@@ -71,6 +72,7 @@ class Run:
     is_array  they are one list in brackets, in which the end of a line means nothing
     changes   the values in front of which the way of writing changes, once somebody asked
     check_sum a byte that may follow the last frame, as the text says
+    known     what was found out about its readings
     """
 
     values: list[Value]
@@ -85,6 +87,7 @@ class Run:
     changes: frozenset[int] | None = None
     is_array: bool = False
     check_sum: int | None = None
+    known: Any = None
 
     @property
     def start(self) -> int:

@@ -116,3 +116,39 @@ def test_a_program_image_is_called_what_it_is(tmp_path: Path) -> None:
     image.write_bytes(b"LEGO" + bytes(40))
     for command in (("stats",), ("files",), ("encode", "--to", "hex")):
         assert b"program image" in run(*command, str(image)).stderr, command
+
+
+WITHOUT_TIMES = (
+    "sent 08 00 01 00 00 04 00 81 01 60\nrecv 07 00 01 00 02 a4 70 fd 40\nsent 08 00 02 00 00 04 00 81 01 60\n"
+)
+
+
+def test_a_text_without_times_has_no_latencies() -> None:
+    dialogues = out("decode", "--dialogues", "-", stdin=WITHOUT_TIMES).splitlines()
+    assert dialogues[0].endswith("VALUE=7.92 V")
+    assert "ms" not in dialogues[0]
+    pairs = [json.loads(line) for line in out("decode", "--dialogues", "--json", "-", stdin=WITHOUT_TIMES).splitlines()]
+    assert [pair["latency"] for pair in pairs] == [None, None]
+    counted = out("stats", "-", stdin=WITHOUT_TIMES)
+    assert "Milliseconds" not in counted
+    assert "Time" not in counted
+    assert json.loads(out("stats", "--json", "-", stdin=WITHOUT_TIMES))["whole"]["latency"] is None
+    assert "latency" not in out("values", "-", stdin=WITHOUT_TIMES)
+
+
+def test_places_in_a_text_are_lines(log: Path, tmp_path: Path) -> None:
+    assert "line  what\n   4  UI_READ.GET_VBATT" in out("stats", str(log))
+    assert "in 4 frames" in out("stats", str(log))
+    assert "line" in out("values", str(log)).splitlines()[0]
+    capture = tmp_path / "robot.pcapng"
+    out("export", "pcapng", str(log), "-o", str(capture))
+    assert "packet  what" in out("stats", str(capture))
+
+
+def test_what_a_text_says_above_the_bytes_counts_for_them() -> None:
+    text = (
+        "> 2024/01/31 12:00:00.123456  length=10 from=0 to=9\n 08 00 01 00 00 04 00 81 01 60\n"
+        "< 2024/01/31 12:00:00.133456  length=9 from=0 to=8\n 07 00 01 00 02 a4 70 fd 40\n"
+    )
+    (line,) = out("decode", "--dialogues", "-", stdin=text).splitlines()
+    assert line.endswith("VALUE=7.92 V  10.000 ms")

@@ -44,6 +44,9 @@ class Route:
     direction  sent or received, None where the capture does not say
     interface  name of the interface it was captured on, None where the file has none
     peer       address of the brick (with the TCP port on WiFi): the source or the target
+    is_text    the frames stood in a text, which does not say what carried them
+    is_timed   somebody wrote down when they were captured; a text may have no times, and those of its records only
+               keep them in order
     """
 
     carrier: Carrier
@@ -52,6 +55,8 @@ class Route:
     direction: Direction | None
     interface: str | None
     peer: str
+    is_text: bool = False
+    is_timed: bool = True
 
 
 class Answered(NamedTuple):
@@ -152,8 +157,11 @@ class Record:
 
     @property
     def latency(self) -> float | None:
-        """For a reply: seconds since its command, None where that was not seen."""
-        return None if self.request is None else (self.time_ns - self.request.time_ns) / NANOSECONDS
+        """For a reply: seconds since its command, None where that was not seen, or where nobody wrote times down."""
+        request = self.request
+        if request is None or not (self.route.is_timed and request.route.is_timed):
+            return None
+        return (self.time_ns - request.time_ns) / NANOSECONDS
 
     @property
     def number(self) -> int:

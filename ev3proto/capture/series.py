@@ -21,16 +21,18 @@ Cell: TypeAlias = float | str
 class Row:
     """What one reply says.
 
-    time_ns  when it was captured, in nanoseconds since 1970-01-01 UTC
-    packet   its packet
-    peer     address of the brick
-    cells    its values by the names of their columns
+    time_ns   when it was captured, in nanoseconds since 1970-01-01 UTC
+    packet    its packet
+    peer      address of the brick
+    cells     its values by the names of their columns
+    is_timed  somebody wrote down when it was captured
     """
 
     time_ns: int
     packet: int
     peer: str
     cells: dict[str, Cell]
+    is_timed: bool = True
 
     @property
     def time(self) -> str:
@@ -61,14 +63,17 @@ def series_of(events: Iterable[Event]) -> Series:
     """
     found = Series({LATENCY: "s"})
     for event in events:
-        if not isinstance(event, Record) or event.request is None or event.latency is None:
+        if not isinstance(event, Record) or event.request is None:
             continue
-        cells: dict[str, Cell] = {LATENCY: event.latency}
+        latency = event.latency
+        cells: dict[str, Cell] = {} if latency is None else {LATENCY: latency}
         for value, name in _named(event):
             for suffix, cell in _cells(value):
                 found.units.setdefault(name + suffix, value.unit)
                 cells[name + suffix] = cell
-        found.rows.append(Row(event.time_ns, event.number, event.peer, cells))
+        found.rows.append(Row(event.time_ns, event.number, event.peer, cells, event.route.is_timed))
+    if not any(LATENCY in row.cells for row in found.rows):
+        del found.units[LATENCY]
     return found
 
 

@@ -136,7 +136,7 @@ class PeerSummary:
     faults       frames that have a fault
     unanswered   commands that wanted a reply and got none
     orphans      replies whose command was not seen
-    first, last  when the first and the last message were captured, UTC
+    first, last  when the first and the last message were captured, UTC; None where nobody wrote times down
     seconds      between these
     """
 
@@ -302,8 +302,9 @@ class _Tally:
         self.messages.add(size)
         self.kinds.setdefault(record.message.kind, Amount()).add(size)
         self.faults += record.message.fault is not None
-        self.first_ns = record.time_ns if self.first_ns is None else min(self.first_ns, record.time_ns)
-        self.last_ns = max(self.last_ns, record.time_ns)
+        if record.route.is_timed:
+            self.first_ns = record.time_ns if self.first_ns is None else min(self.first_ns, record.time_ns)
+            self.last_ns = max(self.last_ns, record.time_ns)
 
     def _operation(self, key: Carried) -> _Operation:
         found = self.operations.get(key)

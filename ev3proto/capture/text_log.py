@@ -109,8 +109,9 @@ def _events(pieces: Iterable[Pasted], account: Account, dialect: str) -> Iterato
     conversation = Conversation(frame_schema(dialect))
     clock = Clock()
     routes = {
-        Direction.SENT: Route(DEFAULT_CARRIER, HOST, BRICK, Direction.SENT, None, BRICK),
-        Direction.RECEIVED: Route(DEFAULT_CARRIER, BRICK, HOST, Direction.RECEIVED, None, BRICK),
+        (direction, is_timed): Route(DEFAULT_CARRIER, *ends, direction, None, BRICK, is_text=True, is_timed=is_timed)
+        for direction, ends in ((Direction.SENT, (HOST, BRICK)), (Direction.RECEIVED, (BRICK, HOST)))
+        for is_timed in (True, False)
     }
     for piece in pieces:
         if not piece.data:
@@ -122,7 +123,8 @@ def _events(pieces: Iterable[Pasted], account: Account, dialect: str) -> Iterato
         account.last_ns = time_ns
         for frame in _frames(piece.data):
             account.frames += len(frame)
-            yield conversation.record(frame, (piece.line,), time_ns, routes[_direction(piece, frame)])
+            route = routes[_direction(piece, frame), piece.time is not None]
+            yield conversation.record(frame, (piece.line,), time_ns, route)
         account.padding = account.captured - account.frames
 
 

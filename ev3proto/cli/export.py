@@ -222,7 +222,7 @@ class _Carrying(SourceReader):
         before = self._writer.count
         for event in capture.events():
             if isinstance(event, Record):
-                self._add(TimedFrame(event.frame, event.time_ns), f"{capture.label}, packet {event.number}")
+                self._add(TimedFrame(event.frame, event.time_ns), f"{capture.label}, {capture.unit} {event.number}")
         return self._writer.count - before
 
     def _add(self, frame: bytes | TimedFrame, place: str) -> None:

@@ -49,6 +49,7 @@ def files(
     from ev3proto.capture.moving import printable
 
     rows: list[tuple[str, ...]] = []
+    units = set()
     status = 0
     for name in names:
         source = CaptureSource(name, reading)
@@ -69,11 +70,12 @@ def files(
                 place = f"{source.label}, {source.unit} {recovered.packets[0]}"
                 complain(f"{place}: {printable(recovered.path)}: {recovered.trouble}")
                 source.status |= recovered.outcome is not Outcome.REFUSED
+        units.add(source.unit)
         if is_empty and not source.status:
             complain(f"{source.label}: no file is moved in it")
         status |= source.status
     if rows:
-        _list(rows)
+        _list(rows, "lines" if units == {"line"} else "packets")
     sys.exit(status)
 
 
@@ -100,11 +102,12 @@ def _row(file: RecoveredFile) -> tuple[str, ...]:
     return file.path, file.direction, str(file.bytes), size, file.outcome.value, packets, file.peer
 
 
-def _list(rows: list[tuple[str, ...]]) -> None:
+def _list(rows: list[tuple[str, ...]], places: str) -> None:
     from ev3proto.cli.tables import Tables
 
     bricks = {row[_COLUMNS.index("brick")] for row in rows}
-    Tables(hidden=() if len(bricks) > 1 else ("brick",)).table(_COLUMNS, rows)
+    titles = [places if name == "packets" else name for name in _COLUMNS]
+    Tables(hidden=() if len(bricks) > 1 else ("brick",)).table(titles, rows)
 
 
 def _record(file: RecoveredFile) -> dict[str, Any]:

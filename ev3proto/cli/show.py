@@ -110,10 +110,12 @@ class Show:
             return
         first = pair.command or pair.last
         reply = pair.reply
+        route = first.route
+        time = f"{(first.time_ns - start_ns) / NANOSECONDS:.6f}" if route.is_timed else ""
         line: Line = [
-            (f"{(first.time_ns - start_ns) / NANOSECONDS:12.6f} ", Role.ASIDE),
+            (f"{time:>12} ", Role.ASIDE),
             (f"#{first.number} ".rjust(7), Role.ASIDE),
-            (f"{first.carrier} {first.peer}  ", Role.PLAIN),
+            ("" if route.is_text else f"{first.carrier} {first.peer}  ", Role.PLAIN),
         ]
         line += dialogue_line(
             None if pair.command is None else pair.command.message,
@@ -140,9 +142,9 @@ def _seen(event: Record | Announcement, start_ns: int, answers: int | None = Non
 
     return Seen(
         direction=event.route.direction,
-        time=f"{(event.time_ns - start_ns) / NANOSECONDS:.6f}",
+        time=f"{(event.time_ns - start_ns) / NANOSECONDS:.6f}" if event.route.is_timed else None,
         packets=event.numbers,
-        place=f"{event.route.carrier} {event.route.peer}",
+        place=None if event.route.is_text else f"{event.route.carrier} {event.route.peer}",
         answers=answers,
         latency=event.latency if isinstance(event, Record) else None,
         frame=event.frame if isinstance(event, Record) else None,

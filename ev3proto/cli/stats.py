@@ -42,10 +42,12 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
     statistics = Statistics()
     account = Account()
     status = 0
+    units = set()
     for file in files:
         source = CaptureSource(file, reading)
         for event in source.events():
             statistics.add(event)
+        units.add(source.unit)
         account.add(source.account)
         status |= source.status
     summary = statistics.summary(account)
@@ -53,7 +55,7 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
         if as_json:
             say(json.dumps(summary.as_dict(), ensure_ascii=False))
         else:
-            _Page(summary).show()
+            _Page(summary, "line" if units == {"line"} else "packet").show()
     elif not status:
         complain("there is no frame in the input")
         status = 1
@@ -63,8 +65,9 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
 class _Page:
     """What there is to say, in sections."""
 
-    def __init__(self, summary: Summary) -> None:
+    def __init__(self, summary: Summary, unit: str) -> None:
         self._summary = summary
+        self._unit = unit
         # Which brick it is goes without saying where there is only one.
         self._tables = Tables(hidden=() if summary.peers else ("brick",))
 
@@ -87,7 +90,8 @@ class _Page:
     def _peer(self, peer: PeerSummary, of: str) -> None:
         if not peer.messages.messages:
             return
-        self._tables.heading(f"Time{of}: {peer.first} to {peer.last}, {peer.seconds:.6f} s")
+        if peer.first is not None:
+            self._tables.heading(f"Time{of}: {peer.first} to {peer.last}, {peer.seconds:.6f} s")
         kinds = _amounts(peer.kinds)
         if len(kinds) > 1:
             kinds += _amounts({"all": peer.messages})
@@ -133,19 +137,20 @@ class _Page:
             )
             for entry in self._summary.transfers
         ]
-        titles = ("path", "direction", "bytes", "of", "state", "seconds", "bytes/s", "packet", "brick")
+        titles = ("path", "direction", "bytes", "of", "state", "seconds", "bytes/s", self._unit, "brick")
         self._section("Files and listings", titles, rows, self._summary.transfers_left_out)
 
     def _noted(self, title: str, count: int, noted: Sequence[Noted]) -> None:
         rows = [(str(entry.packet), entry.peer, entry.text) for entry in noted]
-        self._section(f"{title}: {count}", ("packet", "brick", "what"), rows, count - len(noted))
+        self._section(f"{title}: {count}", (self._unit, "brick", "what"), rows, count - len(noted))
 
     def _account(self, account: Account) -> None:
         rows = [(name, str(count), _share(count, account.captured)) for name, count in account.parts.items() if count]
         if account.balance:
             rows.append(("not read", str(account.balance), _share(account.balance, account.captured)))
         rows.append(("all", str(account.captured), ""))
-        self._section(f"Captured bytes, in {account.packets} packets", ("part", "bytes", "share"), rows)
+        many = f"{account.packets} {'packet' if self._unit == 'packet' else 'frame'}{'s' * (account.packets != 1)}"
+        self._section(f"Captured bytes, in {many}", ("part", "bytes", "share"), rows)
 
     def _section(self, heading: str, titles: Sequence[str], rows: Sequence[Sequence[str]], more: int = 0) -> None:
         """A table with its heading, and how many rows it lacks; nothing where it has no rows."""

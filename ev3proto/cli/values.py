@@ -18,7 +18,7 @@ from ev3proto.text.visible import visible
 from ev3proto.whole_files import write_whole
 
 if TYPE_CHECKING:
-    from ev3proto.capture.series import Cell, Series
+    from ev3proto.capture.series import Cell, Row, Series
 
 
 @click.command()
@@ -54,7 +54,7 @@ def values(file: str, reading: CaptureOptions, form: str | None, plot: Path | No
     if plot is not None:
         _draw(found, plot, source.label)
     else:
-        _PRINTERS[form](found)
+        _PRINTERS[form](found, source.unit)
     sys.exit(source.status)
 
 
@@ -68,16 +68,20 @@ def _text(cell: Cell | None) -> str:
     return "" if cell is None else visible(str(cell))
 
 
-def _print_table(found: Series) -> None:
+def _print_table(found: Series, unit: str) -> None:
     start = found.rows[0].time_ns
     rows = [
-        [f"{(row.time_ns - start) / 1e9:.6f}", str(row.packet), *(_text(row.cells.get(name)) for name in found.units)]
+        [_seconds(row, start), str(row.packet), *(_text(row.cells.get(name)) for name in found.units)]
         for row in found.rows
     ]
-    Tables().table(["time [s]", "packet", *_titles(found)], rows)
+    Tables().table(["time [s]", unit, *_titles(found)], rows)
 
 
-def _print_csv(found: Series) -> None:
+def _seconds(row: Row, start_ns: int) -> str:
+    return f"{(row.time_ns - start_ns) / 1e9:.6f}" if row.is_timed else ""
+
+
+def _print_csv(found: Series, _unit: str) -> None:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["time", "packet", "peer", *_titles(found)])
@@ -86,7 +90,7 @@ def _print_csv(found: Series) -> None:
     say(text.getvalue().removesuffix("\n"))
 
 
-def _print_json(found: Series) -> None:
+def _print_json(found: Series, _unit: str) -> None:
     for row in found.rows:
         record = {"time": row.time, "packet": row.packet, "peer": row.peer, "values": row.cells}
         say(json.dumps(record, ensure_ascii=False))

@@ -118,3 +118,26 @@ def test_both_take_and_refuse_the_same(declaration: Declaration) -> None:
         assert verdict_of_encode(declaration, all_values) == verdict_of_ops(declaration, all_values)
 
     agree()
+
+
+WITH_LISTS = [one for one in DECLARATIONS if one.parameters and one.parameters[-1].type in LISTS]
+
+
+@pytest.mark.parametrize("declaration", WITH_LISTS, ids=[declaration.name for declaration in WITH_LISTS])
+def test_both_take_and_refuse_the_same_in_lists(declaration: Declaration) -> None:
+    parameters = declaration.parameters
+    # A name in a list is one of the firmware's numbers in assembly; Python has no names there.
+    element = values(parameters[-1]).filter(lambda value: not isinstance(value, LEDPATTERN))
+
+    @settings(max_examples=20)
+    @given(
+        st.lists(element.filter(lambda value: not isinstance(value, str) or len(value) != 1), min_size=1, max_size=3)
+    )
+    def agree(elements: list[Any]) -> None:
+        all_values = [safe(parameter, place) for place, parameter in enumerate(parameters)]
+        all_values[-1] = elements
+        if parameters[-1].type is Type.VALUES:
+            all_values[-2] = len(elements)
+        assert verdict_of_encode(declaration, all_values) == verdict_of_ops(declaration, all_values)
+
+    agree()

@@ -1,0 +1,64 @@
+// sent DIRECT_COMMAND_REPLY, counter 42, 16 bytes
+message DIRECT_COMMAND_REPLY counter 42 globals 0 locals 0
+opCOM_SET, LC0(SET_BRICKNAME), LCS("myEV3")
+// received DIRECT_REPLY, counter 42, 5 bytes: ok
+message DIRECT_REPLY counter 42
+// 09:12:31.011558 sent DIRECT_COMMAND_NO_REPLY, counter 42, 16 bytes
+message DIRECT_COMMAND_NO_REPLY counter 42 globals 0 locals 0
+opCOM_SET, LC0(SET_BRICKNAME), LCS("myEV3")
+// 09:42:03.575103 sent DIRECT_COMMAND_NO_REPLY, counter 42, 32 bytes
+message DIRECT_COMMAND_NO_REPLY counter 42 globals 0 locals 0
+opSOUND, LC0(PLAY), LC1(100), LCS("./ui/DownloadSucces")
+// 09:55:28.814320 sent DIRECT_COMMAND_NO_REPLY, counter 42, 32 bytes
+message DIRECT_COMMAND_NO_REPLY counter 42 globals 0 locals 0
+opSOUND, LC0(REPEAT), LC1(100), LCS("./ui/DownloadSucces")
+// 09:55:33.822352 sent DIRECT_COMMAND_NO_REPLY, counter 43, 9 bytes
+message DIRECT_COMMAND_NO_REPLY counter 43 globals 0 locals 0
+opSOUND, LC0(BREAK)
+// sent DIRECT_COMMAND_NO_REPLY, counter 42, 16 bytes
+message DIRECT_COMMAND_NO_REPLY counter 42 globals 0 locals 0
+opSOUND, LC0(TONE), LC0(1), LC2(440), LC2(1000)
+// sent DIRECT_COMMAND_NO_REPLY, counter 42, 43 bytes
+message DIRECT_COMMAND_NO_REPLY counter 42 globals 0 locals 0
+opSOUND, LC0(TONE), LC0(1), LC2(262), LC2(500)
+opSOUND, LC0(TONE), LC0(1), LC2(330), LC2(500)
+opSOUND, LC0(TONE), LC0(1), LC2(392), LC2(500)
+opSOUND, LC0(TONE), LC0(2), LC2(523), LC2(1000)
+// sent DIRECT_COMMAND_NO_REPLY, counter 42, 46 bytes
+message DIRECT_COMMAND_NO_REPLY counter 42 globals 0 locals 0
+opSOUND, LC0(TONE), LC0(1), LC2(262), LC2(500)
+opSOUND_READY
+opSOUND, LC0(TONE), LC0(1), LC2(330), LC2(500)
+opSOUND_READY
+opSOUND, LC0(TONE), LC0(1), LC2(392), LC2(500)
+opSOUND_READY
+opSOUND, LC0(TONE), LC0(2), LC2(523), LC2(1000)
+// 11:39:49.039902 sent DIRECT_COMMAND_NO_REPLY, counter 42, 62 bytes
+message DIRECT_COMMAND_NO_REPLY counter 42 globals 0 locals 0
+opUI_WRITE, LC0(LED), LC0(LED_RED)
+opSOUND, LC0(TONE), LC0(1), LC2(262), LC2(500)
+opSOUND_READY
+opUI_WRITE, LC0(LED), LC0(LED_GREEN)
+opSOUND, LC0(TONE), LC0(1), LC2(330), LC2(500)
+opSOUND_READY
+opUI_WRITE, LC0(LED), LC0(LED_RED)
+opSOUND, LC0(TONE), LC0(1), LC2(392), LC2(500)
+opSOUND_READY
+opUI_WRITE, LC0(LED), LC0(LED_RED_FLASH)
+opSOUND, LC0(TONE), LC0(2), LC2(523), LC2(2000)
+opSOUND_READY
+opUI_WRITE, LC0(LED), LC0(LED_GREEN)
+// 12:01:00.253855 sent DIRECT_COMMAND_NO_REPLY, counter 42, 55 bytes
+message DIRECT_COMMAND_NO_REPLY counter 42 globals 0 locals 0
+opUI_DRAW, LC0(TOPLINE), LC0(0)
+opUI_DRAW, LC0(BMPFILE), LC0(1), LC0(0), LC0(0), LCS("../apps/Motor Control/MotorCtlAD.rgf")
+opUI_DRAW, LC0(UPDATE)
+// 12:01:05.265584 sent DIRECT_COMMAND_NO_REPLY, counter 43, 17 bytes
+message DIRECT_COMMAND_NO_REPLY counter 43 globals 0 locals 0
+opUI_DRAW, LC0(TOPLINE), LC0(1)
+opUI_DRAW, LC0(FILLWINDOW), LC0(0), LC0(0), LC0(0)
+opUI_DRAW, LC0(UPDATE)
+// sent DIRECT_COMMAND_NO_REPLY, counter 42, 75 bytes
+message DIRECT_COMMAND_NO_REPLY counter 42 globals 0 locals 4
+opUI_DRAW, LC0(TOPLINE), LC0(0)
+opUI_DRAW, LC

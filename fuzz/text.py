@@ -1,0 +1,23 @@
+"""Texts that people paste: logs, hex, arrays of C, JSON. Whatever they are, what is read of them was in them."""
+
+from __future__ import annotations
+
+from ev3proto.text.json_format.reading import RecordError, frames_in, read_records
+from ev3proto.text.paste import read_argument, read_bare, read_text
+from ev3proto.text.split import split
+
+
+def one_input(data: bytes) -> None:
+    """Takes a text, as a file, as an argument and as JSON."""
+    text = data.decode("utf-8", "replace")
+    lines = text.splitlines(keepends=True)
+    found = [*read_text(lines), *read_bare(lines, "length"), *read_bare(lines, "header"), read_argument(text)]
+    for pasted in found:
+        assert pasted.problem is None or pasted.problem
+        assert b"".join(piece.message.build() for piece in split(pasted.data)) in pasted.data
+    try:
+        for _, entry in read_records(lines):
+            for frame in frames_in(entry):
+                assert frame
+    except RecordError as error:
+        assert str(error)

@@ -3973,8 +3973,8 @@ end
 local gives_bytes = false
 
 -- The item of a frame, or of a text around frames.
-local function add_item(tree, range)
-    local item = tree:add(ev3, range)
+local function add_item(tree, range, said)
+    local item = tree:add(ev3, range, "EV3: " .. said)
     if gives_bytes then item:add(field.bytes, range) end
     return item
 end
@@ -3997,12 +3997,6 @@ local NUMBER, FLOAT, TEXT_VALUE = "number", "float", "text"
 
 local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
-local MAKE_SYSTEM_FIELD = {
-    [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
-    [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
-    [BYTES] = ProtoField.bytes,
-}
-
 -- A typed field of one parameter. Its kind tells which values it takes.
 local function parameter_field(abbreviation, parameter, kind)
     local name, text = parameter.name, parameter.text
@@ -4022,19 +4016,28 @@ local function parameter_field(abbreviation, parameter, kind)
     return made
 end
 
-local system_fields = {}
-
 -- The field of a system message; several messages share one.
-local function system_field(declared)
-    local abbreviation = "ev3." .. declared.filter
-    local made = system_fields[abbreviation]
-    if not made then
-        local hex = declared.hexadecimal and base.HEX or nil
-        made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
-        system_fields[abbreviation] = made
-        fields[#fields + 1] = made
+local system_field
+do
+    local MAKE_SYSTEM_FIELD = {
+        [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
+        [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
+        [BYTES] = ProtoField.bytes,
+    }
+
+    local made_fields = {}
+
+    function system_field(declared)
+        local abbreviation = "ev3." .. declared.filter
+        local made = made_fields[abbreviation]
+        if not made then
+            local hex = declared.hexadecimal and base.HEX or nil
+            made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
+            made_fields[abbreviation] = made
+            fields[#fields + 1] = made
+        end
+        return made
     end
-    return made
 end
 
 -- Expert information, each kind with a name to filter for.
@@ -4062,6 +4065,11 @@ local experts = {
     bootloader_fault = ProtoExpert.new("ev3.expert.bootloader_fault", "Bootloader fault on USB 3",
         expert.group.PROTOCOL, expert.severity.ERROR),
 }
+
+-- Wireshark collects expert information also where it makes no tree: `item` is the root of it then.
+local function complain(item, kind, text)
+    item:add_proto_expert_info(experts[kind], text)
+end
 
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
@@ -4230,13 +4238,128 @@ end
 local dialect = DIALECTS[1]
 local instructions = INSTRUCTION_SETS[dialect]
 
+-- Memory ------------------------------------------------------------------------------------------------------------
+--
+-- What is worth keeping of a capture, in little space however long it is.
+
+local new_memory, forget_memories, place_of, number_of, new_notes
+do
+    local forgetting = {}
+
+    function forget_memories()
+        for _, forget in ipairs(forgetting) do
+            forget()
+        end
+    end
+
+    -- Remembers what was found out, by some text, as a dialogue says the same again and again. What was not asked for
+    -- since `half` came in is forgotten, so that it holds at most twice as much; `cost_of` says how much a value
+    -- counts.
+    function new_memory(half, cost_of)
+        local recent, before, cost = {}, {}, 0
+        local memory = {}
+
+        function memory.put(key, value)
+            if cost >= half then recent, before, cost = {}, recent, 0 end
+            recent[key], cost = value, cost + (cost_of and cost_of(value) or 1)
+        end
+
+        function memory.get(key)
+            local value = recent[key]
+            if value == nil then
+                value = before[key]
+                if value ~= nil then memory.put(key, value) end
+            end
+            return value
+        end
+
+        forgetting[#forgetting + 1] = function()
+            recent, before, cost = {}, {}, 0
+        end
+        return memory
+    end
+
+    -- A message's place is the number of its packet and its offset there, in one number.
+    local OFFSETS = 0x100000
+
+    function place_of(number, offset)
+        return number * OFFSETS + offset
+    end
+
+    function number_of(place)
+        return floor(place / OFFSETS)
+    end
+
+    -- Keeps what is known of messages, by place. A long capture has a great many: a table each would take several times
+    -- what it says. So all that is known of some packets in a row is joined to one text, as soon as a later packet has
+    -- something; what is added to them afterwards is little, and kept beside it. `text_of` makes a text of what is
+    -- known, `read` the other way round.
+    function new_notes(text_of, read)
+        local PAGE = 256 * OFFSETS
+        local pages, additions, open, open_number, last, last_number
+        local notes = {}
+
+        function notes.forget()
+            pages, additions, open, open_number, last, last_number = {}, {}, {}, 0, {}, nil
+        end
+        notes.forget()
+
+        local function close_page()
+            local pieces, count = {}, 0
+            for place, known in pairs(open) do
+                local text = text_of(known)
+                pieces[count + 1], pieces[count + 2] = format("%d %d ", place % PAGE, #text), text
+                count = count + 2
+            end
+            if count > 0 then pages[open_number] = concat(pieces) end
+        end
+
+        local function read_page(number)
+            local found, text, at = {}, pages[number] or "", 1
+            while at <= #text do
+                local place, size, start = text:match("^(%d+) (%d+) ()", at)
+                at = start + size
+                found[number * PAGE + place] = read(sub(text, start, at - 1))
+            end
+            return found
+        end
+
+        function notes.put(place, known)
+            local number = floor(place / PAGE)
+            if number < open_number then
+                additions[place] = text_of(known)
+                return
+            elseif number > open_number then
+                close_page()
+                open, open_number = {}, number
+            end
+            open[place] = known
+        end
+
+        function notes.get(place)
+            local number = floor(place / PAGE)
+            if number == open_number then return open[place] end
+            local text = additions[place]
+            if text then return read(text) end
+            if number ~= last_number then last, last_number = read_page(number), number end
+            return last[place]
+        end
+
+        return notes
+    end
+end
+
 -- Reading -----------------------------------------------------------------------------------------------------------
 --
 -- Bytes to operations and fields. A frame is a string; offsets count from its start, as in every text about the
 -- protocol, so that the byte at offset 0 is byte(text, 1). What cannot be read comes back as the offset and the reason:
 -- nothing here raises an error.
 
-local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_operation, count_operations, read_fields
+-- What follows a frame's header is its body. That of a direct command begins with the memory it asks for, that of a
+-- daisy command with its sub-command and two layers.
+local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
+
+local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_operation, read_fields
 do
     -- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
     local SIZES = {}
@@ -4444,17 +4567,6 @@ do
         return operation, at
     end
 
-    -- How many operations stand between two offsets, and the fault where there is one.
-    function count_operations(text, at, stop)
-        local count = 0
-        while at < stop do
-            local _, behind, offset, reason, kind = read_operation(text, at, stop)
-            if reason then return count, { at = offset, reason = reason, kind = kind } end
-            count, at = count + 1, behind
-        end
-        return count
-    end
-
     -- One field of a system message: its value and the offset behind it; else nil, offset and reason.
     local function read_field(text, at, stop, declared, before)
         local kind = declared.kind
@@ -4604,7 +4716,7 @@ do
     end
 
     function output_text(output)
-        if not output.list then return one_value_text(output, output.value) end
+        if not output.is_list then return one_value_text(output, output.value) end
         local pieces = {}
         for index = 1, math.min(#output.list, MOST_VALUES) do
             pieces[index] = one_value_text(output, output.list[index])
@@ -4620,16 +4732,19 @@ do
     end
 
     -- 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
-    function values_text(found)
-        if not found[2] and not found[1].values[2] then return output_text(found[1].values[1]) end
-        local pieces = {}
-        for _, group in ipairs(found) do
-            for _, output in ipairs(group.values) do
-                if #pieces == MOST_VALUES then
-                    pieces[#pieces + 1] = "..."
+    function values_text(layout, count)
+        local pieces, pieces_count = {}, 0
+        for number = 1, #layout do
+            local operation, values = layout[number].operation, layout[number].values
+            for index = 1, #values do
+                local output = values[index]
+                if count == 1 then return output_text(output) end
+                if pieces_count == MOST_VALUES then
+                    pieces[pieces_count + 1] = "..."
                     return concat(pieces, " ")
                 end
-                pieces[#pieces + 1] = output_name(group.operation, output) .. "=" .. output_text(output)
+                pieces_count = pieces_count + 1
+                pieces[pieces_count] = output_name(operation, output) .. "=" .. output_text(output)
             end
         end
         return concat(pieces, " ")
@@ -4649,7 +4764,8 @@ end
 -- What was said in a capture, by operation and by brick, and the files that were moved. Wireshark shows it in windows,
 -- tshark prints it at the end of a run where the preference says so.
 
-local counts_all, count_message, count_answer, keep_piece, forget_statistics, register_statistics, print_at_end
+local counts_all
+local statistics = {}
 do
     -- Whether anybody may ask for them: whoever has a window, and tshark where the preferences say so.
     counts_all = gui_enabled()
@@ -4662,12 +4778,12 @@ do
     local row_counts, files, kept_bytes
     local wanted, answered
 
-    function forget_statistics()
+    function statistics.forget()
         operations, bricks, row_counts = {}, {}, { 0, 0 }
         files, kept_bytes = {}, 0
         wanted, answered = 0, 0
     end
-    forget_statistics()
+    statistics.forget()
 
     local function row_of(rows, kind, name)
         local row = rows[name]
@@ -4677,7 +4793,7 @@ do
             if rows[name] then return rows[name] end
         end
         row_counts[kind] = row_counts[kind] + 1
-        row = { messages = 0, bytes = 0, answers = 0, total = 0, most = 0, wanted = 0 }
+        row = { uses = 0, messages = 0, bytes = 0, answers = 0, total = 0, most = 0, wanted = 0 }
         rows[name] = row
         return row
     end
@@ -4687,37 +4803,64 @@ do
         if message.type.wants_reply then row.wanted = row.wanted + 1 end
     end
 
-    -- What a command is called in a row: by its first operation or its system command.
-    local function name_of(message, text)
-        if message.command then return message.command.name end
-        if message.type.carries == "direct" then
-            local operation = #text > COMMAND_HEADER_SIZE and select_operation(text, COMMAND_HEADER_SIZE, #text)
-            return operation and operation.title or "(no operation)"
+    -- Adds the operations from an offset on to `uses`, by name. Returns whether all of them can be read.
+    local function add_uses(uses, body, at)
+        while at < #body do
+            local operation, behind, _, reason = read_operation(body, at, #body)
+            if operation then uses[operation.title] = (uses[operation.title] or 0) + 1 end
+            if reason then return false end
+            at = behind
         end
-        return message.type.name
+        return true
+    end
+
+    -- What a command is counted as, and how often each: all its operations, or the system or daisy command that it is.
+    -- `body` is what follows its header.
+    local function uses_of(message, body)
+        if message.command then return { [message.command.name] = 1 } end
+        local uses = {}
+        if message.type.carries == "direct" then
+            add_uses(uses, body, MEMORY_FIELD)
+        elseif message.type.carries == "daisy" and DAISY_NAMES[byte(body, 1)] then
+            local inside = {}
+            local is_code = DAISY_CARRIES_OPERATIONS[byte(body, 1)] and add_uses(inside, body, DAISY_PAYLOAD)
+            uses = is_code and inside or {}
+            uses[DAISY_NAMES[byte(body, 1)]] = 1
+        end
+        if not next(uses) then uses["(no operation)"] = 1 end
+        return uses
     end
 
     -- A message that is seen for the first time, and the conversation it belongs to.
-    function count_message(talk, message)
+    function statistics.count_message(talk, message)
         count(row_of(bricks, 2, (talk.name or talk.key)), message)
         if not message.type.is_command then return end
         if message.type.wants_reply then wanted = wanted + 1 end
-        count(row_of(operations, 1, name_of(message, message.text)), message)
+        for name, times in pairs(uses_of(message, message.body)) do
+            local row = row_of(operations, 1, name)
+            row.uses = row.uses + times
+            count(row, message)
+        end
     end
 
-    -- A reply to a command, whose frame is `text`, and after how many seconds it came.
-    function count_answer(talk, message, text, delay)
+    local function add_answer(row, delay)
+        row.answers, row.total = row.answers + 1, row.total + delay
+        if delay > row.most then row.most = delay end
+    end
+
+    -- A reply to a command, what follows the header of that, and after how many seconds it came.
+    function statistics.count_answer(talk, message, body, delay)
         answered = answered + 1
-        for _, row in ipairs({
-            row_of(operations, 1, name_of(message, text)), row_of(bricks, 2, (talk.name or talk.key)),
-        }) do
-            row.answers, row.total = row.answers + 1, row.total + delay
-            if delay > row.most then row.most = delay end
+        add_answer(row_of(bricks, 2, (talk.name or talk.key)), delay)
+        for name in pairs(uses_of(message, body)) do
+            local row = row_of(operations, 1, name)
+            row.bytes = row.bytes + message.stop
+            add_answer(row, delay)
         end
     end
 
     -- A piece of a file that is moved; `transfer` is where it is kept.
-    function keep_piece(transfer, data)
+    function statistics.keep_piece(transfer, data)
         if transfer.is_dropped or not data or data == "" then return end
         if not transfer.pieces then
             if #files >= MOST_FILES then transfer.is_dropped = true return end
@@ -4729,7 +4872,7 @@ do
         transfer.pieces[#transfer.pieces + 1] = data
     end
 
-    local function table_text(heading, rows)
+    local function table_text(heading, rows, has_uses)
         local names, lines = {}, {}
         for name in pairs(rows) do
             names[#names + 1] = name
@@ -4738,13 +4881,15 @@ do
             if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
             return one < other
         end)
-        lines[1] = format("%-40s %9s %11s %9s %10s %10s", heading, "messages", "bytes", "answers", "mean ms", "most ms")
+        lines[1] = format("%-40s %9s %9s %11s %9s %10s %10s", heading, has_uses and "uses" or "", "messages", "bytes",
+            "answers", "mean ms", "most ms")
         for _, name in ipairs(names) do
             local row = rows[name]
             local mean = row.answers > 0 and format("%.2f", 1000 * row.total / row.answers) or ""
             local most = row.answers > 0 and format("%.2f", 1000 * row.most) or ""
-            lines[#lines + 1] =
-                format("%-40s %9d %11d %9d %10s %10s", name, row.messages, row.bytes, row.answers, mean, most)
+            local uses = has_uses and format("%d", row.uses) or ""
+            lines[#lines + 1] = format("%-40s %9s %9d %11d %9d %10s %10s", name, uses, row.messages, row.bytes,
+                row.answers, mean, most)
         end
         return concat(lines, "\n")
     end
@@ -4761,7 +4906,7 @@ do
     local function all_text()
         local counts = format("%d of %s that want a reply have none", wanted - answered, plural(wanted, "command"))
         return concat({
-            table_text("Operation", operations), "", table_text("Brick", bricks), "", files_text(), "", counts,
+            table_text("Operation", operations, true), "", table_text("Brick", bricks), "", files_text(), "", counts,
         }, "\n") .. "\n"
     end
 
@@ -4811,7 +4956,7 @@ do
         window:set(text)
     end
 
-    function register_statistics()
+    function statistics.register()
         ev3.prefs.statistics = Pref.bool("Statistics of tshark", false, "Print statistics at the end of a run")
         ev3.prefs.export = Pref.string("Export folder of tshark", "", "Write the files that were moved to this folder")
         if gui_enabled() then
@@ -4829,7 +4974,7 @@ do
     local at_end
 
     -- Called before a capture is read.
-    function print_at_end()
+    function statistics.print_at_end()
         counts_all = gui_enabled() or ev3.prefs.statistics or ev3.prefs.export ~= ""
         if gui_enabled() or at_end or not counts_all then return end
         at_end = Listener.new("frame")
@@ -4846,57 +4991,69 @@ end
 -- and afterwards whichever one is looked at: what is found out the first time is kept, by the place of each message,
 -- and later passes only look it up.
 
-local forget_dialogues, place_of, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at, answers_command
+local forget_dialogues, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at, answers_command
 do
     -- Commands with one counter that are remembered, for senders who never change it.
     local MOST_PER_COUNTER = 4
 
-    -- A message's place is the number of its packet and its offset there, in one number.
-    local OFFSETS = 0x100000
+    -- Commands of one conversation that may wait for their replies. Beyond twice as many the oldest are given up: a
+    -- brick has one answer after the other.
+    local MOST_WAITING = 4096
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
-    -- Of commands that want a reply: the frame, the time, the place of the reply. Of replies: the place of the command,
-    -- the time that it took. Of messages on files: the file and how far it is. A long capture has a great many of
-    -- these: as plain numbers and strings they cost far less to keep than as a table each.
-    local frames, times, replies, requests, delays, transfers
+    -- Of a command that has a reply: the number of the packet with it.
+    local replies = new_notes(function(number) return format("%d", number) end, tonumber)
+
+    -- Of a reply that has a command: the number of the packet with that, the seconds that the reply took, and all that
+    -- follows the command's header.
+    local requests = new_notes(function(request)
+        return format("%d %.9f ", request.number, request.delay) .. request.body
+    end, function(text)
+        local number, delay, start = text:match("^(%d+) (%S+) ()")
+        return { number = tonumber(number), delay = tonumber(delay), body = sub(text, start) }
+    end)
+
+    -- Of a message on a file: the file's path, by its number here, the bytes done, and the size where it is known.
+    local paths
+    local transfers = new_notes(function(transfer)
+        return format("%d %d ", transfer.number, transfer.done) .. (transfer.size and format("%d", transfer.size) or "")
+    end, function(text)
+        local number, done, size = text:match("^(%d+) (%d+) (%d*)")
+        return { path = paths[tonumber(number)], done = tonumber(done), size = tonumber(size) }
+    end)
+
     local talks
 
     function forget_dialogues()
-        frames, times, replies, requests, delays, transfers = {}, {}, {}, {}, {}, {}
-        talks = {}
+        replies.forget()
+        requests.forget()
+        transfers.forget()
+        paths, talks = {}, {}
     end
     forget_dialogues()
 
-    function place_of(number, offset)
-        return number * OFFSETS + offset
-    end
-
-    local function number_of(place)
-        return place and floor(place / OFFSETS)
-    end
-
-    -- The command that a reply answers: its frame, the number of its packet, the time that the reply took in seconds.
+    -- The command that a reply answers: `body`, what follows its header, `number`, that of its packet, `delay`, the
+    -- seconds that the reply took.
     function request_of(place)
-        local request = requests[place]
-        return frames[request], number_of(request), delays[place]
+        return requests.get(place)
     end
 
-    -- Whether a command wants a reply, and the number of the packet with it.
+    -- The number of the packet with the reply to a command.
     function reply_to(place)
-        return frames[place] ~= nil, number_of(replies[place])
+        return replies.get(place)
     end
 
     -- The file that a message is about: path, size, bytes done.
     function transfer_at(place)
-        return transfers[place]
+        return transfers.get(place)
     end
 
     -- All that is known of the messages between one computer and one brick, who have that key.
     function talk_of(key)
         local talk = talks[key]
         if not talk then
-            talk = { key = key, pending = {}, begun = {}, open = {} }
+            talk = { key = key, pending = {}, pending_before = {}, count = 0, begun = {}, open = {} }
             talks[key] = talk
         end
         return talk
@@ -4912,81 +5069,94 @@ do
         return talks[key]
     end
 
-    -- Mostly one command waits under its counter: its place alone is kept then, else a list of them.
-    local function remember(talk, place, message, pinfo)
-        frames[place], times[place] = message.text, pinfo.rel_ts
-        local pending, key = talk.pending, pending_key(message)
-        local waiting = pending[key]
-        if not waiting then
-            pending[key] = place
-        elseif type(waiting) == "number" then
-            pending[key] = { waiting, place }
+    -- The newest command that waits under a counter; each knows the one before it.
+    local function newest(talk, key)
+        return talk.pending[key] or talk.pending_before[key]
+    end
+
+    local function put_newest(talk, key, command)
+        if talk.pending[key] then
+            talk.pending[key] = command
+            if not command then talk.count = talk.count - 1 end
         else
-            waiting[#waiting + 1] = place
-            if #waiting > MOST_PER_COUNTER then table.remove(waiting, 1) end
+            talk.pending_before[key] = command
         end
     end
 
-    local function can_answer(message, frame)
-        return message.type.carries ~= "system" or byte(frame, HEADER_SIZE + 1) == byte(message.text, HEADER_SIZE + 1)
+    local function remember(talk, place, message, pinfo)
+        local key = pending_key(message)
+        -- Of a system command its number and handle are enough.
+        local body = message.body or sub(message.text, HEADER_SIZE + 1, HEADER_SIZE + 2)
+        local command = { place = place, time = pinfo.rel_ts, body = body, number = pinfo.number, delay = 0 }
+        command.earlier = newest(talk, key)
+        local oldest = command
+        for _ = 2, MOST_PER_COUNTER do
+            oldest = oldest.earlier
+            if not oldest then break end
+        end
+        if oldest then oldest.earlier = nil end
+        if talk.count >= MOST_WAITING then talk.pending, talk.pending_before, talk.count = {}, talk.pending, 0 end
+        if not talk.pending[key] then talk.count = talk.count + 1 end
+        talk.pending[key], talk.pending_before[key] = command, nil
+    end
+
+    local function can_answer(message, body)
+        return message.type.carries ~= "system" or byte(body, 1) == byte(message.text, HEADER_SIZE + 1)
     end
 
     -- Whether a reply has just the size that was asked for.
-    local function fits(message, frame)
+    local function fits(message, body)
         local type = message.type
-        if type.carries ~= "direct" or type.is_error or #frame < COMMAND_HEADER_SIZE then return true end
-        return message.size - HEADER_SIZE == unsigned16(frame, HEADER_SIZE) % (GLOBAL_MASK + 1)
+        if type.carries ~= "direct" or type.is_error or #body < MEMORY_FIELD then return true end
+        return message.size - HEADER_SIZE == unsigned16(body, 0) % (GLOBAL_MASK + 1)
     end
 
-    -- The place of the command that a reply answers: of those with its counter the newest of the right size, else the
-    -- newest. The newest, because a sender comes back to a counter only after it gave up on the one before.
+    -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
+    -- newest, because a sender comes back to a counter only after it gave up on the one before.
     local function answered(talk, message)
-        local pending, key = talk.pending, pending_key(message)
-        local waiting = pending[key]
-        if type(waiting) ~= "table" then
-            if not waiting or not can_answer(message, frames[waiting]) then return nil end
-            pending[key] = nil
-            return waiting
-        end
-        local best
-        for index = #waiting, 1, -1 do
-            local frame = frames[waiting[index]]
-            if can_answer(message, frame) then
-                best = best or index
-                if fits(message, frame) then
-                    best = index
-                    break
-                end
+        local key = pending_key(message)
+        local command, later = newest(talk, key), nil
+        local best, later_than_best
+        while command do
+            if can_answer(message, command.body) then
+                local is_right = not command.earlier and not best or fits(message, command.body)
+                if is_right or not best then best, later_than_best = command, later end
+                if is_right then break end
             end
+            command, later = command.earlier, command
         end
         if not best then return nil end
-        local place = table.remove(waiting, best)
-        if #waiting == 0 then pending[key] = nil end
-        return place
+        if later_than_best then
+            later_than_best.earlier = best.earlier
+        else
+            put_newest(talk, key, best.earlier)
+        end
+        return best
     end
 
     -- The file that a system command is about, as far as it is now.
     local function follow_request(talk, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
-            local transfer = { path = values.path or "", size = values.size, done = 0 }
+            paths[#paths + 1] = values.path or ""
+            local transfer = { number = #paths, path = values.path or "", size = values.size, done = 0 }
             talk.begun[message.counter] = transfer
             return transfer
         end
         local transfer = talk.open[values.handle]
         if transfer and values.data then
-            if counts_all then keep_piece(transfer, values.data) end
+            if counts_all then statistics.keep_piece(transfer, values.data) end
             transfer.done = transfer.done + #values.data
         end
         return transfer
     end
 
     -- The handle that a command for an open file has as its first field.
-    local function asked_handle(frame)
-        return frame and byte(frame, HEADER_SIZE + 2)
+    local function asked_handle(body)
+        return body and byte(body, 2)
     end
 
-    -- The same for a reply. `request` is the frame of the command that it answers.
+    -- The same for a reply. `request` is what follows the header of the command that it answers.
     local function follow_reply(talk, message, request)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS_FAILS[message.status] ~= false
@@ -5006,7 +5176,7 @@ do
             end
         end
         if transfer then
-            if counts_all and not values.list then keep_piece(transfer, values.data) end
+            if counts_all and not values.list then statistics.keep_piece(transfer, values.data) end
             transfer.size = values.size or values.list_size or transfer.size
             transfer.done = transfer.done + #(values.data or "") + #(values.list or "")
         end
@@ -5015,9 +5185,8 @@ do
 
     -- Whether a command waits for this reply.
     function answers_command(talk, message)
-        local waiting = talk.pending[pending_key(message)]
-        if type(waiting) == "table" then waiting = waiting[#waiting] end
-        return waiting ~= nil and can_answer(message, frames[waiting])
+        local command = newest(talk, pending_key(message))
+        return command ~= nil and can_answer(message, command.body)
     end
 
     -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
@@ -5025,24 +5194,25 @@ do
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
-        if counts_all then count_message(talk, message) end
+        if counts_all then statistics.count_message(talk, message) end
         if type.is_command and not type.wants_reply and not is_on_file then return end
-        local transfer, request
+        local transfer
         if type.is_command then
             if type.wants_reply then remember(talk, place, message, pinfo) end
             transfer = is_on_file and follow_request(talk, message)
         else
-            request = answered(talk, message)
+            local request = answered(talk, message)
             if request then
-                replies[request], requests[place] = place, request
-                delays[place] = pinfo.rel_ts - times[request]
-                if counts_all then count_answer(talk, message, frames[request], delays[place]) end
-                times[request] = nil
+                request.delay, request.earlier = pinfo.rel_ts - request.time, nil
+                replies.put(request.place, pinfo.number)
+                requests.put(place, request)
+                if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
             end
-            transfer = is_on_file and follow_reply(talk, message, frames[request])
+            transfer = is_on_file and follow_reply(talk, message, request and request.body)
         end
         if transfer then
-            transfers[place] = { path = transfer.path, size = transfer.size, done = transfer.done }
+            local known = { number = transfer.number, path = transfer.path, size = transfer.size, done = transfer.done }
+            transfers.put(place, known)
         end
     end
 end
@@ -5068,7 +5238,7 @@ local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
 
-local reply_values, forget_layouts
+local read_reply
 do
     -- The type of an output that has that of the array it comes from: what fits before the next output.
     local function untyped(outputs, start, stop)
@@ -5084,26 +5254,31 @@ do
         -- At an address there is no value but where the value is.
         if output.is_address then return false end
         local parameter, start = output.parameter, output.index
-        local type = output.is_handle and HANDLE or parameter.type
         local most, at = reply.stop - HEADER_SIZE, HEADER_SIZE + start
-        output.at, output.list, output.value = at, nil, nil
-        if type == STRING then
+        output.at = at
+        local type = output.type
+        local read, size = READ_TYPE[type], SIZE_OF[type]
+        -- Nearly all are one number.
+        if read and not output.is_list then
+            if start + size > most then return false end
+            output.size, output.value = size, read(reply.text, at)
+            return true
+        elseif type == STRING then
             local stop = math.min(start + stated_length(parameter, outputs.lengths, most), most)
             output.value = sub(reply.text, at + 1, HEADER_SIZE + stop):match("^[^\0]*")
             output.size = #output.value
             return start < most
+        elseif type == ARRAY_TYPED then
+            type = untyped(outputs, start, most)
+            read, size = READ_TYPE[type], SIZE_OF[type]
         end
-        local is_list = parameter.length and type ~= ARRAY_TYPED and not output.is_handle
-        if type == ARRAY_TYPED then type = untyped(outputs, start, most) end
-        local read = READ_TYPE[type]
         if not read then return false end
-        local size = SIZE_OF[type]
-        local count = is_list and stated_length(parameter, outputs.lengths, floor(most / size)) or 1
+        local count = output.is_list and stated_length(parameter, outputs.lengths, floor(most / size)) or 1
         local room = floor((most - start) / size)
-        if is_list and count > room then count = room end
+        if output.is_list and count > room then count = room end
         if count < 1 or count > room then return false end
         output.size = count * size
-        if is_list then
+        if output.is_list then
             output.list = {}
             for index = 1, count do
                 output.list[index] = read(reply.text, at + (index - 1) * size)
@@ -5116,24 +5291,27 @@ do
 
     local function collect(outputs, parameter, encoding, value)
         if encoding.kind == GLOBAL and parameter.is_output then
+            local is_handle = encoding.handle
             outputs[#outputs + 1] = {
-                parameter = parameter, index = value, is_handle = encoding.handle, is_address = encoding.address,
+                parameter = parameter, index = value, is_handle = is_handle, is_address = encoding.address,
+                type = is_handle and HANDLE or parameter.type,
+                is_list = parameter.length and parameter.type ~= ARRAY_TYPED and parameter.type ~= STRING
+                    and not is_handle,
+                at = 0, size = 0, value = false,
             }
         elseif tells_length(parameter, encoding) then
             outputs.lengths[parameter.name] = value
         end
     end
 
-    -- The outputs of a command's operations, those of each with the operation.
-    local function outputs_of(text)
-        local at, layout = COMMAND_HEADER_SIZE, {}
+    -- The outputs of a command's operations: { operation, those that are in a reply, all of them }, and the first
+    -- operation. `body` is what follows the command's header.
+    local function layout_of_body(body)
+        local at, layout = MEMORY_FIELD, {}
         local outputs = { lengths = {} }
-        while at < #text do
-            local operation, behind, fault = read_operation(text, at, #text, collect, outputs, true)
-            if outputs[1] then
-                outputs.operation = operation
-                layout[#layout + 1] = outputs
-            end
+        while at < #body do
+            local operation, behind, fault = read_operation(body, at, #body, collect, outputs, true)
+            if outputs[1] then layout[#layout + 1] = { operation = operation, all = outputs, values = {} } end
             layout.first = layout.first or operation
             if outputs[1] or next(outputs.lengths) then outputs = { lengths = {} } end
             if fault then break end
@@ -5142,188 +5320,211 @@ do
         return layout
     end
 
-    -- Those of the last commands, by all that follows their headers: a dialogue asks the same again and again.
-    local MOST_REMEMBERED = 1024
-    local remembered, count_remembered = {}, 0
+    -- Those of the last commands.
+    local layouts = new_memory(1024, function(layout) return 1 + #layout end)
 
-    function forget_layouts()
-        remembered, count_remembered = {}, 0
-    end
-
-    local function layout_of(text)
-        local body = sub(text, HEADER_SIZE + 1)
-        local layout = remembered[body]
+    -- Reads what a reply says: the operations of the command that have outputs, each with `values`, those of them that
+    -- are in the reply. Valid until the next reply is read. Returns how many values there are, too.
+    function read_reply(body, reply)
+        local layout = layouts.get(body)
         if not layout then
-            layout = outputs_of(text)
-            if count_remembered >= MOST_REMEMBERED then forget_layouts() end
-            remembered[body], count_remembered = layout, count_remembered + 1
+            layout = layout_of_body(body)
+            layouts.put(body, layout)
         end
-        return layout
-    end
-
-    -- What a reply says, operation by operation: { operation, its outputs }. `text` is the frame of the command.
-    -- Returns its first operation, too.
-    function reply_values(text, reply)
-        local found = {}
-        local layout = layout_of(text)
-        for _, outputs in ipairs(layout) do
-            local values = {}
-            for _, output in ipairs(outputs) do
-                if read_output(output, outputs, reply) then values[#values + 1] = output end
+        local count = 0
+        for number = 1, #layout do
+            local group = layout[number]
+            local outputs, values, found = group.all, group.values, 0
+            for index = 1, #outputs do
+                local output = outputs[index]
+                if read_output(output, outputs, reply) then
+                    found = found + 1
+                    values[found] = output
+                end
             end
-            if values[1] then found[#found + 1] = { operation = outputs.operation, values = values } end
+            for index = #values, found + 1, -1 do
+                values[index] = nil
+            end
+            count = count + found
         end
-        return found, layout.first
+        return layout, count
     end
 end
 
--- Messages ----------------------------------------------------------------------------------------------------------
+-- Operations --------------------------------------------------------------------------------------------------------
 --
--- One frame, read as far as it goes. Each kind of message has one function, which reads it, returns the line that the
--- info column shows, and adds to the tree if there is one. `item` is the message's item in the tree, or nil; `part`
--- gives the bytes between two offsets in the frame, for Wireshark to highlight.
+-- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
+-- in the tree.
 
-local read_message, show_message, complain, forget_lines
+local value_of_row, say_operations, read_rows, add_rows
 do
-    -- Wireshark collects expert information also where it makes no tree: `item` is the root of it then, and nil where a
-    -- frame is only tried.
-    function complain(item, kind, text)
-        if item then item:add_proto_expert_info(experts[kind], text) end
-    end
-
-    local function add_rest(item, part, at, stop)
-        if item and at < stop then item:add(field.rest, part(at, stop)) end
-    end
-
-    -- Adds a value as the field of its parameter, or, where its type is another, as text.
-    local function add_value(item, range, parameter, name, value)
+    -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
+    -- instead of it, or after it. A value that has not the type of its parameter is text.
+    function value_of_row(parameter, name, value)
         local kind, is_text = parameter.kind, type(value) == "string"
-        local added
         if is_text ~= (kind == TEXT_VALUE) or (kind == NUMBER and value % 1 ~= 0) then
             local text = is_text and utf8_text(value) or number_text(value)
-            return item:add(field.other, range, text):set_text(name .. ": " .. text)
+            return field.other, text, name .. ": " .. text, false
         end
-        added = item:add(parameter.field, range, is_text and utf8_text(value) or value)
+        local label, addition = false, false
         if name ~= parameter.field_name then
             -- An element of a list has its number in its name.
             local symbol = parameter.enum and not parameter.is_flags and parameter.enum.names[value]
             local text = is_text and shortened(value) or number_text(value)
-            added:set_text(name .. ": " .. (symbol and format("%s (%s)", symbol, text) or text))
+            label = name .. ": " .. (symbol and format("%s (%s)", symbol, text) or text)
         elseif kind == FLOAT and parameter.unit then
-            added:append_text(" " .. parameter.unit)
+            addition = parameter.unit
         end
         if parameter.special or parameter.is_flags then
             local meaning = meaning_of(parameter, value)
-            if meaning then added:append_text(" (" .. meaning .. ")") end
+            if meaning then addition = (addition and addition .. " (" or "(") .. meaning .. ")" end
         end
-        return added
+        return parameter.field, is_text and utf8_text(value) or value, label, addition
     end
 
-    -- Where there is no tree, complaints are collected.
-    local function complain_in(view, item, kind, text)
-        local complaints = view.complaints
-        if complaints then
-            complaints[#complaints + 1] = { kind = kind, text = text }
-        else
-            complain(item, kind, text)
-        end
-    end
-
-    -- What the brick refuses, or what lies beyond the memory that the command asks for.
-    local function check_variable(added, view, parameter, encoding, index)
-        local alignment = encoding.handle and SIZE_OF[HANDLE] or parameter.alignment
+    -- What the brick refuses, or what lies beyond the memory that the command asks for: kinds and texts in turn, after
+    -- those that are in `complaints`, where there are any.
+    local function variable_complaints(complaints, view, parameter, encoding, index)
+        local is_handle = encoding.handle
+        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment
         if alignment and index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
-            local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-            local variable = variable_text(encoding, index)
-            complain_in(view, added, "misaligned", format(reason, parameter.name, sort, alignment, variable))
+            local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
+            local text = variable_text(encoding, index)
+            complaints = complaints or {}
+            complaints[#complaints + 1] = "misaligned"
+            complaints[#complaints + 1] = format(reason, parameter.name, sort, alignment, text)
         end
-        local size = encoding.handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size or 1
-        if parameter.length and parameter.is_output and not encoding.handle then
+        local is_global = encoding.kind == GLOBAL
+        local asked = is_global and view.globals or view.locals
+        -- Without a tree one such variable stands for all: there is nothing to point at.
+        if not asked or view.is_beyond then return complaints end
+        local size = is_handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size or 1
+        if parameter.length and parameter.is_output and not is_handle then
             size = size * stated_length(parameter, view.lengths, 1)
         end
-        local asked = encoding.kind == GLOBAL and view.globals or view.locals
-        -- Without a tree one such variable stands for all: there is nothing to point at.
-        if asked and index + size > asked and not view.is_told then
-            view.is_told = view.complaints ~= nil
+        if index + size > asked then
+            view.is_beyond = view.complaints ~= nil
             local reason = "%s reaches up to byte %d of the %s memory, of which the command asks for %s"
-            local scope = encoding.kind == GLOBAL and "global" or "local"
+            local scope = is_global and "global" or "local"
             reason = format(reason, parameter.name, index + size, scope, plural(asked, "byte"))
-            complain_in(view, added, "beyond_memory", reason)
+            complaints = complaints or {}
+            complaints[#complaints + 1] = "beyond_memory"
+            complaints[#complaints + 1] = reason
         end
+        return complaints
     end
 
-    local function add_argument(view, parameter, encoding, value, at, stop)
-        local item, tvb, name, base = view.item, view.tvb, parameter.name, view.base + at
-        local range = tvb(base, stop - at)
-        local added
+    -- A row is an item of the tree: field, offset, size, value, label, addition, how it is encoded (true for the
+    -- heading of an operation, of which the rows after it are the children), complaints. All rows are one list, so that
+    -- they cost no table each.
+    local ROW = 8
+
+    local function add_argument(rows, parameter, encoding, value, at, stop)
+        local count = rows.count
+        rows.count = count + ROW
+        rows[count + 2], rows[count + 3], rows[count + 7] = at, stop - at, encoding.label
         if encoding.scope then
-            local text = variable_text(encoding, value)
-            added = item:add(field.variable, range, text):set_text(name .. ": " .. text)
-            check_variable(added, view, parameter, encoding, value)
+            local text = encoding.text or variable_text(encoding, value)
+            rows[count + 1], rows[count + 4] = field.variable, text
+            rows[count + 5], rows[count + 6] = parameter.name .. ": " .. text, false
+            rows[count + 8] = variable_complaints(nil, rows, parameter, encoding, value) or false
         else
-            added = add_value(item, range, parameter, name, value)
-            if tells_length(parameter, encoding) then view.lengths[name] = value end
+            rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
+                value_of_row(parameter, parameter.name, value)
+            rows[count + 8] = false
+            if tells_length(parameter, encoding) then rows.lengths[parameter.name] = value end
         end
-        added:add(field.encoding, stop == at + 1 and range or tvb(base, 1), encoding.label)
-        add_phrase(view, parameter, encoding, value)
+        add_phrase(rows.pieces, parameter, encoding, value)
     end
 
-    -- The operations between two offsets in the tree. Returns the line on the first one, how many there are, the offset
-    -- behind what could be read, and the fault where there is one.
-    local function add_operations(item, part, message, at, stop, globals, locals)
-        local text = message.text
-        local line, count = nil, 0
-        local view = { tvb = message.tvb, base = message.base, globals = globals, locals = locals, lengths = {} }
+    -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
+    -- there are, the offset behind what could be read, and the fault where there is one.
+    function read_rows(rows, text, at, stop, globals, locals)
+        local pieces = { count = 1 }
+        rows.count, rows.globals, rows.locals, rows.lengths, rows.pieces = 0, globals, locals, {}, pieces
+        rows.line, rows.operations, rows.fault = nil, 0, nil
         while at < stop do
-            local code = byte(text, at + 1)
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
-            local heading = item:add(field.opcode, part(at, at + 1), code)
+            local code, heading = byte(text, at + 1), rows.count
+            rows.count = heading + ROW
+            rows[heading + 1], rows[heading + 2], rows[heading + 3], rows[heading + 4] = field.opcode, at, 1, code
+            rows[heading + 5], rows[heading + 6], rows[heading + 7], rows[heading + 8] = false, false, true, false
             local operation, offset, reason, kind = select_operation(text, at, stop)
-            if not operation then return line, count, at, { at = offset, reason = reason, kind = kind } end
+            if not operation then
+                rows.fault = { at = offset, reason = reason, kind = kind }
+                break
+            end
             if operation.cmd_name then
-                local cmd = heading:add(field.cmd, part(at + 1, offset), operation.name)
-                if offset > at + 2 then
-                    cmd:add(field.encoding, part(at + 1, at + 2), ENCODINGS[byte(text, at + 2)].label)
-                end
+                local cmd = rows.count
+                rows.count = cmd + ROW
+                rows[cmd + 1], rows[cmd + 2], rows[cmd + 3] = field.cmd, at + 1, offset - at - 1
+                rows[cmd + 4], rows[cmd + 5], rows[cmd + 6] = operation.name, false, false
+                rows[cmd + 7] = offset > at + 2 and ENCODINGS[byte(text, at + 2)].label
+                rows[cmd + 8] = false
             end
-            view.item, view.count, view[1] = heading, 1, operation.heading
-            if next(view.lengths) then view.lengths = {} end
+            pieces.count, pieces[1] = 1, operation.heading
+            if next(rows.lengths) then rows.lengths = {} end
             local _, behind
-            _, behind, offset, reason, kind = read_operation(text, at, stop, add_argument, view)
-            heading:set_text(concat(view, "", 1, view.count)):set_len(behind - at)
-            if not line then
-                view[1] = operation.title
-                line = concat(view, "", 1, view.count)
+            _, behind, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
+            rows[heading + 3], rows[heading + 5] = behind - at, concat(pieces, "", 1, pieces.count)
+            if not rows.line then
+                pieces[1] = operation.title
+                rows.line = concat(pieces, "", 1, pieces.count)
             end
-            count = count + 1
-            if reason then return line, count, behind, { at = offset, reason = reason, kind = kind } end
+            rows.operations = rows.operations + 1
             at = behind
+            if reason then
+                rows.fault = { at = offset, reason = reason, kind = kind }
+                break
+            end
         end
-        return line, count, at
+        rows.behind = at
+    end
+
+    -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
+    function add_rows(item, tvb, base, rows)
+        local add, encoding_field, heading = item.add, field.encoding, item
+        for at = 1, rows.count, ROW do
+            local start, size, encoding = base + rows[at + 1], rows[at + 2], rows[at + 6]
+            local range = tvb(start, size)
+            if encoding == true then
+                heading = add(item, rows[at], range, rows[at + 3], rows[at + 4])
+            else
+                local added = add(heading, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
+                local complaints = rows[at + 7]
+                if complaints then
+                    for index = 1, #complaints, 2 do
+                        complain(added, complaints[index], complaints[index + 1])
+                    end
+                end
+                if encoding then add(added, encoding_field, size == 1 and range or tvb(start, 1), encoding) end
+            end
+        end
     end
 
     local function say_argument(view, parameter, encoding, value)
         if encoding.scope then
-            check_variable(nil, view, parameter, encoding, value)
-        elseif tells_length(parameter, encoding) then
+            variable_complaints(view.complaints, view, parameter, encoding, value)
+        elseif parameter.tells_length and tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
-        if view.is_first then add_phrase(view, parameter, encoding, value) end
+        if view.pieces then add_phrase(view.pieces, parameter, encoding, value) end
     end
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    local function say_operations(text, at, stop, globals, locals)
+    -- Returns the line on the first one, how many there are, the fault, and the complaints.
+    function say_operations(text, at, stop, globals, locals)
         local line, count = nil, 0
-        local view = { "", count = 1, complaints = {}, globals = globals, locals = locals, lengths = {} }
-        view.is_first = true
+        local view = { complaints = {}, globals = globals, locals = locals, lengths = {}, pieces = { "", count = 1 } }
         while at < stop do
             local operation, behind, offset, reason, kind = read_operation(text, at, stop, say_argument, view)
             if operation then
                 if not line then
-                    view[1] = operation.title
-                    line = concat(view, "", 1, view.count)
-                    view.is_first = false
+                    local pieces = view.pieces
+                    pieces[1] = operation.title
+                    line = concat(pieces, "", 1, pieces.count)
+                    view.pieces = nil
                 end
                 if next(view.lengths) then view.lengths = {} end
                 count = count + 1
@@ -5335,105 +5536,153 @@ do
         end
         return line, count, nil, view.complaints
     end
+end
+
+-- Messages ----------------------------------------------------------------------------------------------------------
+--
+-- One frame, read as far as it goes. Each kind of message has one function, which reads it, returns the line that the
+-- info column shows, and adds to the tree if there is one. `item` is the message's item in the tree, or nil; `part`
+-- gives the bytes between two offsets in the frame, for Wireshark to highlight.
+
+local read_message, show_message
+do
+    local function add_rest(item, tvb, base, at, stop)
+        if at < stop then item:add(field.rest, tvb(base + at, stop - at)) end
+    end
+
+    -- What is wrong with a message as a whole.
+    local function complain_of(message, kind, text)
+        message.complaints = message.complaints or {}
+        message.complaints[#message.complaints + 1] = kind
+        message.complaints[#message.complaints + 1] = text
+    end
 
     local function operations_line(line, count)
         return count > 1 and line .. " (+" .. plural(count - 1, "operation") .. ")" or line
     end
 
-    -- What was said of commands, by all that follows their headers: a dialogue says the same again and again. It is
-    -- just the line where there is nothing to complain about.
-    local MOST_REMEMBERED = 4096
-    local remembered, count_remembered = {}, 0
+    -- What was said of commands, by all that follows their headers: a dialogue says the same again and again. `lines`
+    -- are for one line; just the text where there is nothing to complain about. `rows` are for the tree; true where a
+    -- command was there once.
+    local lines = new_memory(2048)
+    local rows_of = new_memory(8192, function(rows) return rows == true and 1 or rows.count / 8 end)
 
-    function forget_lines()
-        remembered, count_remembered = {}, 0
+    local function line_of(message, line, count, fault)
+        return line and operations_line(line, count) or fault and message.type.name or "no operations"
     end
 
-    -- The line on a direct command without a tree; its fault and complaints go to the message.
-    local function say_command(message, globals, locals)
+    local scratch = {}
+
+    -- The rows of a direct command. They are kept when it comes for the second time: of a command that comes once only
+    -- it would be for nothing.
+    local function rows_of_command(message, globals, locals)
+        local body = message.body
+        local rows = rows_of.get(body)
+        if rows and rows ~= true then return rows end
+        local is_kept = rows
+        rows = is_kept and {} or scratch
+        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+        rows_of.put(body, is_kept and rows or true)
+        return rows
+    end
+
+    local function say_direct_command(message, _, is_shown)
         local text = message.text
-        local body = sub(text, HEADER_SIZE + 1)
-        local known = remembered[body]
-        if not known then
-            local line, count, fault, complaints = say_operations(text, COMMAND_HEADER_SIZE, #text, globals, locals)
-            known = line and operations_line(line, count) or not fault and "no operations" or nil
-            if fault or complaints[1] then known = { line = known, fault = fault, complaints = complaints } end
-            if count_remembered >= MOST_REMEMBERED then forget_lines() end
-            remembered[body], count_remembered = known, count_remembered + 1
-        end
-        if type(known) == "string" then return known end
-        message.fault = known.fault
-        for _, complaint in ipairs(known.complaints) do
-            complain(message.target, complaint.kind, complaint.text)
-        end
-        return known.line or message.type.name
-    end
-
-    local function direct_command(message, _, item, part)
-        local text, at, stop = message.text, HEADER_SIZE, message.stop
-        if stop < COMMAND_HEADER_SIZE then
+        if message.stop < COMMAND_HEADER_SIZE then
             local reason = "a direct command starts with two bytes that ask for memory"
-            message.fault = { at = stop, reason = reason, kind = "cut_off" }
-            add_rest(item, part, at, stop)
+            message.fault = { at = message.stop, reason = reason, kind = "cut_off" }
             return message.type.name
         end
-        local sizes = unsigned16(text, at)
+        local sizes = unsigned16(text, HEADER_SIZE)
         local globals, locals = sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
-        if not item then return say_command(message, globals, locals) end
-        local line, count, behind
-        local range = part(at, at + 2)
-        local memory = item:add(field.memory_sizes, range, sizes)
-        memory:add_le(field.globals, range)
-        memory:add_le(field.locals, range)
-        line, count, behind, message.fault =
-            add_operations(item, part, message, COMMAND_HEADER_SIZE, stop, globals, locals)
-        if message.fault then add_rest(item, part, behind, stop) end
-        return line and operations_line(line, count) or message.fault and message.type.name or "no operations"
+        local body = message.body
+        if is_shown then
+            local rows = rows_of_command(message, globals, locals)
+            message.rows, message.fault = rows, rows.fault
+            return line_of(message, rows.line, rows.operations, rows.fault)
+        end
+        local known = lines.get(body)
+        if not known then
+            local line, count, fault, complaints =
+                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+            known = line_of(message, line, count, fault)
+            if fault or complaints[1] then known = { line = known, fault = fault, complaints = complaints } end
+            lines.put(body, known)
+        end
+        if type(known) == "string" then return known end
+        message.fault, message.complaints = known.fault, known.complaints
+        return known.line
     end
 
-    local function add_output(item, part, output)
+    local function add_direct_command(message, item, tvb, base)
+        local stop = message.stop
+        if stop < COMMAND_HEADER_SIZE then return add_rest(item, tvb, base, HEADER_SIZE, stop) end
+        local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
+        local memory = item:add_le(field.memory_sizes, range)
+        memory:add_le(field.globals, range)
+        memory:add_le(field.locals, range)
+        local rows = message.rows
+        add_rows(item, tvb, base, rows)
+        if rows.fault then add_rest(item, tvb, base, rows.behind, stop) end
+    end
+
+    local function say_direct_reply(message, place)
+        local request = request_of(place)
+        message.layout = nil
+        if message.type.is_error then
+            complain_of(message, "error_reply", "the brick refused or failed the command; it tells no more")
+            local body = request and request.body
+            local operation = body and #body > MEMORY_FIELD and read_operation(body, MEMORY_FIELD, #body)
+            return operation and "error reply to " .. operation.title or "error reply"
+        end
+        if not request then
+            return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
+        end
+        local layout, count = read_reply(request.body, message)
+        message.layout = layout
+        local first = layout.first
+        local head = first and "reply to " .. first.title .. ": " or "reply: "
+        if count > 0 then return head .. values_text(layout, count) end
+        return head .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
+    end
+
+    local function add_output(item, tvb, base, output)
         local parameter = output.parameter
         local name = parameter.name
-        local range = part(output.at, output.at + output.size)
-        if not output.list then
-            local added = add_value(item, range, parameter, name, output.value)
-            if output.is_handle then added:set_text(name .. ": handle " .. output.value) end
+        local range = tvb(base + output.at, output.size)
+        if not output.is_list then
+            local declared, value, label, addition = value_of_row(parameter, name, output.value)
+            if output.is_handle then label = name .. ": handle " .. output.value end
+            item:add(declared, range, value, label, addition)
             return
         end
         local list = item:add(field.list, range):set_text(name .. ": " .. output_text(output))
         local step = output.size / #output.list
-        for index, value in ipairs(output.list) do
-            local at = output.at + (index - 1) * step
-            add_value(list, part(at, at + step), parameter, format("%s[%d]", name, index - 1), value)
+        for index, element in ipairs(output.list) do
+            local declared, value, label, addition =
+                value_of_row(parameter, format("%s[%d]", name, index - 1), element)
+            list:add(declared, tvb(base + output.at + (index - 1) * step, step), value, label, addition)
         end
     end
 
-    local function direct_reply(message, place, item, part)
-        local request, stop = request_of(place), message.stop
-        if item and stop > HEADER_SIZE then item:add(field.memory, part(HEADER_SIZE, stop)) end
-        if message.type.is_error then
-            complain(message.target, "error_reply", "the brick refused or failed the command; it tells no more")
-            local operation = request and #request > COMMAND_HEADER_SIZE
-                and read_operation(request, COMMAND_HEADER_SIZE, #request)
-            return operation and "error reply to " .. operation.title or "error reply"
-        end
-        local size = plural(stop - HEADER_SIZE, "byte")
-        if not request then return "reply: " .. size .. ", command not seen" end
-        local found, first = reply_values(request, message)
-        for _, group in ipairs(item and found or {}) do
+    local function add_direct_reply(message, item, tvb, base)
+        local stop, layout = message.stop, message.layout
+        if stop > HEADER_SIZE then item:add(field.memory, tvb(base + HEADER_SIZE, stop - HEADER_SIZE)) end
+        for _, group in ipairs(layout or {}) do
+            local values = group.values
             local start, behind = stop, HEADER_SIZE
-            for _, output in ipairs(group.values) do
+            for _, output in ipairs(values) do
                 start, behind = math.min(start, output.at), math.max(behind, output.at + output.size)
             end
-            local range = part(start, behind)
-            local added = item:add(field.answers, range, group.operation.name):set_text(group.operation.title)
-            for _, output in ipairs(group.values) do
-                add_output(added, part, output)
+            if values[1] then
+                local operation = group.operation
+                local added =
+                    item:add(field.answers, tvb(base + start, behind - start), operation.name, operation.title)
+                for _, output in ipairs(values) do
+                    add_output(added, tvb, base, output)
+                end
             end
         end
-        local head = first and "reply to " .. first.title .. ": " or "reply: "
-        if found[1] then return head .. values_text(found) end
-        return head .. (stop == HEADER_SIZE and "ok" or size)
     end
 
     -- The values that tell most about a system message: its texts, and how much there is.
@@ -5463,48 +5712,54 @@ do
         return fields_text(message)
     end
 
-    local function add_fields(item, part, message)
+    local function add_fields(message, item, tvb, base)
         for _, found in ipairs(message.fields) do
-            local range, value, kind = part(found.at, found.stop), found.value, found.declared.kind
+            local range, value, kind = tvb(base + found.at, found.stop - found.at), found.value, found.declared.kind
             if kind == BYTES then
                 item:add(found.declared.field, range)
             else
                 item:add(found.declared.field, range, type(value) == "string" and utf8_text(value) or value)
             end
         end
-        add_rest(item, part, message.rest, message.stop)
+        add_rest(item, tvb, base, message.rest, message.stop)
+    end
+
+    local function status_text(status)
+        return STATUS_NAMES[status] or format("status %d", status)
     end
 
     -- Commands and replies. Their fields were read with the frame, as the notes on files need them.
-    local function system_message(message, place, item, part)
-        local at, stop, command, status = HEADER_SIZE, message.stop, message.command, message.status
-        local number = at < stop and byte(message.text, at + 1)
-        local status_name = status and (STATUS_NAMES[status] or format("status %d", status))
-        if item then
-            if number then
-                local added = item:add(field.system_command, part(at, at + 1), number)
-                if command then added:append_text(": " .. command.text) end
-            end
-            if status then
-                item:add(field.status, part(at + 1, at + 2), status)
-            end
-            add_fields(item, part, message)
-        end
+    local function say_system_message(message, place)
+        local command, status = message.command, message.status
         if status and (STATUS_FAILS[status] ~= false or message.type.is_error) then
-            complain(message.target, "failed", "the command failed: " .. status_name)
+            complain_of(message, "failed", "the command failed: " .. status_text(status))
         end
-        if not command then return number and format("system command 0x%02X", number) or message.type.name end
+        if not command then
+            local number = byte(message.text, HEADER_SIZE + 1)
+            return number and format("system command 0x%02X", number) or message.type.name
+        end
         local line = command.name .. subject_text(message, place)
         if message.type.is_command then return line end
-        return "reply: " .. (status ~= SUCCESS and line .. " " .. status_name or line)
+        return "reply: " .. (status ~= SUCCESS and line .. " " .. status_text(status) or line)
     end
 
-    local function daisy_command(message, _, item, part)
+    local function add_system_message(message, item, tvb, base)
+        local at, command = HEADER_SIZE, message.command
+        local number = byte(message.text, at + 1)
+        if number then
+            local added = item:add(field.system_command, tvb(base + at, 1))
+            if command then added:append_text(": " .. command.text) end
+        end
+        if message.status then item:add(field.status, tvb(base + at + 1, 1), message.status) end
+        add_fields(message, item, tvb, base)
+    end
+
+    local function say_daisy_command(message)
         local text, stop, at = message.text, message.stop, HEADER_SIZE
-        if stop < at + 3 then
+        message.rows = nil
+        if stop < at + DAISY_PAYLOAD then
             local reason = "a daisy command starts with a sub-command and two layers"
             message.fault = { at = stop, reason = reason, kind = "cut_off" }
-            add_rest(item, part, at, stop)
             return message.type.name
         end
         local number, from, to = byte(text, at + 1, at + 3)
@@ -5512,62 +5767,85 @@ do
         if not name then
             message.fault = { at = at, reason = format("0x%02X is no daisy sub-command", number), kind = "fault" }
         end
-        local payload = at + 3
-        local added
-        if item then
-            item:add(field.daisy_command, part(at, at + 1), number)
-            item:add(field.layer_from, part(at + 1, at + 2), from)
-            item:add(field.layer_to, part(at + 2, payload), to)
-            if payload < stop then added = item:add(field.daisy_payload, part(payload, stop)) end
-        end
+        local payload = at + DAISY_PAYLOAD
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
-        local is_code = payload < stop and DAISY_CARRIES_OPERATIONS[number]
-        if is_code and not select(2, count_operations(text, payload, stop)) then
-            local said, count = say_operations(text, payload, stop)
-            if added then add_operations(added, part, message, payload, stop) end
-            line = line .. ": " .. operations_line(said, count)
+        if payload < stop and DAISY_CARRIES_OPERATIONS[number] then
+            read_rows(scratch, text, payload, stop)
+            if not scratch.fault then
+                message.rows = scratch
+                line = line .. ": " .. operations_line(scratch.line, scratch.operations)
+            end
         end
         return line
     end
 
-    local function daisy_reply(message, _, item, part)
-        local text, stop, at = message.text, message.stop, HEADER_SIZE
-        if stop < at + 2 then
-            message.fault = { at = stop, reason = "a daisy reply starts with two layers", kind = "cut_off" }
-            add_rest(item, part, at, stop)
-            return message.type.name
+    local function add_daisy_command(message, item, tvb, base)
+        local stop, at = message.stop, HEADER_SIZE
+        local payload = at + DAISY_PAYLOAD
+        if stop < payload then return add_rest(item, tvb, base, at, stop) end
+        item:add(field.daisy_command, tvb(base + at, 1))
+        item:add(field.layer_from, tvb(base + at + 1, 1))
+        item:add(field.layer_to, tvb(base + at + 2, 1))
+        if payload < stop then
+            local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
+            if message.rows then add_rows(added, tvb, base, message.rows) end
         end
-        local from, to = byte(text, at + 1, at + 2)
-        local payload = at + 2
-        if item then
-            item:add(field.layer_from, part(at, at + 1), from)
-            item:add(field.layer_to, part(at + 1, payload), to)
-            local added = payload < stop and item:add(field.daisy_payload, part(payload, stop))
-            at = payload
-            for _, declared in ipairs(stop - payload >= SENSOR_REPORT_SIZE and SENSOR_REPORT or {}) do
-                -- The last part takes what is left.
-                local behind = declared.size and at + declared.size or stop
-                if behind > at then added:add(report_field[declared.name], part(at, behind)) end
-                at = behind
-            end
-        end
-        return format("daisy reply layer %d to %d", from, to)
     end
 
-    local function unknown_message(message, _, item, part)
+    local function say_daisy_reply(message)
+        local at = HEADER_SIZE
+        if message.stop < at + 2 then
+            message.fault = { at = message.stop, reason = "a daisy reply starts with two layers", kind = "cut_off" }
+            return message.type.name
+        end
+        return format("daisy reply layer %d to %d", byte(message.text, at + 1, at + 2))
+    end
+
+    local function add_daisy_reply(message, item, tvb, base)
+        local stop, at = message.stop, HEADER_SIZE
+        local payload = at + 2
+        if stop < payload then return add_rest(item, tvb, base, at, stop) end
+        item:add(field.layer_from, tvb(base + at, 1))
+        item:add(field.layer_to, tvb(base + at + 1, 1))
+        if payload == stop then return end
+        local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
+        at = payload
+        for _, declared in ipairs(stop - payload >= SENSOR_REPORT_SIZE and SENSOR_REPORT or {}) do
+            -- The last part takes what is left.
+            local behind = declared.size and at + declared.size or stop
+            if behind > at then added:add(report_field[declared.name], tvb(base + at, behind - at)) end
+            at = behind
+        end
+    end
+
+    local function say_unknown_message(message)
         local code = byte(message.text, HEADER_SIZE)
         message.fault = { at = HEADER_SIZE - 1, reason = format("0x%02X is no message type", code), kind = "fault" }
-        add_rest(item, part, HEADER_SIZE, message.stop)
         return format("message of unknown type 0x%02X", code)
     end
 
-    local COMMANDS = { direct = direct_command, system = system_message, daisy = daisy_command }
-    local REPLIES = { direct = direct_reply, system = system_message, daisy = daisy_reply }
+    local function add_unknown_message(message, item, tvb, base)
+        add_rest(item, tvb, base, HEADER_SIZE, message.stop)
+    end
 
-    local function shower_of(type)
-        if not type then return unknown_message end
-        return (type.is_command and COMMANDS or REPLIES)[type.carries]
+    -- What each kind of message says in one line, and what it adds to its item in the tree.
+    local UNKNOWN = { say = say_unknown_message, add = add_unknown_message }
+    local SYSTEM_MESSAGE = { say = say_system_message, add = add_system_message }
+    local KINDS = {
+        direct = {
+            [true] = { say = say_direct_command, add = add_direct_command },
+            [false] = { say = say_direct_reply, add = add_direct_reply },
+        },
+        system = { [true] = SYSTEM_MESSAGE, [false] = SYSTEM_MESSAGE },
+        daisy = {
+            [true] = { say = say_daisy_command, add = add_daisy_command },
+            [false] = { say = say_daisy_reply, add = add_daisy_reply },
+        },
+    }
+    local kind_of = {}
+    for _, declared in pairs(MESSAGE_TYPES) do
+        kind_of[declared] = KINDS[declared.carries][declared.is_command == true]
     end
 
     -- A frame that was cut explains what is missing in it.
@@ -5580,23 +5858,24 @@ do
         end
     end
 
-    local function add_links(item, message, place, pinfo)
+    local function add_links(item, target, message, place, pinfo)
         local type = message.type
         if not type or message.is_overwritten then return end
-        if type.is_command then
-            local is_waiting, reply = reply_to(place)
-            if is_waiting and not reply and pinfo.visited then
-                complain(message.target, "unanswered", "no reply to this command was seen")
+        if type.wants_reply then
+            -- The first time that a command is seen, its reply is still to come.
+            local reply = pinfo.visited and reply_to(place)
+            if reply == nil then
+                complain(target, "unanswered", "no reply to this command was seen")
             elseif reply and item then
                 item:add(field.response_in, reply):set_generated()
             end
-        else
-            local request, number, delay = request_of(place)
+        elseif not type.is_command then
+            local request = request_of(place)
             if not request then
-                complain(message.target, "orphan", "the command that this reply answers was not seen")
+                complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
-                item:add(field.request_in, number):set_generated()
-                local seconds = floor(delay)
+                local delay, seconds = request.delay, floor(request.delay)
+                item:add(field.request_in, request.number):set_generated()
                 local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
                 item:add(field.response_time, time):set_generated()
             end
@@ -5634,41 +5913,59 @@ do
         message.fields, message.rest, message.fault = read_fields(text, start, stop, declared, is_complete)
     end
 
+    -- One table serves all messages that are no system messages, one after the other.
+    local plain = {}
+
     -- The message in a frame. `text` is all there is of it, which may be less than its length field says.
     function read_message(text)
-        local message = {
-            text = text, stop = #text,
-            size = LENGTH_FIELD + unsigned16(text, 0),
-            counter = unsigned16(text, LENGTH_FIELD),
-            type = MESSAGE_TYPES[byte(text, HEADER_SIZE)],
-        }
-        if message.type and message.type.carries == "system" then read_system_fields(message) end
+        local low, high, first, second, code = byte(text, 1, HEADER_SIZE)
+        local type = MESSAGE_TYPES[code]
+        local message = plain
+        if type and type.carries == "system" then
+            message = {}
+        else
+            message.fault, message.complaints, message.is_overwritten = nil, nil, nil
+        end
+        message.text, message.stop, message.size = text, #text, LENGTH_FIELD + low + high * 0x100
+        message.counter, message.type = first + second * 0x100, type
+        if message ~= plain then
+            read_system_fields(message)
+        elseif type and type.is_command then
+            message.body = sub(text, HEADER_SIZE + 1)
+        else
+            message.body = nil
+        end
         return message
     end
 
-    -- The line on a message at a place. With a tree that anybody looks at, its item there too; `said` is said of the
-    -- message instead of what it says. Without `tree` a frame is only tried.
-    function show_message(message, place, tvb, at, pinfo, tree, is_shown, said)
-        local show = shower_of(message.type)
-        local item, part, line
-        if is_shown then
-            function part(start, stop)
-                return tvb(at + start, stop - start)
-            end
-            message.tvb, message.base = tvb, at
-            item = add_item(tree, part(0, message.stop))
-            item:add(field.length, part(0, 2), message.size - LENGTH_FIELD)
-            item:add(field.counter, part(2, 4), message.counter)
-            item:add(field.type, part(4, 5), byte(message.text, HEADER_SIZE))
+    -- The line on a message at a place. If somebody looks at the tree, its item there, too, with the frame at an offset
+    -- in the buffer; `said` is said of the message instead of what it says.
+    function show_message(message, place, tvb, base, pinfo, tree, is_shown, said)
+        local kind = kind_of[message.type] or UNKNOWN
+        local line = kind.say(message, place, is_shown)
+        if message.stop < message.size then check_size(message) end
+        local fault, complaints = message.fault, message.complaints
+        if said then
+            line = said
+        elseif fault then
+            line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
-        message.target = item or tree
-        line = show(message, place, item, part)
-        check_size(message)
-        local fault = message.fault
-        line = said or fault and format("%s [fault at offset %d: %s]", line, fault.at, fault.reason) or line
-        if item then item:set_text("EV3: " .. line) end
-        if tree then add_links(item, message, place, pinfo) end
-        if fault then complain(message.target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
+        local item
+        if is_shown then
+            item = add_item(tree, tvb(base, message.stop), line)
+            item:add_le(field.length, tvb(base, LENGTH_FIELD))
+            item:add_le(field.counter, tvb(base + LENGTH_FIELD, 2))
+            item:add(field.type, tvb(base + HEADER_SIZE - 1, 1))
+            kind.add(message, item, tvb, base)
+        end
+        local target = item or tree
+        if complaints then
+            for index = 1, #complaints, 2 do
+                complain(target, complaints[index], complaints[index + 1])
+            end
+        end
+        add_links(item, target, message, place, pinfo)
+        if fault then complain(target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end
 end
@@ -5950,7 +6247,7 @@ do
         local said = "unlock " .. serial
         if is_shown then
             local range = tvb(at, behind - at)
-            local item = add_item(tree, range):set_text("EV3: " .. said)
+            local item = add_item(tree, range, said)
             item:add(field.unlock, range)
             item:add(field.unlock_serial, tvb(at + #UNLOCK_REQUEST, #serial))
         end
@@ -5966,7 +6263,7 @@ do
         if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
         if is_shown then
             local range = tvb(at, behind - at)
-            add_item(tree, range):set_text("EV3: accepted"):add(field.accept, range)
+            add_item(tree, range, "accepted"):add(field.accept, range)
         end
         return "accepted", behind
     end
@@ -6012,7 +6309,7 @@ do
     local function dissect_end_of_text(tvb, at, behind, tree, is_shown)
         if is_shown then
             local range = tvb(at, behind - at)
-            add_item(tree, range):set_text("EV3: end of the text before"):add(field.rest, range)
+            add_item(tree, range, "end of the text before"):add(field.rest, range)
         end
         return "end of the text before", behind
     end
@@ -6021,7 +6318,7 @@ do
         local item
         if is_shown then
             local range = tvb(at, stop - at)
-            item = add_item(tree, range):set_text("EV3: " .. said)
+            item = add_item(tree, range, said)
             item:add(field.rest, range)
         end
         complain(item or tree, kind, reason)
@@ -6100,7 +6397,6 @@ do
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
                 local is_frame = not size or is_length(low, high)
-                -- Nearly always one frame is all there is.
                 if is_frame and code and at + size ~= captured then
                     is_frame = not is_misleading(text, at, size, types_of and types_of(pinfo))
                 end
@@ -6544,15 +6840,21 @@ do
     end
 
     local function dissect_claimed(tvb, text, pinfo, tree, number, talk)
-        local captured, reported = #text, tvb:reported_len()
-        local is_last = captured < reported or pinfo.can_desegment == 0
-        start_line(number, tvb:offset())
-        local is_shown = has_tree(tree)
-        local behind, wanted =
-            dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
-        if behind < captured then
-            pinfo.desegment_offset = behind
-            pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
+        local captured, start, is_shown = #text, tvb:offset(), has_tree(tree)
+        start_line(number, start)
+        -- Nearly always one frame is all there is.
+        local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
+        if code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high) and MESSAGE_TYPES[code] then
+            say(dissect_message(tvb, 0, read_message(text), talk, place_of(number, start), pinfo, tree, is_shown))
+        else
+            local reported = tvb:reported_len()
+            local is_last = captured < reported or pinfo.can_desegment == 0
+            local behind, wanted =
+                dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
+            if behind < captured then
+                pinfo.desegment_offset = behind
+                pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
+            end
         end
         show(pinfo)
         return captured
@@ -6579,8 +6881,8 @@ do
         local talk = connection_of(pinfo)
         local is_forced = not ports[port] and not is_named[port] and not talk.is_claimed
         local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
-        local reported = tvb:reported_len()
-        if verdict == PART and #text < reported then
+        local reported = verdict == PART and tvb:reported_len()
+        if reported and #text < reported then
             -- Of a frame that fills its segment the capture has the beginning.
             local is_frame = #text >= HEADER_SIZE and unsigned16(text, 0) + LENGTH_FIELD == reported
             verdict, talk.is_claimed = is_frame and OURS or nil, is_frame
@@ -6635,7 +6937,7 @@ do
     end
 
     local function dissect_beacon(tvb, text, tree)
-        local item = has_tree(tree) and add_item(tree, tvb())
+        local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
         local at, values = 0, {}
         local port
         for _, line in ipairs(BEACON_LINES) do
@@ -6674,7 +6976,7 @@ do
             if not answers[number] and not is_forced then return 0 end
             said = "answer to a beacon"
             if has_tree(tree) then
-                add_item(tree, tvb()):set_text("EV3: " .. said):add(field.beacon_answer, tvb())
+                add_item(tree, tvb(), said):add(field.beacon_answer, tvb())
             end
         end
         start_line(number, tvb:offset())
@@ -6754,10 +7056,9 @@ do
 
     function ev3.init()
         forget_dialogues()
-        forget_lines()
-        forget_layouts()
-        forget_statistics()
-        print_at_end()
+        forget_memories()
+        statistics.forget()
+        statistics.print_at_end()
         each_carrier("forget")
     end
 
@@ -6772,14 +7073,13 @@ do
         dialect_choices, false)
     ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
 
-    register_statistics()
+    statistics.register()
 
     function ev3.prefs_changed()
         each_carrier("prefs_changed")
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        forget_lines()
-        forget_layouts()
+        forget_memories()
     end
 end

@@ -13,11 +13,13 @@ FILE_NAME = "ev3.lua"
 RUNTIME = (
     "fields",
     "instructions",
+    "memory",
     "reading",
     "phrases",
     "statistics",
     "dialogue",
     "values",
+    "operations",
     "message",
     "frames",
     "claims",

@@ -4,57 +4,69 @@
 -- and afterwards whichever one is looked at: what is found out the first time is kept, by the place of each message,
 -- and later passes only look it up.
 
-local forget_dialogues, place_of, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at, answers_command
+local forget_dialogues, talk_of, talk_if_any, take_note, request_of, reply_to, transfer_at, answers_command
 do
     -- Commands with one counter that are remembered, for senders who never change it.
     local MOST_PER_COUNTER = 4
 
-    -- A message's place is the number of its packet and its offset there, in one number.
-    local OFFSETS = 0x100000
+    -- Commands of one conversation that may wait for their replies. Beyond twice as many the oldest are given up: a
+    -- brick has one answer after the other.
+    local MOST_WAITING = 4096
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
-    -- Of commands that want a reply: the frame, the time, the place of the reply. Of replies: the place of the command,
-    -- the time that it took. Of messages on files: the file and how far it is. A long capture has a great many of
-    -- these: as plain numbers and strings they cost far less to keep than as a table each.
-    local frames, times, replies, requests, delays, transfers
+    -- Of a command that has a reply: the number of the packet with it.
+    local replies = new_notes(function(number) return format("%d", number) end, tonumber)
+
+    -- Of a reply that has a command: the number of the packet with that, the seconds that the reply took, and all that
+    -- follows the command's header.
+    local requests = new_notes(function(request)
+        return format("%d %.9f ", request.number, request.delay) .. request.body
+    end, function(text)
+        local number, delay, start = text:match("^(%d+) (%S+) ()")
+        return { number = tonumber(number), delay = tonumber(delay), body = sub(text, start) }
+    end)
+
+    -- Of a message on a file: the file's path, by its number here, the bytes done, and the size where it is known.
+    local paths
+    local transfers = new_notes(function(transfer)
+        return format("%d %d ", transfer.number, transfer.done) .. (transfer.size and format("%d", transfer.size) or "")
+    end, function(text)
+        local number, done, size = text:match("^(%d+) (%d+) (%d*)")
+        return { path = paths[tonumber(number)], done = tonumber(done), size = tonumber(size) }
+    end)
+
     local talks
 
     function forget_dialogues()
-        frames, times, replies, requests, delays, transfers = {}, {}, {}, {}, {}, {}
-        talks = {}
+        replies.forget()
+        requests.forget()
+        transfers.forget()
+        paths, talks = {}, {}
     end
     forget_dialogues()
 
-    function place_of(number, offset)
-        return number * OFFSETS + offset
-    end
-
-    local function number_of(place)
-        return place and floor(place / OFFSETS)
-    end
-
-    -- The command that a reply answers: its frame, the number of its packet, the time that the reply took in seconds.
+    -- The command that a reply answers: `body`, what follows its header, `number`, that of its packet, `delay`, the
+    -- seconds that the reply took.
     function request_of(place)
-        local request = requests[place]
-        return frames[request], number_of(request), delays[place]
+        return requests.get(place)
     end
 
-    -- Whether a command wants a reply, and the number of the packet with it.
+    -- The number of the packet with the reply to a command.
     function reply_to(place)
-        return frames[place] ~= nil, number_of(replies[place])
+        return replies.get(place)
     end
 
     -- The file that a message is about: path, size, bytes done.
     function transfer_at(place)
-        return transfers[place]
+        return transfers.get(place)
     end
 
     -- All that is known of the messages between one computer and one brick, who have that key.
     function talk_of(key)
         local talk = talks[key]
         if not talk then
-            talk = { key = key, pending = {}, begun = {}, open = {} }
+            talk = { key = key, pending = {}, pending_before = {}, count = 0, begun = {}, open = {} }
             talks[key] = talk
         end
         return talk
@@ -70,81 +82,94 @@ do
         return talks[key]
     end
 
-    -- Mostly one command waits under its counter: its place alone is kept then, else a list of them.
-    local function remember(talk, place, message, pinfo)
-        frames[place], times[place] = message.text, pinfo.rel_ts
-        local pending, key = talk.pending, pending_key(message)
-        local waiting = pending[key]
-        if not waiting then
-            pending[key] = place
-        elseif type(waiting) == "number" then
-            pending[key] = { waiting, place }
+    -- The newest command that waits under a counter; each knows the one before it.
+    local function newest(talk, key)
+        return talk.pending[key] or talk.pending_before[key]
+    end
+
+    local function put_newest(talk, key, command)
+        if talk.pending[key] then
+            talk.pending[key] = command
+            if not command then talk.count = talk.count - 1 end
         else
-            waiting[#waiting + 1] = place
-            if #waiting > MOST_PER_COUNTER then table.remove(waiting, 1) end
+            talk.pending_before[key] = command
         end
     end
 
-    local function can_answer(message, frame)
-        return message.type.carries ~= "system" or byte(frame, HEADER_SIZE + 1) == byte(message.text, HEADER_SIZE + 1)
+    local function remember(talk, place, message, pinfo)
+        local key = pending_key(message)
+        -- Of a system command its number and handle are enough.
+        local body = message.body or sub(message.text, HEADER_SIZE + 1, HEADER_SIZE + 2)
+        local command = { place = place, time = pinfo.rel_ts, body = body, number = pinfo.number, delay = 0 }
+        command.earlier = newest(talk, key)
+        local oldest = command
+        for _ = 2, MOST_PER_COUNTER do
+            oldest = oldest.earlier
+            if not oldest then break end
+        end
+        if oldest then oldest.earlier = nil end
+        if talk.count >= MOST_WAITING then talk.pending, talk.pending_before, talk.count = {}, talk.pending, 0 end
+        if not talk.pending[key] then talk.count = talk.count + 1 end
+        talk.pending[key], talk.pending_before[key] = command, nil
+    end
+
+    local function can_answer(message, body)
+        return message.type.carries ~= "system" or byte(body, 1) == byte(message.text, HEADER_SIZE + 1)
     end
 
     -- Whether a reply has just the size that was asked for.
-    local function fits(message, frame)
+    local function fits(message, body)
         local type = message.type
-        if type.carries ~= "direct" or type.is_error or #frame < COMMAND_HEADER_SIZE then return true end
-        return message.size - HEADER_SIZE == unsigned16(frame, HEADER_SIZE) % (GLOBAL_MASK + 1)
+        if type.carries ~= "direct" or type.is_error or #body < MEMORY_FIELD then return true end
+        return message.size - HEADER_SIZE == unsigned16(body, 0) % (GLOBAL_MASK + 1)
     end
 
-    -- The place of the command that a reply answers: of those with its counter the newest of the right size, else the
-    -- newest. The newest, because a sender comes back to a counter only after it gave up on the one before.
+    -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
+    -- newest, because a sender comes back to a counter only after it gave up on the one before.
     local function answered(talk, message)
-        local pending, key = talk.pending, pending_key(message)
-        local waiting = pending[key]
-        if type(waiting) ~= "table" then
-            if not waiting or not can_answer(message, frames[waiting]) then return nil end
-            pending[key] = nil
-            return waiting
-        end
-        local best
-        for index = #waiting, 1, -1 do
-            local frame = frames[waiting[index]]
-            if can_answer(message, frame) then
-                best = best or index
-                if fits(message, frame) then
-                    best = index
-                    break
-                end
+        local key = pending_key(message)
+        local command, later = newest(talk, key), nil
+        local best, later_than_best
+        while command do
+            if can_answer(message, command.body) then
+                local is_right = not command.earlier and not best or fits(message, command.body)
+                if is_right or not best then best, later_than_best = command, later end
+                if is_right then break end
             end
+            command, later = command.earlier, command
         end
         if not best then return nil end
-        local place = table.remove(waiting, best)
-        if #waiting == 0 then pending[key] = nil end
-        return place
+        if later_than_best then
+            later_than_best.earlier = best.earlier
+        else
+            put_newest(talk, key, best.earlier)
+        end
+        return best
     end
 
     -- The file that a system command is about, as far as it is now.
     local function follow_request(talk, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
-            local transfer = { path = values.path or "", size = values.size, done = 0 }
+            paths[#paths + 1] = values.path or ""
+            local transfer = { number = #paths, path = values.path or "", size = values.size, done = 0 }
             talk.begun[message.counter] = transfer
             return transfer
         end
         local transfer = talk.open[values.handle]
         if transfer and values.data then
-            if counts_all then keep_piece(transfer, values.data) end
+            if counts_all then statistics.keep_piece(transfer, values.data) end
             transfer.done = transfer.done + #values.data
         end
         return transfer
     end
 
     -- The handle that a command for an open file has as its first field.
-    local function asked_handle(frame)
-        return frame and byte(frame, HEADER_SIZE + 2)
+    local function asked_handle(body)
+        return body and byte(body, 2)
     end
 
-    -- The same for a reply. `request` is the frame of the command that it answers.
+    -- The same for a reply. `request` is what follows the header of the command that it answers.
     local function follow_reply(talk, message, request)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS_FAILS[message.status] ~= false
@@ -164,7 +189,7 @@ do
             end
         end
         if transfer then
-            if counts_all and not values.list then keep_piece(transfer, values.data) end
+            if counts_all and not values.list then statistics.keep_piece(transfer, values.data) end
             transfer.size = values.size or values.list_size or transfer.size
             transfer.done = transfer.done + #(values.data or "") + #(values.list or "")
         end
@@ -173,9 +198,8 @@ do
 
     -- Whether a command waits for this reply.
     function answers_command(talk, message)
-        local waiting = talk.pending[pending_key(message)]
-        if type(waiting) == "table" then waiting = waiting[#waiting] end
-        return waiting ~= nil and can_answer(message, frames[waiting])
+        local command = newest(talk, pending_key(message))
+        return command ~= nil and can_answer(message, command.body)
     end
 
     -- What becomes known of a message when it is seen for the first time, in the conversation it belongs to.
@@ -183,24 +207,25 @@ do
         local type = message.type
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
-        if counts_all then count_message(talk, message) end
+        if counts_all then statistics.count_message(talk, message) end
         if type.is_command and not type.wants_reply and not is_on_file then return end
-        local transfer, request
+        local transfer
         if type.is_command then
             if type.wants_reply then remember(talk, place, message, pinfo) end
             transfer = is_on_file and follow_request(talk, message)
         else
-            request = answered(talk, message)
+            local request = answered(talk, message)
             if request then
-                replies[request], requests[place] = place, request
-                delays[place] = pinfo.rel_ts - times[request]
-                if counts_all then count_answer(talk, message, frames[request], delays[place]) end
-                times[request] = nil
+                request.delay, request.earlier = pinfo.rel_ts - request.time, nil
+                replies.put(request.place, pinfo.number)
+                requests.put(place, request)
+                if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
             end
-            transfer = is_on_file and follow_reply(talk, message, frames[request])
+            transfer = is_on_file and follow_reply(talk, message, request and request.body)
         end
         if transfer then
-            transfers[place] = { path = transfer.path, size = transfer.size, done = transfer.done }
+            local known = { number = transfer.number, path = transfer.path, size = transfer.size, done = transfer.done }
+            transfers.put(place, known)
         end
     end
 end

@@ -69,8 +69,8 @@ end
 local gives_bytes = false
 
 -- The item of a frame, or of a text around frames.
-local function add_item(tree, range)
-    local item = tree:add(ev3, range)
+local function add_item(tree, range, said)
+    local item = tree:add(ev3, range, "EV3: " .. said)
     if gives_bytes then item:add(field.bytes, range) end
     return item
 end
@@ -93,12 +93,6 @@ local NUMBER, FLOAT, TEXT_VALUE = "number", "float", "text"
 
 local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
-local MAKE_SYSTEM_FIELD = {
-    [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
-    [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
-    [BYTES] = ProtoField.bytes,
-}
-
 -- A typed field of one parameter. Its kind tells which values it takes.
 local function parameter_field(abbreviation, parameter, kind)
     local name, text = parameter.name, parameter.text
@@ -118,19 +112,28 @@ local function parameter_field(abbreviation, parameter, kind)
     return made
 end
 
-local system_fields = {}
-
 -- The field of a system message; several messages share one.
-local function system_field(declared)
-    local abbreviation = "ev3." .. declared.filter
-    local made = system_fields[abbreviation]
-    if not made then
-        local hex = declared.hexadecimal and base.HEX or nil
-        made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
-        system_fields[abbreviation] = made
-        fields[#fields + 1] = made
+local system_field
+do
+    local MAKE_SYSTEM_FIELD = {
+        [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
+        [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
+        [BYTES] = ProtoField.bytes,
+    }
+
+    local made_fields = {}
+
+    function system_field(declared)
+        local abbreviation = "ev3." .. declared.filter
+        local made = made_fields[abbreviation]
+        if not made then
+            local hex = declared.hexadecimal and base.HEX or nil
+            made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
+            made_fields[abbreviation] = made
+            fields[#fields + 1] = made
+        end
+        return made
     end
-    return made
 end
 
 -- Expert information, each kind with a name to filter for.
@@ -158,3 +161,8 @@ local experts = {
     bootloader_fault = ProtoExpert.new("ev3.expert.bootloader_fault", "Bootloader fault on USB 3",
         expert.group.PROTOCOL, expert.severity.ERROR),
 }
+
+-- Wireshark collects expert information also where it makes no tree: `item` is the root of it then.
+local function complain(item, kind, text)
+    item:add_proto_expert_info(experts[kind], text)
+end

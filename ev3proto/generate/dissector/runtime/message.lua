@@ -4,257 +4,145 @@
 -- info column shows, and adds to the tree if there is one. `item` is the message's item in the tree, or nil; `part`
 -- gives the bytes between two offsets in the frame, for Wireshark to highlight.
 
-local read_message, show_message, complain, forget_lines
+local read_message, show_message
 do
-    -- Wireshark collects expert information also where it makes no tree: `item` is the root of it then, and nil where a
-    -- frame is only tried.
-    function complain(item, kind, text)
-        if item then item:add_proto_expert_info(experts[kind], text) end
+    local function add_rest(item, tvb, base, at, stop)
+        if at < stop then item:add(field.rest, tvb(base + at, stop - at)) end
     end
 
-    local function add_rest(item, part, at, stop)
-        if item and at < stop then item:add(field.rest, part(at, stop)) end
-    end
-
-    -- Adds a value as the field of its parameter, or, where its type is another, as text.
-    local function add_value(item, range, parameter, name, value)
-        local kind, is_text = parameter.kind, type(value) == "string"
-        local added
-        if is_text ~= (kind == TEXT_VALUE) or (kind == NUMBER and value % 1 ~= 0) then
-            local text = is_text and utf8_text(value) or number_text(value)
-            return item:add(field.other, range, text):set_text(name .. ": " .. text)
-        end
-        added = item:add(parameter.field, range, is_text and utf8_text(value) or value)
-        if name ~= parameter.field_name then
-            -- An element of a list has its number in its name.
-            local symbol = parameter.enum and not parameter.is_flags and parameter.enum.names[value]
-            local text = is_text and shortened(value) or number_text(value)
-            added:set_text(name .. ": " .. (symbol and format("%s (%s)", symbol, text) or text))
-        elseif kind == FLOAT and parameter.unit then
-            added:append_text(" " .. parameter.unit)
-        end
-        if parameter.special or parameter.is_flags then
-            local meaning = meaning_of(parameter, value)
-            if meaning then added:append_text(" (" .. meaning .. ")") end
-        end
-        return added
-    end
-
-    -- Where there is no tree, complaints are collected.
-    local function complain_in(view, item, kind, text)
-        local complaints = view.complaints
-        if complaints then
-            complaints[#complaints + 1] = { kind = kind, text = text }
-        else
-            complain(item, kind, text)
-        end
-    end
-
-    -- What the brick refuses, or what lies beyond the memory that the command asks for.
-    local function check_variable(added, view, parameter, encoding, index)
-        local alignment = encoding.handle and SIZE_OF[HANDLE] or parameter.alignment
-        if alignment and index % alignment ~= 0 then
-            local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
-            local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-            local variable = variable_text(encoding, index)
-            complain_in(view, added, "misaligned", format(reason, parameter.name, sort, alignment, variable))
-        end
-        local size = encoding.handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size or 1
-        if parameter.length and parameter.is_output and not encoding.handle then
-            size = size * stated_length(parameter, view.lengths, 1)
-        end
-        local asked = encoding.kind == GLOBAL and view.globals or view.locals
-        -- Without a tree one such variable stands for all: there is nothing to point at.
-        if asked and index + size > asked and not view.is_told then
-            view.is_told = view.complaints ~= nil
-            local reason = "%s reaches up to byte %d of the %s memory, of which the command asks for %s"
-            local scope = encoding.kind == GLOBAL and "global" or "local"
-            reason = format(reason, parameter.name, index + size, scope, plural(asked, "byte"))
-            complain_in(view, added, "beyond_memory", reason)
-        end
-    end
-
-    local function add_argument(view, parameter, encoding, value, at, stop)
-        local item, tvb, name, base = view.item, view.tvb, parameter.name, view.base + at
-        local range = tvb(base, stop - at)
-        local added
-        if encoding.scope then
-            local text = variable_text(encoding, value)
-            added = item:add(field.variable, range, text):set_text(name .. ": " .. text)
-            check_variable(added, view, parameter, encoding, value)
-        else
-            added = add_value(item, range, parameter, name, value)
-            if tells_length(parameter, encoding) then view.lengths[name] = value end
-        end
-        added:add(field.encoding, stop == at + 1 and range or tvb(base, 1), encoding.label)
-        add_phrase(view, parameter, encoding, value)
-    end
-
-    -- The operations between two offsets in the tree. Returns the line on the first one, how many there are, the offset
-    -- behind what could be read, and the fault where there is one.
-    local function add_operations(item, part, message, at, stop, globals, locals)
-        local text = message.text
-        local line, count = nil, 0
-        local view = { tvb = message.tvb, base = message.base, globals = globals, locals = locals, lengths = {} }
-        while at < stop do
-            local code = byte(text, at + 1)
-            -- The opcode is the heading of its operation: it stands for all the bytes of it.
-            local heading = item:add(field.opcode, part(at, at + 1), code)
-            local operation, offset, reason, kind = select_operation(text, at, stop)
-            if not operation then return line, count, at, { at = offset, reason = reason, kind = kind } end
-            if operation.cmd_name then
-                local cmd = heading:add(field.cmd, part(at + 1, offset), operation.name)
-                if offset > at + 2 then
-                    cmd:add(field.encoding, part(at + 1, at + 2), ENCODINGS[byte(text, at + 2)].label)
-                end
-            end
-            view.item, view.count, view[1] = heading, 1, operation.heading
-            if next(view.lengths) then view.lengths = {} end
-            local _, behind
-            _, behind, offset, reason, kind = read_operation(text, at, stop, add_argument, view)
-            heading:set_text(concat(view, "", 1, view.count)):set_len(behind - at)
-            if not line then
-                view[1] = operation.title
-                line = concat(view, "", 1, view.count)
-            end
-            count = count + 1
-            if reason then return line, count, behind, { at = offset, reason = reason, kind = kind } end
-            at = behind
-        end
-        return line, count, at
-    end
-
-    local function say_argument(view, parameter, encoding, value)
-        if encoding.scope then
-            check_variable(nil, view, parameter, encoding, value)
-        elseif tells_length(parameter, encoding) then
-            view.lengths[parameter.name] = value
-        end
-        if view.is_first then add_phrase(view, parameter, encoding, value) end
-    end
-
-    -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    local function say_operations(text, at, stop, globals, locals)
-        local line, count = nil, 0
-        local view = { "", count = 1, complaints = {}, globals = globals, locals = locals, lengths = {} }
-        view.is_first = true
-        while at < stop do
-            local operation, behind, offset, reason, kind = read_operation(text, at, stop, say_argument, view)
-            if operation then
-                if not line then
-                    view[1] = operation.title
-                    line = concat(view, "", 1, view.count)
-                    view.is_first = false
-                end
-                if next(view.lengths) then view.lengths = {} end
-                count = count + 1
-            end
-            if reason then
-                return line, count, { at = offset, reason = reason, kind = kind }, view.complaints
-            end
-            at = behind
-        end
-        return line, count, nil, view.complaints
+    -- What is wrong with a message as a whole.
+    local function complain_of(message, kind, text)
+        message.complaints = message.complaints or {}
+        message.complaints[#message.complaints + 1] = kind
+        message.complaints[#message.complaints + 1] = text
     end
 
     local function operations_line(line, count)
         return count > 1 and line .. " (+" .. plural(count - 1, "operation") .. ")" or line
     end
 
-    -- What was said of commands, by all that follows their headers: a dialogue says the same again and again. It is
-    -- just the line where there is nothing to complain about.
-    local MOST_REMEMBERED = 4096
-    local remembered, count_remembered = {}, 0
+    -- What was said of commands, by all that follows their headers: a dialogue says the same again and again. `lines`
+    -- are for one line; just the text where there is nothing to complain about. `rows` are for the tree; true where a
+    -- command was there once.
+    local lines = new_memory(2048)
+    local rows_of = new_memory(8192, function(rows) return rows == true and 1 or rows.count / 8 end)
 
-    function forget_lines()
-        remembered, count_remembered = {}, 0
+    local function line_of(message, line, count, fault)
+        return line and operations_line(line, count) or fault and message.type.name or "no operations"
     end
 
-    -- The line on a direct command without a tree; its fault and complaints go to the message.
-    local function say_command(message, globals, locals)
+    local scratch = {}
+
+    -- The rows of a direct command. They are kept when it comes for the second time: of a command that comes once only
+    -- it would be for nothing.
+    local function rows_of_command(message, globals, locals)
+        local body = message.body
+        local rows = rows_of.get(body)
+        if rows and rows ~= true then return rows end
+        local is_kept = rows
+        rows = is_kept and {} or scratch
+        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+        rows_of.put(body, is_kept and rows or true)
+        return rows
+    end
+
+    local function say_direct_command(message, _, is_shown)
         local text = message.text
-        local body = sub(text, HEADER_SIZE + 1)
-        local known = remembered[body]
-        if not known then
-            local line, count, fault, complaints = say_operations(text, COMMAND_HEADER_SIZE, #text, globals, locals)
-            known = line and operations_line(line, count) or not fault and "no operations" or nil
-            if fault or complaints[1] then known = { line = known, fault = fault, complaints = complaints } end
-            if count_remembered >= MOST_REMEMBERED then forget_lines() end
-            remembered[body], count_remembered = known, count_remembered + 1
-        end
-        if type(known) == "string" then return known end
-        message.fault = known.fault
-        for _, complaint in ipairs(known.complaints) do
-            complain(message.target, complaint.kind, complaint.text)
-        end
-        return known.line or message.type.name
-    end
-
-    local function direct_command(message, _, item, part)
-        local text, at, stop = message.text, HEADER_SIZE, message.stop
-        if stop < COMMAND_HEADER_SIZE then
+        if message.stop < COMMAND_HEADER_SIZE then
             local reason = "a direct command starts with two bytes that ask for memory"
-            message.fault = { at = stop, reason = reason, kind = "cut_off" }
-            add_rest(item, part, at, stop)
+            message.fault = { at = message.stop, reason = reason, kind = "cut_off" }
             return message.type.name
         end
-        local sizes = unsigned16(text, at)
+        local sizes = unsigned16(text, HEADER_SIZE)
         local globals, locals = sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
-        if not item then return say_command(message, globals, locals) end
-        local line, count, behind
-        local range = part(at, at + 2)
-        local memory = item:add(field.memory_sizes, range, sizes)
-        memory:add_le(field.globals, range)
-        memory:add_le(field.locals, range)
-        line, count, behind, message.fault =
-            add_operations(item, part, message, COMMAND_HEADER_SIZE, stop, globals, locals)
-        if message.fault then add_rest(item, part, behind, stop) end
-        return line and operations_line(line, count) or message.fault and message.type.name or "no operations"
+        local body = message.body
+        if is_shown then
+            local rows = rows_of_command(message, globals, locals)
+            message.rows, message.fault = rows, rows.fault
+            return line_of(message, rows.line, rows.operations, rows.fault)
+        end
+        local known = lines.get(body)
+        if not known then
+            local line, count, fault, complaints =
+                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+            known = line_of(message, line, count, fault)
+            if fault or complaints[1] then known = { line = known, fault = fault, complaints = complaints } end
+            lines.put(body, known)
+        end
+        if type(known) == "string" then return known end
+        message.fault, message.complaints = known.fault, known.complaints
+        return known.line
     end
 
-    local function add_output(item, part, output)
+    local function add_direct_command(message, item, tvb, base)
+        local stop = message.stop
+        if stop < COMMAND_HEADER_SIZE then return add_rest(item, tvb, base, HEADER_SIZE, stop) end
+        local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
+        local memory = item:add_le(field.memory_sizes, range)
+        memory:add_le(field.globals, range)
+        memory:add_le(field.locals, range)
+        local rows = message.rows
+        add_rows(item, tvb, base, rows)
+        if rows.fault then add_rest(item, tvb, base, rows.behind, stop) end
+    end
+
+    local function say_direct_reply(message, place)
+        local request = request_of(place)
+        message.layout = nil
+        if message.type.is_error then
+            complain_of(message, "error_reply", "the brick refused or failed the command; it tells no more")
+            local body = request and request.body
+            local operation = body and #body > MEMORY_FIELD and read_operation(body, MEMORY_FIELD, #body)
+            return operation and "error reply to " .. operation.title or "error reply"
+        end
+        if not request then
+            return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
+        end
+        local layout, count = read_reply(request.body, message)
+        message.layout = layout
+        local first = layout.first
+        local head = first and "reply to " .. first.title .. ": " or "reply: "
+        if count > 0 then return head .. values_text(layout, count) end
+        return head .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
+    end
+
+    local function add_output(item, tvb, base, output)
         local parameter = output.parameter
         local name = parameter.name
-        local range = part(output.at, output.at + output.size)
-        if not output.list then
-            local added = add_value(item, range, parameter, name, output.value)
-            if output.is_handle then added:set_text(name .. ": handle " .. output.value) end
+        local range = tvb(base + output.at, output.size)
+        if not output.is_list then
+            local declared, value, label, addition = value_of_row(parameter, name, output.value)
+            if output.is_handle then label = name .. ": handle " .. output.value end
+            item:add(declared, range, value, label, addition)
             return
         end
         local list = item:add(field.list, range):set_text(name .. ": " .. output_text(output))
         local step = output.size / #output.list
-        for index, value in ipairs(output.list) do
-            local at = output.at + (index - 1) * step
-            add_value(list, part(at, at + step), parameter, format("%s[%d]", name, index - 1), value)
+        for index, element in ipairs(output.list) do
+            local declared, value, label, addition =
+                value_of_row(parameter, format("%s[%d]", name, index - 1), element)
+            list:add(declared, tvb(base + output.at + (index - 1) * step, step), value, label, addition)
         end
     end
 
-    local function direct_reply(message, place, item, part)
-        local request, stop = request_of(place), message.stop
-        if item and stop > HEADER_SIZE then item:add(field.memory, part(HEADER_SIZE, stop)) end
-        if message.type.is_error then
-            complain(message.target, "error_reply", "the brick refused or failed the command; it tells no more")
-            local operation = request and #request > COMMAND_HEADER_SIZE
-                and read_operation(request, COMMAND_HEADER_SIZE, #request)
-            return operation and "error reply to " .. operation.title or "error reply"
-        end
-        local size = plural(stop - HEADER_SIZE, "byte")
-        if not request then return "reply: " .. size .. ", command not seen" end
-        local found, first = reply_values(request, message)
-        for _, group in ipairs(item and found or {}) do
+    local function add_direct_reply(message, item, tvb, base)
+        local stop, layout = message.stop, message.layout
+        if stop > HEADER_SIZE then item:add(field.memory, tvb(base + HEADER_SIZE, stop - HEADER_SIZE)) end
+        for _, group in ipairs(layout or {}) do
+            local values = group.values
             local start, behind = stop, HEADER_SIZE
-            for _, output in ipairs(group.values) do
+            for _, output in ipairs(values) do
                 start, behind = math.min(start, output.at), math.max(behind, output.at + output.size)
             end
-            local range = part(start, behind)
-            local added = item:add(field.answers, range, group.operation.name):set_text(group.operation.title)
-            for _, output in ipairs(group.values) do
-                add_output(added, part, output)
+            if values[1] then
+                local operation = group.operation
+                local added =
+                    item:add(field.answers, tvb(base + start, behind - start), operation.name, operation.title)
+                for _, output in ipairs(values) do
+                    add_output(added, tvb, base, output)
+                end
             end
         end
-        local head = first and "reply to " .. first.title .. ": " or "reply: "
-        if found[1] then return head .. values_text(found) end
-        return head .. (stop == HEADER_SIZE and "ok" or size)
     end
 
     -- The values that tell most about a system message: its texts, and how much there is.
@@ -284,48 +172,54 @@ do
         return fields_text(message)
     end
 
-    local function add_fields(item, part, message)
+    local function add_fields(message, item, tvb, base)
         for _, found in ipairs(message.fields) do
-            local range, value, kind = part(found.at, found.stop), found.value, found.declared.kind
+            local range, value, kind = tvb(base + found.at, found.stop - found.at), found.value, found.declared.kind
             if kind == BYTES then
                 item:add(found.declared.field, range)
             else
                 item:add(found.declared.field, range, type(value) == "string" and utf8_text(value) or value)
             end
         end
-        add_rest(item, part, message.rest, message.stop)
+        add_rest(item, tvb, base, message.rest, message.stop)
+    end
+
+    local function status_text(status)
+        return STATUS_NAMES[status] or format("status %d", status)
     end
 
     -- Commands and replies. Their fields were read with the frame, as the notes on files need them.
-    local function system_message(message, place, item, part)
-        local at, stop, command, status = HEADER_SIZE, message.stop, message.command, message.status
-        local number = at < stop and byte(message.text, at + 1)
-        local status_name = status and (STATUS_NAMES[status] or format("status %d", status))
-        if item then
-            if number then
-                local added = item:add(field.system_command, part(at, at + 1), number)
-                if command then added:append_text(": " .. command.text) end
-            end
-            if status then
-                item:add(field.status, part(at + 1, at + 2), status)
-            end
-            add_fields(item, part, message)
-        end
+    local function say_system_message(message, place)
+        local command, status = message.command, message.status
         if status and (STATUS_FAILS[status] ~= false or message.type.is_error) then
-            complain(message.target, "failed", "the command failed: " .. status_name)
+            complain_of(message, "failed", "the command failed: " .. status_text(status))
         end
-        if not command then return number and format("system command 0x%02X", number) or message.type.name end
+        if not command then
+            local number = byte(message.text, HEADER_SIZE + 1)
+            return number and format("system command 0x%02X", number) or message.type.name
+        end
         local line = command.name .. subject_text(message, place)
         if message.type.is_command then return line end
-        return "reply: " .. (status ~= SUCCESS and line .. " " .. status_name or line)
+        return "reply: " .. (status ~= SUCCESS and line .. " " .. status_text(status) or line)
     end
 
-    local function daisy_command(message, _, item, part)
+    local function add_system_message(message, item, tvb, base)
+        local at, command = HEADER_SIZE, message.command
+        local number = byte(message.text, at + 1)
+        if number then
+            local added = item:add(field.system_command, tvb(base + at, 1))
+            if command then added:append_text(": " .. command.text) end
+        end
+        if message.status then item:add(field.status, tvb(base + at + 1, 1), message.status) end
+        add_fields(message, item, tvb, base)
+    end
+
+    local function say_daisy_command(message)
         local text, stop, at = message.text, message.stop, HEADER_SIZE
-        if stop < at + 3 then
+        message.rows = nil
+        if stop < at + DAISY_PAYLOAD then
             local reason = "a daisy command starts with a sub-command and two layers"
             message.fault = { at = stop, reason = reason, kind = "cut_off" }
-            add_rest(item, part, at, stop)
             return message.type.name
         end
         local number, from, to = byte(text, at + 1, at + 3)
@@ -333,62 +227,85 @@ do
         if not name then
             message.fault = { at = at, reason = format("0x%02X is no daisy sub-command", number), kind = "fault" }
         end
-        local payload = at + 3
-        local added
-        if item then
-            item:add(field.daisy_command, part(at, at + 1), number)
-            item:add(field.layer_from, part(at + 1, at + 2), from)
-            item:add(field.layer_to, part(at + 2, payload), to)
-            if payload < stop then added = item:add(field.daisy_payload, part(payload, stop)) end
-        end
+        local payload = at + DAISY_PAYLOAD
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
-        local is_code = payload < stop and DAISY_CARRIES_OPERATIONS[number]
-        if is_code and not select(2, count_operations(text, payload, stop)) then
-            local said, count = say_operations(text, payload, stop)
-            if added then add_operations(added, part, message, payload, stop) end
-            line = line .. ": " .. operations_line(said, count)
+        if payload < stop and DAISY_CARRIES_OPERATIONS[number] then
+            read_rows(scratch, text, payload, stop)
+            if not scratch.fault then
+                message.rows = scratch
+                line = line .. ": " .. operations_line(scratch.line, scratch.operations)
+            end
         end
         return line
     end
 
-    local function daisy_reply(message, _, item, part)
-        local text, stop, at = message.text, message.stop, HEADER_SIZE
-        if stop < at + 2 then
-            message.fault = { at = stop, reason = "a daisy reply starts with two layers", kind = "cut_off" }
-            add_rest(item, part, at, stop)
-            return message.type.name
+    local function add_daisy_command(message, item, tvb, base)
+        local stop, at = message.stop, HEADER_SIZE
+        local payload = at + DAISY_PAYLOAD
+        if stop < payload then return add_rest(item, tvb, base, at, stop) end
+        item:add(field.daisy_command, tvb(base + at, 1))
+        item:add(field.layer_from, tvb(base + at + 1, 1))
+        item:add(field.layer_to, tvb(base + at + 2, 1))
+        if payload < stop then
+            local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
+            if message.rows then add_rows(added, tvb, base, message.rows) end
         end
-        local from, to = byte(text, at + 1, at + 2)
-        local payload = at + 2
-        if item then
-            item:add(field.layer_from, part(at, at + 1), from)
-            item:add(field.layer_to, part(at + 1, payload), to)
-            local added = payload < stop and item:add(field.daisy_payload, part(payload, stop))
-            at = payload
-            for _, declared in ipairs(stop - payload >= SENSOR_REPORT_SIZE and SENSOR_REPORT or {}) do
-                -- The last part takes what is left.
-                local behind = declared.size and at + declared.size or stop
-                if behind > at then added:add(report_field[declared.name], part(at, behind)) end
-                at = behind
-            end
-        end
-        return format("daisy reply layer %d to %d", from, to)
     end
 
-    local function unknown_message(message, _, item, part)
+    local function say_daisy_reply(message)
+        local at = HEADER_SIZE
+        if message.stop < at + 2 then
+            message.fault = { at = message.stop, reason = "a daisy reply starts with two layers", kind = "cut_off" }
+            return message.type.name
+        end
+        return format("daisy reply layer %d to %d", byte(message.text, at + 1, at + 2))
+    end
+
+    local function add_daisy_reply(message, item, tvb, base)
+        local stop, at = message.stop, HEADER_SIZE
+        local payload = at + 2
+        if stop < payload then return add_rest(item, tvb, base, at, stop) end
+        item:add(field.layer_from, tvb(base + at, 1))
+        item:add(field.layer_to, tvb(base + at + 1, 1))
+        if payload == stop then return end
+        local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
+        at = payload
+        for _, declared in ipairs(stop - payload >= SENSOR_REPORT_SIZE and SENSOR_REPORT or {}) do
+            -- The last part takes what is left.
+            local behind = declared.size and at + declared.size or stop
+            if behind > at then added:add(report_field[declared.name], tvb(base + at, behind - at)) end
+            at = behind
+        end
+    end
+
+    local function say_unknown_message(message)
         local code = byte(message.text, HEADER_SIZE)
         message.fault = { at = HEADER_SIZE - 1, reason = format("0x%02X is no message type", code), kind = "fault" }
-        add_rest(item, part, HEADER_SIZE, message.stop)
         return format("message of unknown type 0x%02X", code)
     end
 
-    local COMMANDS = { direct = direct_command, system = system_message, daisy = daisy_command }
-    local REPLIES = { direct = direct_reply, system = system_message, daisy = daisy_reply }
+    local function add_unknown_message(message, item, tvb, base)
+        add_rest(item, tvb, base, HEADER_SIZE, message.stop)
+    end
 
-    local function shower_of(type)
-        if not type then return unknown_message end
-        return (type.is_command and COMMANDS or REPLIES)[type.carries]
+    -- What each kind of message says in one line, and what it adds to its item in the tree.
+    local UNKNOWN = { say = say_unknown_message, add = add_unknown_message }
+    local SYSTEM_MESSAGE = { say = say_system_message, add = add_system_message }
+    local KINDS = {
+        direct = {
+            [true] = { say = say_direct_command, add = add_direct_command },
+            [false] = { say = say_direct_reply, add = add_direct_reply },
+        },
+        system = { [true] = SYSTEM_MESSAGE, [false] = SYSTEM_MESSAGE },
+        daisy = {
+            [true] = { say = say_daisy_command, add = add_daisy_command },
+            [false] = { say = say_daisy_reply, add = add_daisy_reply },
+        },
+    }
+    local kind_of = {}
+    for _, declared in pairs(MESSAGE_TYPES) do
+        kind_of[declared] = KINDS[declared.carries][declared.is_command == true]
     end
 
     -- A frame that was cut explains what is missing in it.
@@ -401,23 +318,24 @@ do
         end
     end
 
-    local function add_links(item, message, place, pinfo)
+    local function add_links(item, target, message, place, pinfo)
         local type = message.type
         if not type or message.is_overwritten then return end
-        if type.is_command then
-            local is_waiting, reply = reply_to(place)
-            if is_waiting and not reply and pinfo.visited then
-                complain(message.target, "unanswered", "no reply to this command was seen")
+        if type.wants_reply then
+            -- The first time that a command is seen, its reply is still to come.
+            local reply = pinfo.visited and reply_to(place)
+            if reply == nil then
+                complain(target, "unanswered", "no reply to this command was seen")
             elseif reply and item then
                 item:add(field.response_in, reply):set_generated()
             end
-        else
-            local request, number, delay = request_of(place)
+        elseif not type.is_command then
+            local request = request_of(place)
             if not request then
-                complain(message.target, "orphan", "the command that this reply answers was not seen")
+                complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
-                item:add(field.request_in, number):set_generated()
-                local seconds = floor(delay)
+                local delay, seconds = request.delay, floor(request.delay)
+                item:add(field.request_in, request.number):set_generated()
                 local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
                 item:add(field.response_time, time):set_generated()
             end
@@ -455,41 +373,59 @@ do
         message.fields, message.rest, message.fault = read_fields(text, start, stop, declared, is_complete)
     end
 
+    -- One table serves all messages that are no system messages, one after the other.
+    local plain = {}
+
     -- The message in a frame. `text` is all there is of it, which may be less than its length field says.
     function read_message(text)
-        local message = {
-            text = text, stop = #text,
-            size = LENGTH_FIELD + unsigned16(text, 0),
-            counter = unsigned16(text, LENGTH_FIELD),
-            type = MESSAGE_TYPES[byte(text, HEADER_SIZE)],
-        }
-        if message.type and message.type.carries == "system" then read_system_fields(message) end
+        local low, high, first, second, code = byte(text, 1, HEADER_SIZE)
+        local type = MESSAGE_TYPES[code]
+        local message = plain
+        if type and type.carries == "system" then
+            message = {}
+        else
+            message.fault, message.complaints, message.is_overwritten = nil, nil, nil
+        end
+        message.text, message.stop, message.size = text, #text, LENGTH_FIELD + low + high * 0x100
+        message.counter, message.type = first + second * 0x100, type
+        if message ~= plain then
+            read_system_fields(message)
+        elseif type and type.is_command then
+            message.body = sub(text, HEADER_SIZE + 1)
+        else
+            message.body = nil
+        end
         return message
     end
 
-    -- The line on a message at a place. With a tree that anybody looks at, its item there too; `said` is said of the
-    -- message instead of what it says. Without `tree` a frame is only tried.
-    function show_message(message, place, tvb, at, pinfo, tree, is_shown, said)
-        local show = shower_of(message.type)
-        local item, part, line
-        if is_shown then
-            function part(start, stop)
-                return tvb(at + start, stop - start)
-            end
-            message.tvb, message.base = tvb, at
-            item = add_item(tree, part(0, message.stop))
-            item:add(field.length, part(0, 2), message.size - LENGTH_FIELD)
-            item:add(field.counter, part(2, 4), message.counter)
-            item:add(field.type, part(4, 5), byte(message.text, HEADER_SIZE))
+    -- The line on a message at a place. If somebody looks at the tree, its item there, too, with the frame at an offset
+    -- in the buffer; `said` is said of the message instead of what it says.
+    function show_message(message, place, tvb, base, pinfo, tree, is_shown, said)
+        local kind = kind_of[message.type] or UNKNOWN
+        local line = kind.say(message, place, is_shown)
+        if message.stop < message.size then check_size(message) end
+        local fault, complaints = message.fault, message.complaints
+        if said then
+            line = said
+        elseif fault then
+            line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
-        message.target = item or tree
-        line = show(message, place, item, part)
-        check_size(message)
-        local fault = message.fault
-        line = said or fault and format("%s [fault at offset %d: %s]", line, fault.at, fault.reason) or line
-        if item then item:set_text("EV3: " .. line) end
-        if tree then add_links(item, message, place, pinfo) end
-        if fault then complain(message.target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
+        local item
+        if is_shown then
+            item = add_item(tree, tvb(base, message.stop), line)
+            item:add_le(field.length, tvb(base, LENGTH_FIELD))
+            item:add_le(field.counter, tvb(base + LENGTH_FIELD, 2))
+            item:add(field.type, tvb(base + HEADER_SIZE - 1, 1))
+            kind.add(message, item, tvb, base)
+        end
+        local target = item or tree
+        if complaints then
+            for index = 1, #complaints, 2 do
+                complain(target, complaints[index], complaints[index + 1])
+            end
+        end
+        add_links(item, target, message, place, pinfo)
+        if fault then complain(target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end
 end

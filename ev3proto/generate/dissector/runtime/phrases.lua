@@ -88,7 +88,7 @@ do
     end
 
     function output_text(output)
-        if not output.list then return one_value_text(output, output.value) end
+        if not output.is_list then return one_value_text(output, output.value) end
         local pieces = {}
         for index = 1, math.min(#output.list, MOST_VALUES) do
             pieces[index] = one_value_text(output, output.list[index])
@@ -104,16 +104,19 @@ do
     end
 
     -- 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
-    function values_text(found)
-        if not found[2] and not found[1].values[2] then return output_text(found[1].values[1]) end
-        local pieces = {}
-        for _, group in ipairs(found) do
-            for _, output in ipairs(group.values) do
-                if #pieces == MOST_VALUES then
-                    pieces[#pieces + 1] = "..."
+    function values_text(layout, count)
+        local pieces, pieces_count = {}, 0
+        for number = 1, #layout do
+            local operation, values = layout[number].operation, layout[number].values
+            for index = 1, #values do
+                local output = values[index]
+                if count == 1 then return output_text(output) end
+                if pieces_count == MOST_VALUES then
+                    pieces[pieces_count + 1] = "..."
                     return concat(pieces, " ")
                 end
-                pieces[#pieces + 1] = output_name(group.operation, output) .. "=" .. output_text(output)
+                pieces_count = pieces_count + 1
+                pieces[pieces_count] = output_name(operation, output) .. "=" .. output_text(output)
             end
         end
         return concat(pieces, " ")

@@ -4,7 +4,11 @@
 -- protocol, so that the byte at offset 0 is byte(text, 1). What cannot be read comes back as the offset and the reason:
 -- nothing here raises an error.
 
-local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_operation, count_operations, read_fields
+-- What follows a frame's header is its body. That of a direct command begins with the memory it asks for, that of a
+-- daisy command with its sub-command and two layers.
+local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
+
+local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_operation, read_fields
 do
     -- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
     local SIZES = {}
@@ -210,17 +214,6 @@ do
             end
         end
         return operation, at
-    end
-
-    -- How many operations stand between two offsets, and the fault where there is one.
-    function count_operations(text, at, stop)
-        local count = 0
-        while at < stop do
-            local _, behind, offset, reason, kind = read_operation(text, at, stop)
-            if reason then return count, { at = offset, reason = reason, kind = kind } end
-            count, at = count + 1, behind
-        end
-        return count
     end
 
     -- One field of a system message: its value and the offset behind it; else nil, offset and reason.

@@ -17,10 +17,9 @@ do
 
     function ev3.init()
         forget_dialogues()
-        forget_lines()
-        forget_layouts()
-        forget_statistics()
-        print_at_end()
+        forget_memories()
+        statistics.forget()
+        statistics.print_at_end()
         each_carrier("forget")
     end
 
@@ -35,14 +34,13 @@ do
         dialect_choices, false)
     ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Give all bytes of each frame in one field, for programs")
 
-    register_statistics()
+    statistics.register()
 
     function ev3.prefs_changed()
         each_carrier("prefs_changed")
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        forget_lines()
-        forget_layouts()
+        forget_memories()
     end
 end

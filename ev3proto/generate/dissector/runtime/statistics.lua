@@ -3,7 +3,8 @@
 -- What was said in a capture, by operation and by brick, and the files that were moved. Wireshark shows it in windows,
 -- tshark prints it at the end of a run where the preference says so.
 
-local counts_all, count_message, count_answer, keep_piece, forget_statistics, register_statistics, print_at_end
+local counts_all
+local statistics = {}
 do
     -- Whether anybody may ask for them: whoever has a window, and tshark where the preferences say so.
     counts_all = gui_enabled()
@@ -16,12 +17,12 @@ do
     local row_counts, files, kept_bytes
     local wanted, answered
 
-    function forget_statistics()
+    function statistics.forget()
         operations, bricks, row_counts = {}, {}, { 0, 0 }
         files, kept_bytes = {}, 0
         wanted, answered = 0, 0
     end
-    forget_statistics()
+    statistics.forget()
 
     local function row_of(rows, kind, name)
         local row = rows[name]
@@ -31,7 +32,7 @@ do
             if rows[name] then return rows[name] end
         end
         row_counts[kind] = row_counts[kind] + 1
-        row = { messages = 0, bytes = 0, answers = 0, total = 0, most = 0, wanted = 0 }
+        row = { uses = 0, messages = 0, bytes = 0, answers = 0, total = 0, most = 0, wanted = 0 }
         rows[name] = row
         return row
     end
@@ -41,37 +42,64 @@ do
         if message.type.wants_reply then row.wanted = row.wanted + 1 end
     end
 
-    -- What a command is called in a row: by its first operation or its system command.
-    local function name_of(message, text)
-        if message.command then return message.command.name end
-        if message.type.carries == "direct" then
-            local operation = #text > COMMAND_HEADER_SIZE and select_operation(text, COMMAND_HEADER_SIZE, #text)
-            return operation and operation.title or "(no operation)"
+    -- Adds the operations from an offset on to `uses`, by name. Returns whether all of them can be read.
+    local function add_uses(uses, body, at)
+        while at < #body do
+            local operation, behind, _, reason = read_operation(body, at, #body)
+            if operation then uses[operation.title] = (uses[operation.title] or 0) + 1 end
+            if reason then return false end
+            at = behind
         end
-        return message.type.name
+        return true
+    end
+
+    -- What a command is counted as, and how often each: all its operations, or the system or daisy command that it is.
+    -- `body` is what follows its header.
+    local function uses_of(message, body)
+        if message.command then return { [message.command.name] = 1 } end
+        local uses = {}
+        if message.type.carries == "direct" then
+            add_uses(uses, body, MEMORY_FIELD)
+        elseif message.type.carries == "daisy" and DAISY_NAMES[byte(body, 1)] then
+            local inside = {}
+            local is_code = DAISY_CARRIES_OPERATIONS[byte(body, 1)] and add_uses(inside, body, DAISY_PAYLOAD)
+            uses = is_code and inside or {}
+            uses[DAISY_NAMES[byte(body, 1)]] = 1
+        end
+        if not next(uses) then uses["(no operation)"] = 1 end
+        return uses
     end
 
     -- A message that is seen for the first time, and the conversation it belongs to.
-    function count_message(talk, message)
+    function statistics.count_message(talk, message)
         count(row_of(bricks, 2, (talk.name or talk.key)), message)
         if not message.type.is_command then return end
         if message.type.wants_reply then wanted = wanted + 1 end
-        count(row_of(operations, 1, name_of(message, message.text)), message)
+        for name, times in pairs(uses_of(message, message.body)) do
+            local row = row_of(operations, 1, name)
+            row.uses = row.uses + times
+            count(row, message)
+        end
     end
 
-    -- A reply to a command, whose frame is `text`, and after how many seconds it came.
-    function count_answer(talk, message, text, delay)
+    local function add_answer(row, delay)
+        row.answers, row.total = row.answers + 1, row.total + delay
+        if delay > row.most then row.most = delay end
+    end
+
+    -- A reply to a command, what follows the header of that, and after how many seconds it came.
+    function statistics.count_answer(talk, message, body, delay)
         answered = answered + 1
-        for _, row in ipairs({
-            row_of(operations, 1, name_of(message, text)), row_of(bricks, 2, (talk.name or talk.key)),
-        }) do
-            row.answers, row.total = row.answers + 1, row.total + delay
-            if delay > row.most then row.most = delay end
+        add_answer(row_of(bricks, 2, (talk.name or talk.key)), delay)
+        for name in pairs(uses_of(message, body)) do
+            local row = row_of(operations, 1, name)
+            row.bytes = row.bytes + message.stop
+            add_answer(row, delay)
         end
     end
 
     -- A piece of a file that is moved; `transfer` is where it is kept.
-    function keep_piece(transfer, data)
+    function statistics.keep_piece(transfer, data)
         if transfer.is_dropped or not data or data == "" then return end
         if not transfer.pieces then
             if #files >= MOST_FILES then transfer.is_dropped = true return end
@@ -83,7 +111,7 @@ do
         transfer.pieces[#transfer.pieces + 1] = data
     end
 
-    local function table_text(heading, rows)
+    local function table_text(heading, rows, has_uses)
         local names, lines = {}, {}
         for name in pairs(rows) do
             names[#names + 1] = name
@@ -92,13 +120,15 @@ do
             if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
             return one < other
         end)
-        lines[1] = format("%-40s %9s %11s %9s %10s %10s", heading, "messages", "bytes", "answers", "mean ms", "most ms")
+        lines[1] = format("%-40s %9s %9s %11s %9s %10s %10s", heading, has_uses and "uses" or "", "messages", "bytes",
+            "answers", "mean ms", "most ms")
         for _, name in ipairs(names) do
             local row = rows[name]
             local mean = row.answers > 0 and format("%.2f", 1000 * row.total / row.answers) or ""
             local most = row.answers > 0 and format("%.2f", 1000 * row.most) or ""
-            lines[#lines + 1] =
-                format("%-40s %9d %11d %9d %10s %10s", name, row.messages, row.bytes, row.answers, mean, most)
+            local uses = has_uses and format("%d", row.uses) or ""
+            lines[#lines + 1] = format("%-40s %9s %9d %11d %9d %10s %10s", name, uses, row.messages, row.bytes,
+                row.answers, mean, most)
         end
         return concat(lines, "\n")
     end
@@ -115,7 +145,7 @@ do
     local function all_text()
         local counts = format("%d of %s that want a reply have none", wanted - answered, plural(wanted, "command"))
         return concat({
-            table_text("Operation", operations), "", table_text("Brick", bricks), "", files_text(), "", counts,
+            table_text("Operation", operations, true), "", table_text("Brick", bricks), "", files_text(), "", counts,
         }, "\n") .. "\n"
     end
 
@@ -165,7 +195,7 @@ do
         window:set(text)
     end
 
-    function register_statistics()
+    function statistics.register()
         ev3.prefs.statistics = Pref.bool("Statistics of tshark", false, "Print statistics at the end of a run")
         ev3.prefs.export = Pref.string("Export folder of tshark", "", "Write the files that were moved to this folder")
         if gui_enabled() then
@@ -183,7 +213,7 @@ do
     local at_end
 
     -- Called before a capture is read.
-    function print_at_end()
+    function statistics.print_at_end()
         counts_all = gui_enabled() or ev3.prefs.statistics or ev3.prefs.export ~= ""
         if gui_enabled() or at_end or not counts_all then return end
         at_end = Listener.new("frame")

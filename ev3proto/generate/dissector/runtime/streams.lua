@@ -21,7 +21,7 @@ do
         local said = "unlock " .. serial
         if is_shown then
             local range = tvb(at, behind - at)
-            local item = add_item(tree, range):set_text("EV3: " .. said)
+            local item = add_item(tree, range, said)
             item:add(field.unlock, range)
             item:add(field.unlock_serial, tvb(at + #UNLOCK_REQUEST, #serial))
         end
@@ -37,7 +37,7 @@ do
         if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
         if is_shown then
             local range = tvb(at, behind - at)
-            add_item(tree, range):set_text("EV3: accepted"):add(field.accept, range)
+            add_item(tree, range, "accepted"):add(field.accept, range)
         end
         return "accepted", behind
     end
@@ -83,7 +83,7 @@ do
     local function dissect_end_of_text(tvb, at, behind, tree, is_shown)
         if is_shown then
             local range = tvb(at, behind - at)
-            add_item(tree, range):set_text("EV3: end of the text before"):add(field.rest, range)
+            add_item(tree, range, "end of the text before"):add(field.rest, range)
         end
         return "end of the text before", behind
     end
@@ -92,7 +92,7 @@ do
         local item
         if is_shown then
             local range = tvb(at, stop - at)
-            item = add_item(tree, range):set_text("EV3: " .. said)
+            item = add_item(tree, range, said)
             item:add(field.rest, range)
         end
         complain(item or tree, kind, reason)
@@ -171,7 +171,6 @@ do
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
                 local is_frame = not size or is_length(low, high)
-                -- Nearly always one frame is all there is.
                 if is_frame and code and at + size ~= captured then
                     is_frame = not is_misleading(text, at, size, types_of and types_of(pinfo))
                 end

@@ -19,7 +19,7 @@ local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
 
-local reply_values, forget_layouts
+local read_reply
 do
     -- The type of an output that has that of the array it comes from: what fits before the next output.
     local function untyped(outputs, start, stop)
@@ -35,26 +35,31 @@ do
         -- At an address there is no value but where the value is.
         if output.is_address then return false end
         local parameter, start = output.parameter, output.index
-        local type = output.is_handle and HANDLE or parameter.type
         local most, at = reply.stop - HEADER_SIZE, HEADER_SIZE + start
-        output.at, output.list, output.value = at, nil, nil
-        if type == STRING then
+        output.at = at
+        local type = output.type
+        local read, size = READ_TYPE[type], SIZE_OF[type]
+        -- Nearly all are one number.
+        if read and not output.is_list then
+            if start + size > most then return false end
+            output.size, output.value = size, read(reply.text, at)
+            return true
+        elseif type == STRING then
             local stop = math.min(start + stated_length(parameter, outputs.lengths, most), most)
             output.value = sub(reply.text, at + 1, HEADER_SIZE + stop):match("^[^\0]*")
             output.size = #output.value
             return start < most
+        elseif type == ARRAY_TYPED then
+            type = untyped(outputs, start, most)
+            read, size = READ_TYPE[type], SIZE_OF[type]
         end
-        local is_list = parameter.length and type ~= ARRAY_TYPED and not output.is_handle
-        if type == ARRAY_TYPED then type = untyped(outputs, start, most) end
-        local read = READ_TYPE[type]
         if not read then return false end
-        local size = SIZE_OF[type]
-        local count = is_list and stated_length(parameter, outputs.lengths, floor(most / size)) or 1
+        local count = output.is_list and stated_length(parameter, outputs.lengths, floor(most / size)) or 1
         local room = floor((most - start) / size)
-        if is_list and count > room then count = room end
+        if output.is_list and count > room then count = room end
         if count < 1 or count > room then return false end
         output.size = count * size
-        if is_list then
+        if output.is_list then
             output.list = {}
             for index = 1, count do
                 output.list[index] = read(reply.text, at + (index - 1) * size)
@@ -67,24 +72,27 @@ do
 
     local function collect(outputs, parameter, encoding, value)
         if encoding.kind == GLOBAL and parameter.is_output then
+            local is_handle = encoding.handle
             outputs[#outputs + 1] = {
-                parameter = parameter, index = value, is_handle = encoding.handle, is_address = encoding.address,
+                parameter = parameter, index = value, is_handle = is_handle, is_address = encoding.address,
+                type = is_handle and HANDLE or parameter.type,
+                is_list = parameter.length and parameter.type ~= ARRAY_TYPED and parameter.type ~= STRING
+                    and not is_handle,
+                at = 0, size = 0, value = false,
             }
         elseif tells_length(parameter, encoding) then
             outputs.lengths[parameter.name] = value
         end
     end
 
-    -- The outputs of a command's operations, those of each with the operation.
-    local function outputs_of(text)
-        local at, layout = COMMAND_HEADER_SIZE, {}
+    -- The outputs of a command's operations: { operation, those that are in a reply, all of them }, and the first
+    -- operation. `body` is what follows the command's header.
+    local function layout_of_body(body)
+        local at, layout = MEMORY_FIELD, {}
         local outputs = { lengths = {} }
-        while at < #text do
-            local operation, behind, fault = read_operation(text, at, #text, collect, outputs, true)
-            if outputs[1] then
-                outputs.operation = operation
-                layout[#layout + 1] = outputs
-            end
+        while at < #body do
+            local operation, behind, fault = read_operation(body, at, #body, collect, outputs, true)
+            if outputs[1] then layout[#layout + 1] = { operation = operation, all = outputs, values = {} } end
             layout.first = layout.first or operation
             if outputs[1] or next(outputs.lengths) then outputs = { lengths = {} } end
             if fault then break end
@@ -93,37 +101,33 @@ do
         return layout
     end
 
-    -- Those of the last commands, by all that follows their headers: a dialogue asks the same again and again.
-    local MOST_REMEMBERED = 1024
-    local remembered, count_remembered = {}, 0
+    -- Those of the last commands.
+    local layouts = new_memory(1024, function(layout) return 1 + #layout end)
 
-    function forget_layouts()
-        remembered, count_remembered = {}, 0
-    end
-
-    local function layout_of(text)
-        local body = sub(text, HEADER_SIZE + 1)
-        local layout = remembered[body]
+    -- Reads what a reply says: the operations of the command that have outputs, each with `values`, those of them that
+    -- are in the reply. Valid until the next reply is read. Returns how many values there are, too.
+    function read_reply(body, reply)
+        local layout = layouts.get(body)
         if not layout then
-            layout = outputs_of(text)
-            if count_remembered >= MOST_REMEMBERED then forget_layouts() end
-            remembered[body], count_remembered = layout, count_remembered + 1
+            layout = layout_of_body(body)
+            layouts.put(body, layout)
         end
-        return layout
-    end
-
-    -- What a reply says, operation by operation: { operation, its outputs }. `text` is the frame of the command.
-    -- Returns its first operation, too.
-    function reply_values(text, reply)
-        local found = {}
-        local layout = layout_of(text)
-        for _, outputs in ipairs(layout) do
-            local values = {}
-            for _, output in ipairs(outputs) do
-                if read_output(output, outputs, reply) then values[#values + 1] = output end
+        local count = 0
+        for number = 1, #layout do
+            local group = layout[number]
+            local outputs, values, found = group.all, group.values, 0
+            for index = 1, #outputs do
+                local output = outputs[index]
+                if read_output(output, outputs, reply) then
+                    found = found + 1
+                    values[found] = output
+                end
             end
-            if values[1] then found[#found + 1] = { operation = outputs.operation, values = values } end
+            for index = #values, found + 1, -1 do
+                values[index] = nil
+            end
+            count = count + found
         end
-        return found, layout.first
+        return layout, count
     end
 end

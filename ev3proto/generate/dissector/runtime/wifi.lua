@@ -96,15 +96,21 @@ do
     end
 
     local function dissect_claimed(tvb, text, pinfo, tree, number, talk)
-        local captured, reported = #text, tvb:reported_len()
-        local is_last = captured < reported or pinfo.can_desegment == 0
-        start_line(number, tvb:offset())
-        local is_shown = has_tree(tree)
-        local behind, wanted =
-            dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
-        if behind < captured then
-            pinfo.desegment_offset = behind
-            pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
+        local captured, start, is_shown = #text, tvb:offset(), has_tree(tree)
+        start_line(number, start)
+        -- Nearly always one frame is all there is.
+        local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
+        if code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high) and MESSAGE_TYPES[code] then
+            say(dissect_message(tvb, 0, read_message(text), talk, place_of(number, start), pinfo, tree, is_shown))
+        else
+            local reported = tvb:reported_len()
+            local is_last = captured < reported or pinfo.can_desegment == 0
+            local behind, wanted =
+                dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
+            if behind < captured then
+                pinfo.desegment_offset = behind
+                pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
+            end
         end
         show(pinfo)
         return captured
@@ -131,8 +137,8 @@ do
         local talk = connection_of(pinfo)
         local is_forced = not ports[port] and not is_named[port] and not talk.is_claimed
         local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
-        local reported = tvb:reported_len()
-        if verdict == PART and #text < reported then
+        local reported = verdict == PART and tvb:reported_len()
+        if reported and #text < reported then
             -- Of a frame that fills its segment the capture has the beginning.
             local is_frame = #text >= HEADER_SIZE and unsigned16(text, 0) + LENGTH_FIELD == reported
             verdict, talk.is_claimed = is_frame and OURS or nil, is_frame
@@ -187,7 +193,7 @@ do
     end
 
     local function dissect_beacon(tvb, text, tree)
-        local item = has_tree(tree) and add_item(tree, tvb())
+        local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
         local at, values = 0, {}
         local port
         for _, line in ipairs(BEACON_LINES) do
@@ -226,7 +232,7 @@ do
             if not answers[number] and not is_forced then return 0 end
             said = "answer to a beacon"
             if has_tree(tree) then
-                add_item(tree, tvb()):set_text("EV3: " .. said):add(field.beacon_answer, tvb())
+                add_item(tree, tvb(), said):add(field.beacon_answer, tvb())
             end
         end
         start_line(number, tvb:offset())

@@ -1,0 +1,186 @@
+-- Operations --------------------------------------------------------------------------------------------------------
+--
+-- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
+-- in the tree.
+
+local value_of_row, say_operations, read_rows, add_rows
+do
+    -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
+    -- instead of it, or after it. A value that has not the type of its parameter is text.
+    function value_of_row(parameter, name, value)
+        local kind, is_text = parameter.kind, type(value) == "string"
+        if is_text ~= (kind == TEXT_VALUE) or (kind == NUMBER and value % 1 ~= 0) then
+            local text = is_text and utf8_text(value) or number_text(value)
+            return field.other, text, name .. ": " .. text, false
+        end
+        local label, addition = false, false
+        if name ~= parameter.field_name then
+            -- An element of a list has its number in its name.
+            local symbol = parameter.enum and not parameter.is_flags and parameter.enum.names[value]
+            local text = is_text and shortened(value) or number_text(value)
+            label = name .. ": " .. (symbol and format("%s (%s)", symbol, text) or text)
+        elseif kind == FLOAT and parameter.unit then
+            addition = parameter.unit
+        end
+        if parameter.special or parameter.is_flags then
+            local meaning = meaning_of(parameter, value)
+            if meaning then addition = (addition and addition .. " (" or "(") .. meaning .. ")" end
+        end
+        return parameter.field, is_text and utf8_text(value) or value, label, addition
+    end
+
+    -- What the brick refuses, or what lies beyond the memory that the command asks for: kinds and texts in turn, after
+    -- those that are in `complaints`, where there are any.
+    local function variable_complaints(complaints, view, parameter, encoding, index)
+        local is_handle = encoding.handle
+        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment
+        if alignment and index % alignment ~= 0 then
+            local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
+            local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
+            local text = variable_text(encoding, index)
+            complaints = complaints or {}
+            complaints[#complaints + 1] = "misaligned"
+            complaints[#complaints + 1] = format(reason, parameter.name, sort, alignment, text)
+        end
+        local is_global = encoding.kind == GLOBAL
+        local asked = is_global and view.globals or view.locals
+        -- Without a tree one such variable stands for all: there is nothing to point at.
+        if not asked or view.is_beyond then return complaints end
+        local size = is_handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size or 1
+        if parameter.length and parameter.is_output and not is_handle then
+            size = size * stated_length(parameter, view.lengths, 1)
+        end
+        if index + size > asked then
+            view.is_beyond = view.complaints ~= nil
+            local reason = "%s reaches up to byte %d of the %s memory, of which the command asks for %s"
+            local scope = is_global and "global" or "local"
+            reason = format(reason, parameter.name, index + size, scope, plural(asked, "byte"))
+            complaints = complaints or {}
+            complaints[#complaints + 1] = "beyond_memory"
+            complaints[#complaints + 1] = reason
+        end
+        return complaints
+    end
+
+    -- A row is an item of the tree: field, offset, size, value, label, addition, how it is encoded (true for the
+    -- heading of an operation, of which the rows after it are the children), complaints. All rows are one list, so that
+    -- they cost no table each.
+    local ROW = 8
+
+    local function add_argument(rows, parameter, encoding, value, at, stop)
+        local count = rows.count
+        rows.count = count + ROW
+        rows[count + 2], rows[count + 3], rows[count + 7] = at, stop - at, encoding.label
+        if encoding.scope then
+            local text = encoding.text or variable_text(encoding, value)
+            rows[count + 1], rows[count + 4] = field.variable, text
+            rows[count + 5], rows[count + 6] = parameter.name .. ": " .. text, false
+            rows[count + 8] = variable_complaints(nil, rows, parameter, encoding, value) or false
+        else
+            rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
+                value_of_row(parameter, parameter.name, value)
+            rows[count + 8] = false
+            if tells_length(parameter, encoding) then rows.lengths[parameter.name] = value end
+        end
+        add_phrase(rows.pieces, parameter, encoding, value)
+    end
+
+    -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
+    -- there are, the offset behind what could be read, and the fault where there is one.
+    function read_rows(rows, text, at, stop, globals, locals)
+        local pieces = { count = 1 }
+        rows.count, rows.globals, rows.locals, rows.lengths, rows.pieces = 0, globals, locals, {}, pieces
+        rows.line, rows.operations, rows.fault = nil, 0, nil
+        while at < stop do
+            -- The opcode is the heading of its operation: it stands for all the bytes of it.
+            local code, heading = byte(text, at + 1), rows.count
+            rows.count = heading + ROW
+            rows[heading + 1], rows[heading + 2], rows[heading + 3], rows[heading + 4] = field.opcode, at, 1, code
+            rows[heading + 5], rows[heading + 6], rows[heading + 7], rows[heading + 8] = false, false, true, false
+            local operation, offset, reason, kind = select_operation(text, at, stop)
+            if not operation then
+                rows.fault = { at = offset, reason = reason, kind = kind }
+                break
+            end
+            if operation.cmd_name then
+                local cmd = rows.count
+                rows.count = cmd + ROW
+                rows[cmd + 1], rows[cmd + 2], rows[cmd + 3] = field.cmd, at + 1, offset - at - 1
+                rows[cmd + 4], rows[cmd + 5], rows[cmd + 6] = operation.name, false, false
+                rows[cmd + 7] = offset > at + 2 and ENCODINGS[byte(text, at + 2)].label
+                rows[cmd + 8] = false
+            end
+            pieces.count, pieces[1] = 1, operation.heading
+            if next(rows.lengths) then rows.lengths = {} end
+            local _, behind
+            _, behind, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
+            rows[heading + 3], rows[heading + 5] = behind - at, concat(pieces, "", 1, pieces.count)
+            if not rows.line then
+                pieces[1] = operation.title
+                rows.line = concat(pieces, "", 1, pieces.count)
+            end
+            rows.operations = rows.operations + 1
+            at = behind
+            if reason then
+                rows.fault = { at = offset, reason = reason, kind = kind }
+                break
+            end
+        end
+        rows.behind = at
+    end
+
+    -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
+    function add_rows(item, tvb, base, rows)
+        local add, encoding_field, heading = item.add, field.encoding, item
+        for at = 1, rows.count, ROW do
+            local start, size, encoding = base + rows[at + 1], rows[at + 2], rows[at + 6]
+            local range = tvb(start, size)
+            if encoding == true then
+                heading = add(item, rows[at], range, rows[at + 3], rows[at + 4])
+            else
+                local added = add(heading, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
+                local complaints = rows[at + 7]
+                if complaints then
+                    for index = 1, #complaints, 2 do
+                        complain(added, complaints[index], complaints[index + 1])
+                    end
+                end
+                if encoding then add(added, encoding_field, size == 1 and range or tvb(start, 1), encoding) end
+            end
+        end
+    end
+
+    local function say_argument(view, parameter, encoding, value)
+        if encoding.scope then
+            variable_complaints(view.complaints, view, parameter, encoding, value)
+        elseif parameter.tells_length and tells_length(parameter, encoding) then
+            view.lengths[parameter.name] = value
+        end
+        if view.pieces then add_phrase(view.pieces, parameter, encoding, value) end
+    end
+
+    -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
+    -- Returns the line on the first one, how many there are, the fault, and the complaints.
+    function say_operations(text, at, stop, globals, locals)
+        local line, count = nil, 0
+        local view = { complaints = {}, globals = globals, locals = locals, lengths = {}, pieces = { "", count = 1 } }
+        while at < stop do
+            local operation, behind, offset, reason, kind = read_operation(text, at, stop, say_argument, view)
+            if operation then
+                if not line then
+                    local pieces = view.pieces
+                    pieces[1] = operation.title
+                    line = concat(pieces, "", 1, pieces.count)
+                    view.pieces = nil
+                end
+                if next(view.lengths) then view.lengths = {} end
+                count = count + 1
+            end
+            if reason then
+                return line, count, { at = offset, reason = reason, kind = kind }, view.complaints
+            end
+            at = behind
+        end
+        return line, count, nil, view.complaints
+    end
+end

@@ -2997,7 +2997,7 @@ local OPERATIONS = {
             {
                 8, "LOAD_IMAGE", "Loads a program file into a stopped slot, for PROGRAM_START to run",
                 { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT },
-                { "NAME", IN, STRING, "path of the program, relative to /home/root/lms2012/sys; .rbf may be left out" },
+                { "NAME", IN, STRING, "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted" },
                 { "SIZE", OUT, DATA32, "size of the program", unit = "bytes", special = { [0] = "not loaded" } },
                 {
                     "IP", OUT, DATA32, "where it was loaded, to be handed to PROGRAM_START",
@@ -3027,7 +3027,7 @@ local OPERATIONS = {
                 { "TICK", IN, DATA32, "the brick's tick at that time" },
             },
             {
-                13, "GET_FOLDERS", "Counts the entries of a folder, hidden ones left out",
+                13, "GET_FOLDERS", "Counts the entries of a folder, without hidden ones",
                 { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
                 { "ITEMS", OUT, DATA8, "how many entries there are" },
             },
@@ -3056,7 +3056,7 @@ local OPERATIONS = {
             {
                 17, "CLOSE_LOG", "Writes a data log to its end and closes it",
                 { "HANDLE", IN, HANDLE, "the open data log" },
-                { "NAME", IN, STRING, "path of the log as given to OPEN_LOG; .rdf may be left out" },
+                { "NAME", IN, STRING, "path of the log as given to OPEN_LOG; .rdf may be omitted" },
             },
             {
                 18, "GET_IMAGE", "Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails",
@@ -3101,7 +3101,7 @@ local OPERATIONS = {
             },
             {
                 27, "OPEN_LOG", "Creates a data log and writes its header",
-                { "NAME", IN, STRING, "path of the log; .rdf may be left out; with an empty one it stays in memory" },
+                { "NAME", IN, STRING, "path of the log; .rdf may be omitted; with an empty one it stays in memory" },
                 { "syncedTime", IN, DATA32, "the common time, as GET_LOG_SYNC_TIME tells it" },
                 { "syncedTick", IN, DATA32, "the brick's tick at that time" },
                 { "nowTick", IN, DATA32, "the brick's tick at the start of the log" },

@@ -242,7 +242,7 @@ def _in_width(number: int, width: int, signed: bool) -> bool:
 
 
 def _forms(kind: str, number: int, signed: bool, plain: bool = False) -> SearchStrategy[bytes]:
-    """Every way in which a number can stand for a kind of argument; `plain` leaves out handle and address bits."""
+    """Every way in which a number can stand for a kind of argument; `plain` omits handle and address bits."""
     ways = [st.just(_SHORT_FORMS[kind, number])] if (kind, number) in _SHORT_FORMS else []
     for width in (1, 2, 4):
         if (kind, width) in _FIRST_BYTES and _in_width(number, width, signed):

@@ -1085,7 +1085,7 @@ types:
         10: {id: make_folder, doc: Creates a folder unless it is there}
         11: {id: get_pool, doc: Reserves a block of memory for the program}
         12: {id: set_log_sync_time, doc: Stores the time and tick by which data logs are lined up}
-        13: {id: get_folders, doc: "Counts the entries of a folder, hidden ones left out"}
+        13: {id: get_folders, doc: "Counts the entries of a folder, without hidden ones"}
         14: {id: get_log_sync_time, doc: Tells the time and tick by which data logs are lined up}
         15: {id: get_subfolder_name, doc: Tells the name of one entry of a folder}
         16: {id: write_log, doc: Adds one row of samples to a data log}
@@ -3598,7 +3598,7 @@ types:
       - {id: prgid, type: argument(false), doc: "slot to load it into (0 to 4; a member of SLOT)"}
       - id: name
         type: argument(false)
-        doc: "path of the program, relative to /home/root/lms2012/sys; .rbf may be left out (at most 119 characters)"
+        doc: "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted (at most 119 characters)"
       - {id: size, type: argument(false), doc: "size of the program (bytes; 0: not loaded)"}
       - {id: ip, type: argument(false), doc: "where it was loaded, to be handed to PROGRAM_START (0: not loaded)"}
     instances:
@@ -3630,7 +3630,7 @@ types:
       - {id: time, type: argument(false), doc: the common time}
       - {id: tick, type: argument(false), doc: "the brick's tick at that time"}
   op_file_get_folders:
-    doc: "Counts the entries of a folder, hidden ones left out"
+    doc: "Counts the entries of a folder, without hidden ones"
     seq:
       - id: name
         type: argument(false)
@@ -3663,7 +3663,7 @@ types:
     doc: Writes a data log to its end and closes it
     seq:
       - {id: handle, type: argument(false), doc: the open data log}
-      - {id: name, type: argument(false), doc: "path of the log as given to OPEN_LOG; .rdf may be left out"}
+      - {id: name, type: argument(false), doc: "path of the log as given to OPEN_LOG; .rdf may be omitted"}
   op_file_get_image:
     doc: "Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails"
     seq:
@@ -3722,7 +3722,7 @@ types:
     seq:
       - id: name
         type: argument(false)
-        doc: "path of the log; .rdf may be left out; with an empty one it stays in memory"
+        doc: "path of the log; .rdf may be omitted; with an empty one it stays in memory"
       - {id: syncedtime, type: argument(false), doc: "the common time, as GET_LOG_SYNC_TIME tells it"}
       - {id: syncedtick, type: argument(false), doc: "the brick's tick at that time"}
       - {id: nowtick, type: argument(false), doc: "the brick's tick at the start of the log"}

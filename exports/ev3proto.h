@@ -3207,8 +3207,8 @@ enum {
     /*
      * Loads a program file into a stopped slot, for PROGRAM_START to run
      *   PRGID  DATA16      slot to load it into (0 to 4; a member of SLOT)
-     *   NAME   string      path of the program, relative to /home/root/lms2012/sys; .rbf may be left out (at most
-     *       119 characters)
+     *   NAME   string      path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted (at most 119
+     *       characters)
      *   SIZE   out DATA32  size of the program (bytes; 0: not loaded)
      *   IP     out DATA32  where it was loaded, to be handed to PROGRAM_START (0: not loaded)
      */
@@ -3246,7 +3246,7 @@ enum {
     SET_LOG_SYNC_TIME = 12,
 
     /*
-     * Counts the entries of a folder, hidden ones left out
+     * Counts the entries of a folder, without hidden ones
      *   NAME   string     path of the folder with its closing slash, such as ../prjs/ (at most 119 characters)
      *   ITEMS  out DATA8  how many entries there are
      */
@@ -3281,7 +3281,7 @@ enum {
     /*
      * Writes a data log to its end and closes it
      *   HANDLE  handle  the open data log
-     *   NAME    string  path of the log as given to OPEN_LOG; .rdf may be left out
+     *   NAME    string  path of the log as given to OPEN_LOG; .rdf may be omitted
      */
     CLOSE_LOG = 17,
 
@@ -3344,7 +3344,7 @@ enum {
 
     /*
      * Creates a data log and writes its header
-     *   NAME                   string      path of the log; .rdf may be left out; with an empty one it stays in
+     *   NAME                   string      path of the log; .rdf may be omitted; with an empty one it stays in
      *       memory
      *   syncedTime             DATA32      the common time, as GET_LOG_SYNC_TIME tells it
      *   syncedTick             DATA32      the brick's tick at that time
@@ -4652,7 +4652,7 @@ enum {
 /* Filling a frame ------------------------------------------------------------------------------------------------ */
 
 /*
- * A frame on its way. What does not fit is left out, and ev3_end then says 0.
+ * A frame on its way. What does not fit is omitted, and ev3_end then says 0.
  *
  *   bytes  the frame, to be sent as it is; on USB all of the array is sent
  *   size   bytes that it has so far

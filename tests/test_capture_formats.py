@@ -388,7 +388,7 @@ def test_packets_of_an_unknown_link_are_passed_over_and_told() -> None:
     frames, trouble = everything(capture)
     assert frames == COMMANDS[:1]
     assert trouble is not None
-    assert trouble.startswith("packets of link type 147, 148 were passed over")
+    assert trouble.startswith("packets of link type 147, 148 were not read")
     assert capture.account.other == 15
 
 

@@ -134,7 +134,7 @@ def test_an_unlock_text_is_cut_anywhere(text: bytes, frame: bytes) -> None:
         stream = text + frame + led(9) + tone(10)
         events, capture = of(connected(*(stream[at : at + size] for at in range(0, len(stream), size))))
         if not any(text.endswith(end) for end in (b"\r\n\r\n", b"\n\n")) and size > len(text):
-            continue  # a line end or a length: here nobody can tell
+            continue  # a line end or a length: here that is not known
         assert [frame for frame, _ in frames(events)] == [frame, led(9), tone(10)], size
         assert not complaints(events), size
         (unlock,) = (event for event in events if isinstance(event, Announcement))

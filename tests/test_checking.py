@@ -144,7 +144,7 @@ def test_options() -> None:
     frame = raw("E4 00 00 01")
     assert codes(frame, dialect="xtended") == []
     assert only(frame).message == (
-        "0xE4 is INPUT_SET_AUTOID for the dialects xtended and compat, and no opcode for official firmware"
+        "0xE4 is INPUT_SET_AUTOID for the dialects xtended and compat, and not an opcode of official firmware"
     )
 
 

@@ -122,7 +122,7 @@ def test_a_text_without_a_length_ends_where_the_next_variable_by_hand_is() -> No
     with pytest.raises(BuildError) as raised:
         command(ops.strings.duplicate("abc", GV(0)), ops.ui_read.get_vbatt())
     assert str(raised.value) == (
-        "nobody can tell how many bytes DESTINATION of STRINGS.DUPLICATE takes from GV(0) on, so there is no safe place"
+        "it is not known how many bytes DESTINATION of STRINGS.DUPLICATE takes from GV(0) on, so there is no safe place"
         " for VALUE of UI_READ.GET_VBATT: give it one by hand, too"
     )
 
@@ -210,7 +210,7 @@ def test_a_handle_is_marked_where_it_is_used_as_one() -> None:
         ((b"\x01",), "b'\\x01' is no operation: ev3proto.ops has them all, such as ops.sound.tone(1, 440, 1000)"),
         (
             (ops.strings.add("a", "b", Global()),),
-            "nobody can tell how many bytes DESTINATION of STRINGS.ADD takes: give a size, such as Global(32)",
+            "it is not known how many bytes DESTINATION of STRINGS.ADD takes: give a size, such as Global(32)",
         ),
         (
             (ops.ui_read.get_vbatt(Global(2)),),

@@ -129,7 +129,7 @@ def test_a_text_of_unknown_length_gets_no_memory() -> None:
     fixed = fix(frame)
     assert fixed.frame == frame
     assert fixed.unfixed == (
-        "nobody can tell how many bytes of global memory DESTINATION of STRINGS.ADD takes, so none were added for it",
+        "it is not known how many bytes of global memory DESTINATION of STRINGS.ADD takes, so none were added for it",
     )
 
 
@@ -239,7 +239,7 @@ def test_an_array_of_unknown_length_stays() -> None:
     fixed = fix(frame)
     assert fixed.frame == frame
     assert fixed.unfixed == (
-        "LV(2) is no multiple of 4, as SOURCE of READ32 needs it, but stays: nobody can tell how many bytes it takes",
+        "LV(2) is no multiple of 4, as SOURCE of READ32 needs it, but stays: it is not known how many bytes it takes",
     )
 
 

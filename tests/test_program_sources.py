@@ -461,7 +461,7 @@ def test_what_strict_would_refuse_is_warned_of() -> None:
         ("DATA8 x\nDATA8 x", "x is declared already: the last one counts"),
         ("define N 3\ndefine N 4", "N is declared already: the last one counts"),
         ("again:\nagain:", "the label again is set already: the last one counts"),
-        ("again: NOP", "what stands after the label again: on its line is left out"),
+        ("again: NOP", "what stands after the label again: on its line is omitted"),
         ("LINE:", "LINE is a name of the firmware: in this object it means the label"),
         ("MOVE32_32(4294967297, v)", "4294967297 has more than 32 bits, and only the lowest 32 are taken"),
         ("CALL", "CALL needs the name of the subcall"),

@@ -319,7 +319,7 @@ def test_troubles_are_kept_up_to_a_limit() -> None:
     events: list[Event] = [brick.skipped(number, "garbage") for number in range(MOST_TROUBLES + 30)]
     timeline = collected(events, most_marks=10)
     assert (len(timeline.marks), timeline.unshown) == (MOST_TROUBLES, 30)
-    assert lay_out(timeline, "x").lines[-1] == "30 marks of errors and files left out: there are too many."
+    assert lay_out(timeline, "x").lines[-1] == "30 marks of errors and files omitted: there are too many."
 
 
 def test_bins_never_are_more_than_the_limit() -> None:

@@ -44,7 +44,7 @@ class OpenFile(Closable):
     def read_until(self, delimiter: bytes, most: int) -> bytes:
         """What stands up to a delimiter, which is taken out too, or so many bytes; an empty delimiter never comes.
 
-        Only the last byte of a delimiter is left out: the firmware keeps the CR of a CR LF. A delimiter that ends
+        Only the last byte of a delimiter is omitted: the firmware keeps the CR of a CR LF. A delimiter that ends
         beyond so many bytes is not seen.
         """
         begin = self._file.tell()

@@ -22,7 +22,7 @@ _NUMBER = re.compile(
 
 
 def fixed(value: float, decimals: int) -> str:
-    """`%.<decimals>f`; a negative number of decimals counts as left out, which is 6."""
+    """`%.<decimals>f`; a negative number of decimals counts as omitted, which is 6."""
     if value != value:
         return "-nan" if _is_negative(value) else "nan"
     if value in (float("inf"), float("-inf")):
@@ -58,7 +58,7 @@ def _converted(found: re.Match[bytes], value: int | float) -> bytes:
 
 
 def _precision(text: bytes) -> int | None:
-    """The precision; one that is negative counts as left out."""
+    """The precision; one that is negative counts as omitted."""
     return None if text.startswith(b"-") else min(int(text or 0), MOST_CHARACTERS)
 
 

@@ -217,7 +217,7 @@ class Motor:
 
         Args:
             percent: power or speed.
-            amounts: degrees or seconds of the three phases; those of length 0 are left out.
+            amounts: degrees or seconds of the three phases; those of length 0 are omitted.
             is_time: which of the two.
             is_braked: whether it brakes at the end.
             owner: object that began it.

@@ -125,7 +125,7 @@ class Storage:
     def listing(self, path: bytes) -> bytes | None:
         """A folder as LIST_FILES shows it: in the reverse of its own order, every line for one entry.
 
-        None where there is no such folder. What is neither file nor folder nor link is left out.
+        None where there is no such folder. What is neither file nor folder nor link is omitted.
         """
         place = self.locate(path)
         if place is None or not _is_folder(place):

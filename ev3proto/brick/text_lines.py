@@ -69,7 +69,7 @@ def with_line(text: bytes, line: bytes, delimiter: bytes, font: int, size: int) 
         line: what is added.
         delimiter: what ends the line.
         font: the font that the line is shown in; any but 0 is written before it as one byte.
-        size: bytes that there are; what does not fit is left out.
+        size: bytes that there are; what does not fit is omitted.
 
     Returns:
         The whole text, with a zero where there is room for it.

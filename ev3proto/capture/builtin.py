@@ -84,6 +84,6 @@ def events(
         raise trouble
     if readers.unknown:
         raise CaptureError(
-            f"packets of link type {', '.join(map(str, sorted(readers.unknown)))} were passed over, which is none of"
+            f"packets of link type {', '.join(map(str, sorted(readers.unknown)))} were not read: none of them is one of"
             " those that are known here; --engine wireshark reads all that Wireshark knows"
         )

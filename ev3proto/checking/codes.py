@@ -79,7 +79,7 @@ TOO_SHORT = _code(
     "too short for a frame",
     """
     A frame starts with five bytes: two of length, two of the message counter, one of the type. A direct command
-    has two more, which ask for memory. Here the bytes end before that, so it is not known what they are.
+    has two more, which ask for memory. Here the bytes end before that, so nobody knows what they are.
     """,
     _frame("03:00|2A:00"),
     VOLTAGE,
@@ -119,7 +119,7 @@ TOO_LONG = _code(
 )
 UNKNOWN_TYPE = _code(
     "E105",
-    "no message type",
+    "an unknown message type",
     """
     The byte after the message counter says what kind of message it is. There are twelve; a brick is sent
     direct commands (0x00 with a reply, 0x80 without) and system commands (0x01 and 0x81).
@@ -131,7 +131,7 @@ EMPTY = _code(
     "E106",
     "a command without operations",
     """
-    The firmware refuses a direct command that ends with its header. To see whether the brick answers, send NOP.
+    The firmware refuses a direct command that ends with its header. To see whether the brick answers, send NOP (0x01).
     """,
     _frame("05:00|2A:00|00|00:00"),
     _frame("06:00|2A:00|00|00:00|01"),
@@ -181,13 +181,13 @@ PADDING = _code(
 
 UNKNOWN_OPCODE = _code(
     "E201",
-    "no opcode",
+    "an unknown opcode",
     """
     The firmware's table of opcodes has no entry for this byte, or it is ERROR (0x00), which is never allowed.
     The brick refuses the whole command; nothing of it is run.
 
-    Often the byte is none that was meant as an opcode: an argument before it is shorter or longer than the
-    sender thought, and everything after it is read out of step. Look at the operation before it first.
+    Often the byte was not meant as an opcode: an argument before it is shorter or longer than the sender
+    thought, and everything after it is read out of step. Look at the operation before it first.
     """,
     _sized("2A:00|80|00:00|A6:00:01:00"),
     _sized("2A:00|80|00:00|A6:00:01"),
@@ -283,7 +283,7 @@ VARIABLE_CMD = _code(
 )
 UNDEFINED_FORM = _code(
     "E210",
-    "no identification byte",
+    "an undefined identification byte",
     """
     The first byte of an argument says how it is encoded. In the long forms, its last three bits say what
     follows; of the eight numbers that they can have the firmware defines five for constants and three for
@@ -294,7 +294,7 @@ UNDEFINED_FORM = _code(
 )
 BAD_COUNT = _code(
     "E211",
-    "a count that is none",
+    "a count that is not a constant number",
     """
     The number of elements in a list must be a constant: 0 to 127 where it counts parameters, anything from 0
     on where it counts values. Where it is not, the firmware takes the list for empty, or the index of a
@@ -307,8 +307,8 @@ NEWER = _code(
     "E212",
     "an operation that firmware of 2013 does not know, and refuses",
     """
-    LEGO added this CMD later. Firmware of 2013, by which a frame is judged here, takes it for a command without
-    parameters, reads what follows as operations, and refuses the command there. Newer firmware takes it.
+    LEGO added this CMD later. The firmware of 2013, by whose rules frames are checked here, takes it for a command
+    without parameters, reads what follows as operations, and refuses the command there. Newer firmware takes it.
     """,
     _sized("2A:00|00|10:00|81:1D:60:64:68:6C"),
     VOLTAGE,
@@ -317,8 +317,8 @@ NEWER_ACCEPTED = _code(
     "W201",
     "an operation that firmware of 2013 does not know, but accepts",
     """
-    LEGO added this CMD later. Firmware of 2013, by which a frame is judged here, takes it for a command without
-    parameters, and runs what follows as operations. By chance these are valid.
+    LEGO added this CMD later. The firmware of 2013, by whose rules frames are checked here, takes it for a command
+    without parameters, and runs what follows as operations. By chance these are valid.
     """,
     _sized("2A:00|80|00:00|82:12:01"),
     _sized("2A:00|80|00:00|82:1B:01"),
@@ -331,7 +331,7 @@ TRUNCATED = _code(
     "a constant that is cut down to its type",
     """
     A constant may be encoded in more bytes than the parameter has. The firmware takes the lowest of them and
-    drops the rest, without a word: 300 in a parameter of 8 bits is 44. It looks at the value of the first
+    drops the rest without a warning: 300 in a parameter of 8 bits is 44. It looks at the value of the first
     parameter only (E204).
     """,
     _sized("2A:00|80|00:00|A3:00:82:2C:01:01"),
@@ -429,7 +429,7 @@ BEYOND_LOCALS = _code(
     """
     The header asks for a number of bytes of local memory (its upper six bits). This variable lies beyond them,
     in whole or in part. The firmware does not look at that: the operation reads or writes what stands there,
-    which belongs to somebody else.
+    which belongs to something else.
     """,
     _sized("2A:00|80|00:00|85:82:E8:03:40:86:40"),
     _sized("2A:00|80|00:10|85:82:E8:03:40:86:40"),
@@ -440,7 +440,7 @@ BEYOND_GLOBALS = _code(
     """
     The header asks for a number of bytes of global memory (its lower ten bits), and the reply carries just
     these. This variable lies beyond them, in whole or in part: the reply does not bring its value, and the
-    operation overwrites memory that belongs to somebody else.
+    operation overwrites memory that belongs to something else.
     """,
     _sized("2A:00|00|00:00|81:01:60"),
     VOLTAGE,
@@ -477,12 +477,12 @@ UNWANTED_GLOBALS = _code(
 )
 NO_REPLY = _code(
     "W404",
-    "results that no reply brings",
+    "results that no reply carries",
     """
     The command stores results in global memory, which a reply would bring. But its type says that no reply is
     wanted, and no operation of the command itself uses them.
 
-    With type 0x00 the brick answers. Results that are of no interest belong into local memory.
+    With type 0x00 the brick answers. Results that nobody needs belong in local memory.
     """,
     _sized("2A:00|80|04:00|81:01:60"),
     VOLTAGE,
@@ -515,7 +515,7 @@ ARRAY_TOO_SHORT = _code(
     "E501",
     "fewer bytes than the length says",
     """
-    One parameter tells how many elements the other has, and there are fewer. The brick reads on after them: in
+    One parameter says how many elements the other has, and there are fewer. The brick reads on after them: in
     the operations that follow, or in memory that has nothing to do with it.
     """,
     _sized("2A:00|80|00:00|9F:00:00:08:84:41:42:00"),
@@ -525,8 +525,8 @@ NAME_TOO_LONG = _code(
     "E502",
     "a text that is longer than the firmware allows",
     """
-    The firmware has room for so many bytes of this text, its zero included. It refuses longer ones when it
-    comes to the operation: a path has 119 characters at most, the name of a brick 118, that of a mailbox 49.
+    The firmware has room for a fixed number of bytes of this text, its zero included. It refuses a longer text
+    when it comes to the operation: a path has 119 characters at most, the name of a brick 118, that of a mailbox 49.
     """,
     _sized("2A:00|80|00:00|94:02:01:84:" + "61:" * 120 + "00"),
     _sized("2A:00|80|00:00|94:02:01:84:" + "61:" * 119 + "00"),
@@ -535,7 +535,7 @@ REST_UNUSED = _code(
     "W501",
     "more bytes than the length says",
     """
-    One parameter tells how many elements the other has, and there are more. The brick does not look at the
+    One parameter says how many elements the other has, and there are more. The brick does not look at the
     rest.
     """,
     _sized("2A:00|80|00:00|9F:00:00:01:84:41:42:00"),
@@ -548,8 +548,8 @@ JUMP_OUT = _code(
     "E601",
     "a jump out of the code",
     """
-    A jump counts its bytes from the end of the jump itself. This one leads beyond the end of the command or in
-    front of its first operation, where the brick finds something that is no byte code of yours and runs it. A
+    A jump counts its bytes from the end of the jump itself. This one leads beyond the end of the command or before
+    its first operation, where the brick runs whatever bytes it finds. A
     jump to the very end is right: it ends the command.
     """,
     _sized("2A:00|80|00:04|41:40:05:01"),
@@ -559,8 +559,8 @@ JUMP_INTO = _code(
     "E602",
     "a jump into the middle of an operation",
     """
-    A jump counts its bytes from the end of the jump itself. Where this one leads no operation starts: the brick
-    would take an argument for an opcode.
+    A jump counts its bytes from the end of the jump itself. No operation starts where this one leads: the
+    brick would take an argument for an opcode.
     """,
     _sized("2A:00|80|00:04|41:40:01:82:1B:01"),
     _sized("2A:00|80|00:04|41:40:03:82:1B:01"),
@@ -620,8 +620,8 @@ SOUND_INTERRUPTED = _code(
     "W701",
     "a sound that the next one cuts off",
     """
-    SOUND starts a sound and returns at once; the next one ends it. Of several in a row one hears only the last.
-    Between them belongs SOUND_READY (0x96), which waits until the sound has ended, or a timer.
+    SOUND starts a sound and returns at once; the next one ends it. Of several in a row, only the last is heard.
+    Put SOUND_READY (0x96), which waits until the sound has ended, or a timer between them.
     """,
     _sized("2A:00|80|00:00|94:01:01:82:06:01:82:F4:01|94:01:01:82:4A:01:82:F4:01"),
     _sized("2A:00|80|00:00|94:01:01:82:06:01:82:F4:01|96|94:01:01:82:4A:01:82:F4:01"),
@@ -640,8 +640,8 @@ PICTURE_REPLACED = _code(
     "W703",
     "a picture that the next one replaces at once",
     """
-    The display shows what was drawn, and what comes next wipes it and shows something else. Nothing waits in
-    between, so the first picture is there for some milliseconds. TIMER_WAIT and TIMER_READY give people the
+    The display shows what was drawn, and what comes next replaces it. Nothing waits in between, so the
+    first picture is there for some milliseconds only. TIMER_WAIT and TIMER_READY give people the
     time to see it.
     """,
     _sized("2A:00|80|00:00|84:02:01:05:05:84:00|84:01:84:00"),
@@ -652,7 +652,7 @@ MOVE_INTERRUPTED = _code(
     "a move that the next one ends",
     """
     A move of motors starts and returns at once, and the next operation that moves or stops the same motors ends
-    it. Between them belongs OUTPUT_READY (0xAA), which waits until the move has ended, or a timer.
+    it. Put OUTPUT_READY (0xAA), which waits until the move has ended, or a timer between them.
     """,
     _sized("2A:00|80|00:00|AE:00:01:1E:00:82:68:01:00:01|AE:00:01:22:00:82:68:01:00:01"),
     _sized("2A:00|80|00:00|AE:00:01:1E:00:82:68:01:00:01|AA:00:01|AE:00:01:22:00:82:68:01:00:01"),
@@ -662,10 +662,10 @@ MOVE_INTERRUPTED = _code(
 
 UNKNOWN_SYSTEM = _code(
     "E801",
-    "no system command",
+    "an unknown system command",
     """
     The byte after the type is the system command; the firmware has 0x92 to 0xA2, the firmware updater 0xF0 to
-    0xF6. To others it does not answer.
+    0xF6. It does not answer any other number.
     """,
     _frame("04:00|2A:00|01|42"),
     _frame("04:00|2A:00|01|9D"),
@@ -696,14 +696,14 @@ FIELD_TOO_LONG = _code(
     "E804",
     "a field that is longer than the firmware has room for",
     """
-    The firmware copies the field into a buffer of fixed size. More than that does not fit.
+    The firmware copies the field into a buffer of fixed size. This field has more bytes than that.
     """,
     _sized("2A:00|01|A2:" + "41:" * 11 + "00"),
     _sized("2A:00|01|A2:" + "41:" * 10 + "00"),
 )
 WRONG_CARRIER = _code(
     "E805",
-    "a command that this carrier cannot bring",
+    "a command that this carrier cannot transport",
     """
     Commands of the firmware updater, and BLUETOOTHPIN, reach the brick by USB only. A check knows the carrier
     when `--carrier` says so, or it reads a capture.
@@ -714,7 +714,7 @@ WRONG_CARRIER = _code(
 )
 UNKNOWN_DAISY = _code(
     "E806",
-    "no message from brick to brick",
+    "an unknown message from brick to brick",
     """
     Messages in a daisy chain have a sub-command, 0xA0 to 0xA5, then the layer they come from and the one they
     go to.
@@ -726,8 +726,8 @@ NEVER_ANSWERED = _code(
     "W801",
     "a reply that never comes",
     """
-    The type asks for a reply (0x01), and the brick never replies to this command. Who waits for one waits for
-    ever.
+    The type asks for a reply (0x01), and the brick never replies to this command. A program that waits for one
+    waits for ever.
     """,
     _frame("04:00|2A:00|01|A0"),
     _frame("04:00|2A:00|81|A0"),

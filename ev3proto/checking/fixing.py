@@ -256,7 +256,7 @@ class _Fixing:
             self.unfixed += dict.fromkeys(
                 f"{place.full_name} would need {place.end} bytes of {scope} memory, and there are {most} at most"
                 if place.end > most
-                else f"nobody can tell how many bytes of {scope} memory {place.full_name} takes, so none were added"
+                else f"it is not known how many bytes of {scope} memory {place.full_name} takes, so none were added"
                 " for it"
                 for place in beyond
                 if place.end > sizes[scope]
@@ -383,7 +383,7 @@ class _Layout:
         if not any(_is_aligned(block.places, way) for way in range(_WIDEST)):
             return "what shares its bytes wants another place"
         if block.is_open:
-            return "nobody can tell how many bytes it takes"
+            return "it is not known how many bytes it takes"
         if any(place.argument.offset in self._rigid for place in block.places):
             return "elsewhere it would need a longer encoding, and a jump counts these bytes"
         return "there is no room elsewhere"

@@ -48,8 +48,8 @@ REFUSED = _code(
     "the brick refuses the program",
     """
     Before a program is started, the firmware reads the code of every object from its start to its end. An operation
-    that it does not know, a first constant out of the range of its type, a variable that is not aligned, code after
-    the end of the object: any of them, and the program is not run at all.
+    that it does not know, a first constant out of the range of its type, a variable that is not aligned, or code
+    after the end of the object: any of them is enough, and the program is not run at all.
     """,
     _image("30 05 60 DF 0A"),
     _FINE,
@@ -66,7 +66,7 @@ NO_SUCH_OBJECT = _code(
 )
 NOT_A_SUBCALL = _code(
     "E004",
-    "a call of what is no subcall",
+    "a call of something that is not a subcall",
     """
     A subcall starts with a table of its parameters, which CALL reads. A thread or a block has none, and its first
     operations would be taken for that.
@@ -79,7 +79,7 @@ CALL_COUNT = _code(
     "a call with a wrong number of parameters",
     """
     CALL takes as many arguments as the subcall declares, whatever the call says: with fewer, the following operations
-    are taken for arguments, and with more, the arguments that are left over for operations.
+    are taken for arguments; with more, the arguments that are left over are taken for operations.
     """,
     _image("09 02 02 05 05 0A"),
     _FINE,
@@ -119,7 +119,7 @@ UNREACHABLE = _code(
     "operations that no way leads to",
     """
     They follow a jump or a return, and no jump leads to them: they are never run. Either a label is at the wrong place,
-    or they can be left out.
+    or they can be omitted.
     """,
     _image("40 03 30 05 60 0A"),
     _FINE,

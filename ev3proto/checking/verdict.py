@@ -9,7 +9,7 @@ then, the last one where that ends too late. The rules, whose numbers stand in t
  2  An opcode that the tables do not have is refused, and so is ERROR. OBJECT_END ends the code: nothing may follow.
  3  An operation is bad until one of its parameters passes, and never bad again: only the first one decides.
  4  A variable passes, whatever its index.
- 5  A constant passes within the range of its type, which leaves out the value that means "not a number"; a float, and a
+ 5  A constant passes within the range of its type, which excludes the value that means "not a number"; a float, and a
     value whose type depends on an array, always pass.
  6  A label counts as a constant. A form whose width is not defined takes no byte after the first one.
  7  The index of a variable is a multiple of 2 for 16 bits and for handles, of 4 for 32 bits and floats, or the

@@ -313,7 +313,7 @@ def _frames(count: int) -> str:
     type=click.Choice(FORMATS),
     help="How to show findings: text, unless you say otherwise; sarif and github are for continuous integration.",
 )
-@click.option("--carrier", type=click.Choice(CARRIERS), help="What is to carry the frames; a capture tells it itself.")
+@click.option("--carrier", type=click.Choice(CARRIERS), help="What is to carry the frames; a capture says so itself.")
 @click.option(
     "--explain", "code", metavar="CODE", help=f"Tell what a finding means, with an example; {ALL_CODES} lists them."
 )

@@ -357,7 +357,7 @@ class _Version(click.ParamType):
 @click.option(
     "--reply/--no-reply",
     default=None,
-    help="Whether the brick is to answer assembly without a header; left out: where there is something to answer.",
+    help="Whether the brick is to answer assembly without a header; by default where there is something to answer.",
 )
 @click.option(
     "--unchecked", is_flag=True, help="Take values of assembly that mean nothing to the brick, such as motor port 16."

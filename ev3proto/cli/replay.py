@@ -60,7 +60,7 @@ def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[
     metavar="NAME",
     help=f"Send also what does this: {', '.join(Harm)}, {_EVERYTHING}, or an operation such as OUTPUT_START.",
 )
-@click.option("--dry-run", is_flag=True, help="Send nothing; show what would be sent and what left out.")
+@click.option("--dry-run", is_flag=True, help="Send nothing; show what would be sent and what omitted.")
 @click.option("--fast", is_flag=True, help="As fast as answers come, not at the pace of the capture.")
 @click.option(
     "--timeout",
@@ -82,7 +82,7 @@ def replay(
 ) -> None:
     """Sends the commands of a capture again, and tells how the replies differ from the recorded ones.
 
-    What changes or harms a brick is left out and listed, unless --allow names it: what deletes or writes files, moves
+    What changes or harms a brick is omitted and listed, unless --allow names it: what deletes or writes files, moves
     motors, changes settings, controls programs, presses buttons, writes to devices, restarts the brick, erases
     firmware, runs SYSTEM, and what cannot be read. Handles of files are those that the brick gives now; counters are
     new.
@@ -116,11 +116,11 @@ def _show_plan(found: list[Step]) -> None:
     for step in found:
         command = command_spans(step.command.message)
         if step.harms:
-            printer.lines([[("left out  ", Role.FAULT), *command, (_why(step), Role.ASIDE)]])
+            printer.lines([[("omitted   ", Role.FAULT), *command, (_why(step), Role.ASIDE)]])
         else:
             printer.lines([[("sent      ", Role.VALUE), *command]])
     left_out = sum(bool(step.harms) for step in found)
-    complain(f"{counted(len(found) - left_out, 'command')} would be sent, {left_out} left out")
+    complain(f"{counted(len(found) - left_out, 'command')} would be sent, {left_out} omitted")
 
 
 def _why(step: Step) -> str:
@@ -153,8 +153,8 @@ class _Replaying:
         try:
             for step in found:
                 if step.harms:
-                    self._counts["left out"] += 1
-                    line = [("left out: ", Role.FAULT), *command_spans(step.command.message), (_why(step), Role.ASIDE)]
+                    self._counts["omitted"] += 1
+                    line = [("omitted: ", Role.FAULT), *command_spans(step.command.message), (_why(step), Role.ASIDE)]
                     self._printer.lines([line])
                     continue
                 if not self._fast:
@@ -166,7 +166,7 @@ class _Replaying:
             return False
         counts = self._counts
         complain(
-            f"{counted(len(found) - counts['left out'], 'command')} sent, {counts['left out']} left out; answered"
+            f"{counted(len(found) - counts['omitted'], 'command')} sent, {counts['omitted']} omitted; answered"
             f" {', '.join(f'{counts[each.value]} {each.value}' for each in Likeness)}"
         )
         return not counts[Likeness.KIND.value]

@@ -77,7 +77,7 @@ class _Commands(Encoding):
 @click.option(
     "--reply/--no-reply",
     default=None,
-    help="Whether the brick is to answer assembly without a header; left out: where there is something to answer.",
+    help="Whether the brick is to answer assembly without a header; by default where there is something to answer.",
 )
 @click.option("--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True)
 def send(

@@ -19,7 +19,7 @@ _UNLIMITED = 10_000
 class Tables:
     """Prints headings and tables, with an empty line between them.
 
-    hidden  titles of columns that are left out everywhere
+    hidden  titles of columns that are omitted everywhere
     """
 
     def __init__(self, hidden: Collection[str] = ()) -> None:

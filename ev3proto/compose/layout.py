@@ -33,7 +33,7 @@ def layout(drafts: Sequence[Draft], omitted: str) -> Layout:
         omitted: The memory that outputs go to which were omitted.
 
     Raises:
-        BuildError: There is no room, or nobody can tell how much a variable takes.
+        BuildError: There is no room, or it is not known how much a variable takes.
     """
     return _layout_of_omitted(drafts, omitted) or _LayoutOfAll(drafts, omitted).layout()
 
@@ -131,7 +131,7 @@ def _need(place: Placeholder, found: Sequence[Footprint]) -> Need:
         return need._replace(size=place.size)
     if vague:
         raise BuildError(
-            f"nobody can tell how many bytes {vague[0].full_name} takes: give a size, such as"
+            f"it is not known how many bytes {vague[0].full_name} takes: give a size, such as"
             f" {place.scope.capitalize()}(32)"
         )
     return need

@@ -69,7 +69,7 @@ class Memory:
             return min(following)
         if index + need.size > start:
             raise BuildError(
-                f"nobody can tell how many bytes {who} takes from {Variable(self.scope, start)} on, so there is no safe"
+                f"it is not known how many bytes {who} takes from {Variable(self.scope, start)} on, so there is no safe"
                 f" place for {need.name}: give it one by hand, too"
             )
         return start

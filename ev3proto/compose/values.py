@@ -158,6 +158,6 @@ def _refuse_unknown_size(used: Iterable[Footprint], places: Mapping[int, Placeho
     for found in used:
         if found.room is None and isinstance(places.get(found.number), Open):
             raise BuildError(
-                f"{found.argument.name} cannot be omitted: nobody can tell how long it becomes. Give the bytes that it"
+                f"{found.argument.name} cannot be omitted: it is not known how long it becomes. Give the bytes that it"
                 " may take, Global(32), or its place, GV(0)"
             )

@@ -1,6 +1,6 @@
 """What a message may do to a brick that outlasts it or moves something, by the effects in the tables.
 
-Who replays a capture or lets strangers at a brick decides by it what to leave out.
+Who replays a capture or lets strangers at a brick decides by it what to omit.
 """
 
 from __future__ import annotations

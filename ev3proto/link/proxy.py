@@ -54,7 +54,7 @@ class ProxyOptions:
     port          0 for any that is free
     only_from     the address that clients must have; None for any
     is_read_only  nothing goes through that changes the brick
-    is_masked     names, addresses and PINs are left out of the recording and of what is shown
+    is_masked     names, addresses and PINs are kept out of the recording and of what is shown
     faults        what happens to replies
     dialect       the firmware's instruction set
     """

@@ -30,7 +30,7 @@ class Step:
 
     command  as it was recorded
     reply    the recorded reply, None where there was none
-    harms    why it is left out: what it may do, and the operation that does it; empty where it is sent
+    harms    why it is omitted: what it may do, and the operation that does it; empty where it is sent
     """
 
     command: Record
@@ -62,7 +62,7 @@ def steps(pairs: Iterable[RequestReply], allowed: frozenset[str]) -> list[Step]:
 
 
 def _harms(message: Message, allowed: frozenset[str]) -> dict[Harm, str]:
-    """Why a message is left out. One whose type is not known cannot be sent with a new counter at all."""
+    """Why a message is omitted. One whose type is not known cannot be sent with a new counter at all."""
     return {Harm.UNKNOWN: "the frame"} if message.type is None else harms_of(message, allowed)
 
 

@@ -173,7 +173,7 @@ def load_image(prgid: AnySLOT, name: Text, size: Output = None, ip: Output = Non
 
     Args:
         prgid: Slot to load it into; 0 to 4; a member of SLOT; DATA16.
-        name: Path of the program, relative to /home/root/lms2012/sys; .rbf may be left out; at most 119 characters;
+        name: Path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted; at most 119 characters;
             string.
         size: Size of the program; bytes; 0: not loaded; DATA32; an output, in global memory when omitted.
         ip: Where it was loaded, to be handed to PROGRAM_START; 0: not loaded; DATA32; an output, in global memory when
@@ -235,7 +235,7 @@ def set_log_sync_time(time: Number, tick: Number, *, unchecked: bool = False) ->
 
 @explained
 def get_folders(name: Text, items: Output = None, *, unchecked: bool = False) -> Draft:
-    """Counts the entries of a folder, hidden ones left out.
+    """Counts the entries of a folder, without hidden ones.
 
     Args:
         name: Path of the folder with its closing slash, such as ../prjs/; at most 119 characters; string.
@@ -299,7 +299,7 @@ def close_log(handle: Number, name: Text, *, unchecked: bool = False) -> Draft:
 
     Args:
         handle: The open data log; handle.
-        name: Path of the log as given to OPEN_LOG; .rdf may be left out; string.
+        name: Path of the log as given to OPEN_LOG; .rdf may be omitted; string.
         unchecked: Let values through that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["FILE.CLOSE_LOG"].draft((handle, name), unchecked)
@@ -421,7 +421,7 @@ def open_log(
     """Creates a data log and writes its header.
 
     Args:
-        name: Path of the log; .rdf may be left out; with an empty one it stays in memory; string.
+        name: Path of the log; .rdf may be omitted; with an empty one it stays in memory; string.
         syncedtime: The common time, as GET_LOG_SYNC_TIME tells it; DATA32.
         syncedtick: The brick's tick at that time; DATA32.
         nowtick: The brick's tick at the start of the log; DATA32.

@@ -25,8 +25,8 @@ class MemoryFacts(NamedTuple):
     """What the tables tell of a variable that stands for a parameter.
 
     size                 bytes of one value, 1 where the type does not tell
-    most                 bytes of one value at most, None where nobody can tell
-    room                 bytes to set aside for one value where a place is chosen, None where nobody can tell
+    most                 bytes of one value at most, None where that is not known
+    room                 bytes to set aside for one value where a place is chosen, None where that is not known
     fixed_length         how many values there are, where the tables tell
     length               number of the argument that tells how many values there are, None where none does
     indexed_by           number of the argument that tells which element of an array is used, None where none does
@@ -68,8 +68,8 @@ class Footprint(NamedTuple):
     argument             the variable
     start                its first byte
     size                 bytes that it takes for sure
-    most                 bytes that it takes at most, None where nobody can tell
-    room                 bytes to set aside where a place is chosen, None where nobody can tell
+    most                 bytes that it takes at most, None where that is not known
+    room                 bytes to set aside where a place is chosen, None where that is not known
     is_array             it is more than one value, or may be
     is_read              the operation reads it
     is_written           the operation writes it
@@ -101,7 +101,7 @@ class Footprint(NamedTuple):
 
     @property
     def is_open(self) -> bool:
-        """True where nobody can tell from the operation how many bytes it takes."""
+        """True where that is not known from the operation how many bytes it takes."""
         return self.most is None
 
     @property
@@ -222,7 +222,7 @@ def _marked(operation: Operation, number: int, argument: Argument, known: Memory
 
 
 def _count(known: MemoryFacts, arguments: Sequence[Argument]) -> int | None:
-    """How many values an array has, as far as they are used; None where nobody can tell."""
+    """How many values an array has, as far as they are used; None where that is not known."""
     if known.fixed_length is not None:
         return known.fixed_length
     number = known.length if known.length is not None else known.indexed_by

@@ -16,7 +16,7 @@ UNLOCK_REQUEST = "GET /target?sn="
 """What the host's first line begins with; the brick's serial number follows."""
 
 UNLOCK_VERSION = "VMTP1.0"
-"""What the host's first line ends with, after a space that some senders leave out."""
+"""What the host's first line ends with, after a space that some senders omit."""
 
 UNLOCK_PROTOCOL = f"Protocol: {PROTOCOL}"
 """The host's second line."""

@@ -1,7 +1,7 @@
 """How a value may stand in a frame: the encodings, their widths, and which numbers each type can hold.
 
 The identification byte says which encoding follows; its bits are declared in `ev3proto.schema.identification`. Ranges
-leave out the one value that means "not a number".
+omit the one value that means "not a number".
 """
 
 from typing import NamedTuple

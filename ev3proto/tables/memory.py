@@ -208,7 +208,7 @@ MEMORY = (
                     In(
                         "NAME",
                         STRING,
-                        "path of the program, relative to /home/root/lms2012/sys; .rbf may be left out",
+                        "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted",
                         most=paths.WHOLE,
                     ),
                     Out("SIZE", DATA32, "size of the program", unit="bytes", special={0: "not loaded"}),
@@ -257,7 +257,7 @@ MEMORY = (
             Command(
                 13,
                 "GET_FOLDERS",
-                "Counts the entries of a folder, hidden ones left out",
+                "Counts the entries of a folder, without hidden ones",
                 (
                     FOLDER_NAME,
                     Out("ITEMS", DATA8, "how many entries there are"),
@@ -306,7 +306,7 @@ MEMORY = (
                 "Writes a data log to its end and closes it",
                 (
                     LOG_HANDLE,
-                    In("NAME", STRING, "path of the log as given to OPEN_LOG; .rdf may be left out"),
+                    In("NAME", STRING, "path of the log as given to OPEN_LOG; .rdf may be omitted"),
                 ),
                 effects=(Effect.WRITES_FILES,),
             ),
@@ -398,7 +398,7 @@ MEMORY = (
                 "OPEN_LOG",
                 "Creates a data log and writes its header",
                 (
-                    In("NAME", STRING, "path of the log; .rdf may be left out; with an empty one it stays in memory"),
+                    In("NAME", STRING, "path of the log; .rdf may be omitted; with an empty one it stays in memory"),
                     In("syncedTime", DATA32, "the common time, as GET_LOG_SYNC_TIME tells it"),
                     In("syncedTick", DATA32, "the brick's tick at that time"),
                     In("nowTick", DATA32, "the brick's tick at the start of the log"),

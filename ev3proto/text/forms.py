@@ -92,7 +92,7 @@ def _parts(message: Message) -> Iterator[tuple[bytes, str]]:
 
 
 def _body(message: Message) -> Iterator[tuple[int, str]]:
-    """What stands after the message type, by its bytes and what they say; the last of it may be left out."""
+    """What stands after the message type, by its bytes and what they say; the last of it may be omitted."""
     match message:
         case DirectCommand():
             memory = f"{message.global_size} bytes of global memory, {message.local_size} of local"

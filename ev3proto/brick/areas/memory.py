@@ -48,7 +48,7 @@ def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, de
 
 @handles("MEMORY_WRITE")
 def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, source: Place) -> None:
-    """Bytes outside are left out."""
+    """Bytes outside are omitted."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:
         return

@@ -2,7 +2,7 @@
 
 A row is one integer of 178 bits, the leftmost pixel the highest: a rectangle is one mask ORed into some rows. What is
 drawn is what the firmware draws, pixel for pixel, its rounding and its 16-bit coordinates included. Coordinates may
-lie outside the display; pixels outside are left out. Colour 0 clears pixels, any other sets them.
+lie outside the display; pixels outside are omitted. Colour 0 clears pixels, any other sets them.
 """
 
 from __future__ import annotations

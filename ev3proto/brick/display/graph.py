@@ -85,7 +85,7 @@ class Graph:
         return _summary([])
 
     def _draw_item(self, canvas: Canvas, item: int, x: int, *, skips: bool) -> None:
-        """Draws the samples of one item; those that are no numbers are left out if `skips` is set."""
+        """Draws the samples of one item; those that are no numbers are omitted if `skips` is set."""
         scale = self.items[item]()
         bottom = scale.offset + scale.span
         before = bottom

@@ -46,7 +46,7 @@ def summary(timeline: Timeline) -> list[str]:
     else:
         lines.append("A mark stands where a command was sent, and its bar reaches to the reply.")
     if timeline.unshown:
-        lines.append(f"{count(timeline.unshown, 'mark')} of errors and files left out: there are too many.")
+        lines.append(f"{count(timeline.unshown, 'mark')} of errors and files omitted: there are too many.")
     return lines
 
 

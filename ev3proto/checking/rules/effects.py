@@ -118,7 +118,7 @@ def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
 
 
 def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
-    """Layer and bit of the motors that an operation is about; none where nobody can tell."""
+    """Layer and bit of the motors that an operation is about; none where that is not known."""
     known = {argument.parameter.role: whole_number(argument) for argument in operation.arguments}
     layer, mask = known.get(Role.LAYER), known.get(Role.MOTORS)
     if layer is None or mask is None:

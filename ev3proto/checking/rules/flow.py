@@ -118,7 +118,7 @@ class _Way:
         return bool(self._operations) and target < self._operations[-1].end
 
     def _target(self, operation: CheckedOperation, jump: Argument) -> int | None:
-        """Where a jump leads, None where nobody can tell."""
+        """Where a jump leads, None where that is not known."""
         if jump.form.handle or jump.form.address or jump.is_variable or not isinstance(jump.value, int):
             return None
         if _is_label(jump):

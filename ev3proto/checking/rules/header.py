@@ -42,7 +42,7 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
         yield codes.UNKNOWN_TYPE.finding(
             TYPE_OFFSET,
             1,
-            f"0x{frame[TYPE_OFFSET]:02X} is no message type",
+            f"0x{frame[TYPE_OFFSET]:02X} is not a message type",
             f"give 0x{MessageType.DIRECT_COMMAND_REPLY:02X} for a direct command with a reply,"
             f" 0x{MessageType.DIRECT_COMMAND_NO_REPLY:02X} for one without,"
             f" 0x{MessageType.SYSTEM_COMMAND_REPLY:02X} or 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X} for a system"

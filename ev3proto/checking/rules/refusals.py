@@ -100,11 +100,11 @@ def _unknown_opcode(context: CheckContext, start: int) -> Finding:
     others = [opcode for opcode in OPCODES if opcode.number == number and opcode.dialects]
     if others:
         message = (
-            f"0x{number:02X} is {others[0].name} for the dialects {' and '.join(others[0].dialects)}, and no opcode for"
-            f" {context.dialect} firmware"
+            f"0x{number:02X} is {others[0].name} for the dialects {' and '.join(others[0].dialects)}, and not an opcode"
+            f" of {context.dialect} firmware"
         )
     else:
-        message = f"0x{number:02X} is no opcode of the {context.dialect} firmware"
+        message = f"0x{number:02X} is not an opcode of the {context.dialect} firmware"
     return codes.UNKNOWN_OPCODE.finding(start, 1, message, _out_of_step(start))
 
 
@@ -171,7 +171,7 @@ def _undefined_form(at: int, first: int, name: str, parameter: str) -> Finding:
     return codes.UNDEFINED_FORM.finding(
         at,
         1,
-        f"0x{first:02X} is no identification byte: {parameter} of {name} has no encoding that the firmware defines",
+        f"0x{first:02X} is not an identification byte: {parameter} of {name} has no encoding that the firmware defines",
         "give the argument as LC0, LC1, LC2, LC4, LCS or a variable",
         name,
         parameter,

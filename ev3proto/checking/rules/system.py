@@ -60,7 +60,7 @@ def _unknown(context: CheckContext) -> Finding:
     return codes.UNKNOWN_SYSTEM.finding(
         HEADER_SIZE,
         1,
-        f"0x{number:02X} is no system command",
+        f"0x{number:02X} is not a system command",
         f"give {' or '.join(_runs(known))}",
     )
 

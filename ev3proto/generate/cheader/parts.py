@@ -98,7 +98,7 @@ FUNCTIONS = """\
 /* Filling a frame ------------------------------------------------------------------------------------------------ */
 
 /*
- * A frame on its way. What does not fit is left out, and ev3_end then says 0.
+ * A frame on its way. What does not fit is omitted, and ev3_end then says 0.
  *
  *   bytes  the frame, to be sent as it is; on USB all of the array is sent
  *   size   bytes that it has so far

@@ -41,7 +41,7 @@ _LIST = (1, 2)
 """What stands in a list."""
 
 _ROOM = 16
-"""Bytes for an output of which nobody can tell how long it becomes."""
+"""Bytes for an output of which it is not known how long it becomes."""
 
 _PATH = "../prjs/demo/"
 _TEXT = "demo"
@@ -76,7 +76,7 @@ def example_of(declaration: Declaration, dialect: str) -> Example:
     """
     try:
         calls = [_call(declaration, dialect, omitted=True)]
-    except BuildError:  # where nobody can tell how long an output becomes, it must be said
+    except BuildError:  # where it is not known how long an output becomes, it must be said
         calls = [_call(declaration, dialect, omitted=False)]
     if Effect.DRAWS in declaration.effects and Effect.SHOWS not in declaration.effects:
         calls.append(_call(with_effect(Effect.SHOWS), DIALECTS[0], omitted=True))

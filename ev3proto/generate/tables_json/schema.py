@@ -27,7 +27,7 @@ def schema() -> Schema:
         "frame": _frame(),
         "message_types": _array(_ref("message_type"), "the byte after the message counter"),
         "types": _array(_ref("type"), "what parameters hold"),
-        "encodings": _array(_ref("encoding"), "what the first byte of an argument says; bytes left out are undefined"),
+        "encodings": _array(_ref("encoding"), "what the first byte of an argument says; bytes omitted are undefined"),
         "areas": _object(
             {area: _array(_ref("opcode"), f"the area {area}") for area in AREAS}, "the opcodes by the firmware's areas"
         ),

@@ -139,7 +139,7 @@ class LegoParser:
             kept = words[:-1]
             return [*kept, last._replace(text=last.text[:-1])] if len(last.text) > 1 else kept
         if not last.is_text and last.text.endswith(";"):
-            self.warnings.append((last.at + len(last.text) - 1, "a ; means nothing: it is left out"))
+            self.warnings.append((last.at + len(last.text) - 1, "a ; means nothing: it is omitted"))
             stripped = last.text.rstrip(";")
             words = [*words[:-1], last._replace(text=stripped)] if stripped else words[:-1]
         if words:
@@ -161,7 +161,7 @@ class LegoParser:
             self._object = None
         elif word.endswith(":") and _NAME.fullmatch(word[:-1]):
             if len(words) > 1:
-                self.warnings.append((words[1].at, f"what stands after the label {word[:40]} on its line is left out"))
+                self.warnings.append((words[1].at, f"what stands after the label {word[:40]} on its line is omitted"))
             self._inside(first, "a label").body.append(LabelStatement(first.at, word[:-1]))
         elif word == DEFINE:
             self._define(words)

@@ -63,7 +63,7 @@ def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
 
 
 def _values(name: str, schema: Fields, arguments: list[WrittenArgument], encoder: Encoder) -> dict[str, FieldValue]:
-    """The fields by name. Values without names are those of the fields in order, lengths left out."""
+    """The fields by name. Values without names are those of the fields in order, lengths omitted."""
     in_order = iter([field for field in schema.fields if field.counts is None])
     values: dict[str, FieldValue] = {}
     for argument in arguments:

@@ -57,7 +57,7 @@ def facts() -> dict[str, Any]:
 
 
 def state(host: Host) -> dict[str, Any]:
-    """All that changes, by key; whatever is not JSON is left out by its key's own form."""
+    """All that changes, by key; whatever is not JSON is omitted by its key's own form."""
     brick = host.brick
     playing = brick.sound.playing
     program = brick.machine.slots[USER_SLOT]

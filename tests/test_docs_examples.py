@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import os
 import re
+import shlex
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from support.cli import run_ev3proto_text
 from support.wireshark import Tshark
 
 ROOT = Path(__file__).parent.parent
@@ -51,15 +53,19 @@ class Session:
         command = re.sub(r"127\.0\.0\.1(?!:)", f"127.0.0.1:{self._port}", command.replace("bin/ev3proto", "ev3proto"))
         if command.startswith("ev3proto brick"):
             return self._brick(command)
-        done = subprocess.run(
-            ["bash", "-c", command],
-            cwd=self._folder,
-            env=self._environment,
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=120,
-        )
+        if command.startswith("ev3proto ") and not re.search(r"[|;<>&$*]", re.sub(r"'[^']*'|\"[^\"]*\"", "", command)):
+            # No shell is needed, and no process.
+            done = run_ev3proto_text(*shlex.split(command)[1:], cwd=self._folder)
+        else:
+            done = subprocess.run(
+                ["bash", "-c", command],
+                cwd=self._folder,
+                env=self._environment,
+                capture_output=True,
+                text=True,
+                check=False,
+                timeout=120,
+            )
         return done.stdout.replace(f"127.0.0.1:{self._port}", f"127.0.0.1:{PORT}")
 
     def _brick(self, command: str) -> str:

@@ -362,3 +362,10 @@ def test_a_progress_bar_on_long_files_only(tmp_path: Path) -> None:
     path.write_bytes(capture.data())
     assert "%" in on_a_terminal(path, "decode", "--json")
     assert on_a_terminal(CAPTURES / "usb.pcapng", "decode", "--json") == ""
+
+
+@pytest.mark.parametrize("words", [("check", "--json"), ("stats",)])
+def test_a_progress_bar_on_long_texts_too(tmp_path: Path, words: tuple[str, ...]) -> None:
+    path = tmp_path / "long.log"
+    path.write_text("".join(f"12 of the {number} words here are no frame\n" for number in range(12_000)) + TONE.hex())
+    assert "%" in on_a_terminal(path, *words)

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import functools
 import sys
-import time
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from ev3proto.bounded import DEFAULT_MEMORY
-from ev3proto.cli.output import complain, is_terminal, say
+from ev3proto.cli.output import complain, say
+from ev3proto.cli.progress import EVERY, advancing, progress_bar
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.text.visible import visible
@@ -32,9 +32,6 @@ MOST_COMPLAINTS = 10
 """Places in a capture that are complained about one by one; of the others, only their number is given."""
 
 _MIB = 1 << 20
-
-_PATIENCE = 1.0
-_EVERY = 2048
 
 
 @dataclass
@@ -78,6 +75,7 @@ class CaptureSource:
     is_quiet: bool = field(default=True, kw_only=True)
     status: int = field(default=0, kw_only=True)
     _capture: Capture | None = field(default=None, repr=False)
+    _advance: Callable[[], None] = field(default=lambda: None, repr=False)
 
     @property
     def account(self) -> Account:
@@ -128,15 +126,22 @@ class CaptureSource:
         from ev3proto.capture import CaptureError
 
         try:
-            with self._opened() as capture, _progress(capture, self.label, is_quiet=self.is_quiet) as advance:
+            with self._opened() as capture, self._bar(capture) as self._advance:
                 for count, event in enumerate(self._read(capture)):
-                    if count % _EVERY == 0:
-                        advance()
+                    if count % EVERY == 0:
+                        self._advance()
                     yield event
         except CaptureError as error:
             self._complain(str(error))
         except OSError as error:
             self._complain(f"cannot be read: {error.strerror or error}")
+
+    def _bar(self, capture: Capture) -> AbstractContextManager[Callable[[], None]]:
+        """What shows how far reading is; of a text, how many of its lines were read."""
+        file = self.file if self.lines is not None else None
+        return progress_bar(
+            lambda: capture.progress if file is None else file.progress, self.label, is_quiet=self.is_quiet
+        )
 
     def _complain(self, sentence: str) -> None:
         complain(f"{self.label}: {sentence}")
@@ -182,7 +187,7 @@ class CaptureSource:
         """What there is in the text; what cannot be read of it is complained about."""
         from ev3proto.cli.texts import pieces
 
-        for pasted in pieces(lines, self.options.missing, self._complain):
+        for pasted in pieces(advancing(lines, lambda: self._advance()), self.options.missing, self._complain):
             if pasted.problem is not None:
                 self._complain(f"line {pasted.line}: {pasted.problem}")
             yield pasted
@@ -353,43 +358,3 @@ def reading_options(command: F) -> F:
     for option in reversed(_OPTIONS):
         option(called)
     return called  # type: ignore[return-value]
-
-
-def _progress(capture: Capture, name: str, *, is_quiet: bool) -> AbstractContextManager[Callable[[], None]]:
-    """What draws the bar when it is called, where a terminal watches and nothing else is printed on it."""
-    watched = sys.stderr is not None and sys.stderr.isatty() and (is_quiet or not is_terminal())
-    return _Bar(capture, name) if watched else nullcontext(lambda: None)
-
-
-class _Bar:
-    """A bar that is drawn once reading takes longer than people like to wait without a word."""
-
-    def __init__(self, capture: Capture, name: str) -> None:
-        from rich.console import Console
-        from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
-        self._capture = capture
-        self._started = time.monotonic()
-        console = Console(stderr=True)
-        text = TextColumn("{task.description}", markup=False)
-        columns = (text, BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
-        self._progress = Progress(*columns, console=console, transient=True)
-        self._task = self._progress.add_task(name, total=None)
-        self._is_drawn = False
-
-    def __enter__(self) -> Callable[[], None]:
-        return self._advance
-
-    def __exit__(self, *_: object) -> None:
-        if self._is_drawn:
-            self._progress.stop()
-
-    def _advance(self) -> None:
-        if not self._is_drawn:
-            if time.monotonic() - self._started < _PATIENCE:
-                return
-            self._progress.start()
-            self._is_drawn = True
-        done = self._capture.progress
-        if done is not None:
-            self._progress.update(self._task, total=1.0, completed=done)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
 from ev3proto.cli.programs import is_image
+from ev3proto.cli.progress import advancing, progress_bar
 from ev3proto.cli.texts import START, is_binary, pieces, text_lines
 from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument
@@ -152,9 +153,10 @@ class SourceReader(ABC):
                 return
             lines = self._readable(source, text_lines(file.contents))
             if self.wants_records:
-                self._recorded(source, lines)
+                self._recorded(source, lines, file)
             else:
-                self.text(source, lines)
+                with progress_bar(lambda: file.progress, source.label, is_quiet=self.is_quiet) as advance:
+                    self.text(source, advancing(lines, advance))
 
     def _raw(self, source: Source, file: CaptureFile) -> bool:
         """Takes frames that stand one after the other as they are; tells whether they did."""
@@ -218,9 +220,9 @@ class SourceReader(ABC):
             CaptureSource(source.name, self.reading, file if is_looked_at else None, is_quiet=self.is_quiet), source
         )
 
-    def _recorded(self, source: Source, lines: Iterator[str]) -> None:
+    def _recorded(self, source: Source, lines: Iterator[str], file: CaptureFile | None = None) -> None:
         """Takes the frames of a text as those of a capture."""
-        self._of_capture(CaptureSource(source.name, self.reading, lines=lines, is_quiet=self.is_quiet), source)
+        self._of_capture(CaptureSource(source.name, self.reading, file, lines, is_quiet=self.is_quiet), source)
 
     def _of_capture(self, capture: CaptureSource, source: Source) -> None:
         if not self.capture(capture) and not capture.status:

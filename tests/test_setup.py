@@ -1,0 +1,191 @@
+"""bin/setup survives: interrupted, twice at once, in a checkout that was moved. And the lock of the tests' packages.
+
+A program stands for Python and pip here, which makes an environment that looks like one, in no time.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import time
+import tomllib
+from importlib.metadata import PackageNotFoundError, requires
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+ROOT = Path(__file__).parents[1]
+LOCK = ROOT / "tests" / "requirements.lock"
+
+PYTHON = r"""#!/bin/bash
+here=$(cd "$(dirname "$0")" && pwd)
+case "$*" in
+"-m venv "*) mkdir -p "$3/bin"; cp "$0" "$3/bin/python"; echo "command = $PWD/$3" >"$3/pyvenv.cfg" ;;
+"-m pip install "*)
+    echo "$*" >>"$CALLS"
+    case "$*" in *--constraint*) [ -z "$NOT_TO_BE_HAD" ] || exit 1 ;; esac
+    sleep "$TAKES"
+    case "$here" in
+    *" "*) printf '#!/bin/sh\nexec "%s/python" "$0" "$@"\n' "$here" ;;  # as pip does it
+    *) printf '#!%s/python\n' "$here" ;;
+    esac >"$here/ev3proto"
+    chmod +x "$here/ev3proto" ;;
+esac
+"""
+"""Writes down what it installs, which takes a while."""
+
+
+class Checkout:
+    """A copy of what bin/setup needs, with a Python that only pretends."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder / "checkout"
+        (self.folder / "bin").mkdir(parents=True)
+        (self.folder / "tests").mkdir()
+        for name in ("bin/setup", "pyproject.toml", "tests/requirements.lock"):
+            shutil.copy2(ROOT / name, self.folder / name)
+            os.utime(self.folder / name, (1, 1))
+        (folder / "python3").write_text(PYTHON)
+        (folder / "python3").chmod(0o755)
+        self.calls = folder / "calls"
+        self.calls.touch()
+        self._env = {"PATH": f"{folder}:{os.environ['PATH']}", "CALLS": str(self.calls)}
+
+    def start(self, *words: str, takes: float = 0, not_to_be_had: bool = False) -> subprocess.Popen[str]:
+        return subprocess.Popen(
+            [self.folder / "bin" / "setup", *words],
+            env={**self._env, "TAKES": str(takes), "NOT_TO_BE_HAD": "x" if not_to_be_had else ""},
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        )
+
+    def run(self, *words: str, not_to_be_had: bool = False) -> str:
+        process = self.start(*words, not_to_be_had=not_to_be_had)
+        _, said = process.communicate(timeout=30)
+        assert process.returncode == 0, said
+        assert self.works()
+        return said
+
+    def works(self) -> bool:
+        script = self.folder / ".venv" / "bin" / "ev3proto"
+        return subprocess.run([script, "--version"], check=False).returncode == 0
+
+    @property
+    def installed(self) -> list[str]:
+        return self.calls.read_text().splitlines()
+
+    def wait_for_pip(self) -> None:
+        until = time.monotonic() + 30
+        while not self.installed:
+            assert time.monotonic() < until
+            time.sleep(0.01)
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Checkout:
+    return Checkout(tmp_path)
+
+
+def test_the_second_time_there_is_nothing_to_do(checkout: Checkout) -> None:
+    assert "making .venv" in checkout.run()
+    assert checkout.run() == ""
+    assert len(checkout.installed) == 1
+    assert "up to date" in checkout.run("test")
+    assert len(checkout.installed) == 2
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_interrupted_in_the_middle(checkout: Checkout, number: signal.Signals) -> None:
+    process = checkout.start(takes=60)
+    checkout.wait_for_pip()
+    os.killpg(process.pid, number)
+    process.communicate(timeout=30)
+    assert process.returncode
+    assert not (checkout.folder / ".venv").exists()
+    assert "making .venv" in checkout.run()
+    assert not (checkout.folder / ".venv.new").exists()
+
+
+def test_twice_at_once(checkout: Checkout) -> None:
+    first = checkout.start(takes=0.5)
+    checkout.wait_for_pip()
+    assert "another one is at work here" in checkout.run()
+    first.communicate(timeout=30)
+    assert first.returncode == 0
+    assert len(checkout.installed) == 1
+
+
+def test_a_checkout_that_was_moved(checkout: Checkout) -> None:
+    checkout.run()
+    checkout.folder = checkout.folder.rename(checkout.folder.with_name("elsewhere with spaces"))
+    assert "making .venv" in checkout.run()
+    assert checkout.run() == ""
+    assert str(checkout.folder) in (checkout.folder / ".venv" / "bin" / "ev3proto").read_text()
+
+
+def test_the_tests_get_the_versions_of_the_lock(checkout: Checkout) -> None:
+    checkout.run("test")
+    assert checkout.installed[-1].endswith("--editable .[test] --constraint tests/requirements.lock")
+    os.utime(checkout.folder / "tests" / "requirements.lock")
+    checkout.run("test")
+    assert len(checkout.installed) == 2
+    checkout.run()
+    assert "--constraint" not in checkout.installed[-1]
+
+
+def test_versions_that_are_not_to_be_had(checkout: Checkout) -> None:
+    said = checkout.run("test", not_to_be_had=True)
+    assert "the versions of tests/requirements.lock cannot all be installed: taking the newest ones" in said
+    assert ["--constraint" in call for call in checkout.installed] == [True, False]
+
+
+# The lock
+
+
+def wanted() -> dict[str, list[Requirement]]:
+    """What the tests need, and what that needs, with the versions that will do."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"]
+    left = [(Requirement(text), "") for text in [*project["dependencies"], "ev3proto[test]"]]
+    found: dict[str, list[Requirement]] = {}
+    seen = set()
+    while left:
+        need, extra = left.pop()
+        name = canonicalize_name(need.name)
+        if (need.marker is not None and not need.marker.evaluate({"extra": extra})) or (str(need), extra) in seen:
+            continue
+        seen.add((str(need), extra))
+        if name == "ev3proto":
+            left += [(Requirement(text), "") for one in need.extras for text in extras[one]]
+            continue
+        found.setdefault(name, []).append(need)
+        try:
+            texts = requires(name) or []
+        except PackageNotFoundError:
+            continue  # the lock is asked for it by name
+        left += [(Requirement(text), one) for text in texts for one in ("", *need.extras)]
+    return found
+
+
+def locked() -> dict[str, str]:
+    lines = [line for line in LOCK.read_text().splitlines() if not line.startswith("#")]
+    assert all(re.fullmatch(r"[A-Za-z0-9._-]+==[A-Za-z0-9.+!]+", line) for line in lines), lines
+    return {canonicalize_name(name): version for name, version in (line.split("==") for line in lines)}
+
+
+def test_the_lock_has_what_the_tests_need() -> None:
+    found, needs = locked(), wanted()
+    stale = [
+        f"{need} is not met by {name} {found.get(name, 'at all')}"
+        for name, several in needs.items()
+        for need in several
+        if name not in found or not need.specifier.contains(found[name], prereleases=True)
+    ]
+    stale += [f"{name} is not needed any more" for name in sorted(found.keys() - needs.keys())]
+    assert not stale, f"tests/requirements.lock is out of date, and tests/lock writes it anew: {stale}"

@@ -73,6 +73,14 @@ def test_texts_are_filtered_as_captures_are() -> None:
     ] == [42]
 
 
+def test_raw_frames_are_filtered_too() -> None:
+    raw = bytes.fromhex(TONE) + bytes.fromhex("06 00 2d 00 80 00 00 01") + bytes.fromhex("06 00 2e 00 80 00 00 01")
+    done = run("decode", "--json", "--filter", "op == NOP", "-", stdin=raw)
+    assert [json.loads(line)["counter"] for line in done.stdout.splitlines()] == [0x2D, 0x2E]
+    assert len(run("decode", "--dialogues", "-", stdin=raw).stdout.splitlines()) == 3
+    assert run("check", "--quiet", "--filter", "op == SOUND", "-", stdin=raw).stdout.startswith("1 frame: ")
+
+
 def shown_times(*words: str) -> list[float]:
     return [float(time) for time in re.findall(r"^(\d+\.\d{6}) #", run("decode", *words).stdout, re.MULTILINE)]
 

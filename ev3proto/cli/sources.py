@@ -159,7 +159,7 @@ class SourceReader(ABC):
                     self.text(source, advancing(lines, advance))
 
     def _raw(self, source: Source, file: CaptureFile) -> bool:
-        """Takes frames that stand one after the other as they are; tells whether they did."""
+        """Takes frames that stand one after the other as they are; says whether they do."""
         try:
             data = file.contents.read(_MOST_RAW)
         except (OSError, EOFError, zlib.error):
@@ -167,6 +167,9 @@ class SourceReader(ABC):
         found = list(split(data, dialect=self.reading.dialect))
         if len(found) == 1 and found[0].message.fault is not None:
             return False
+        if self.wants_records:
+            self._recorded(source, (piece.message.build().hex(" ") for piece in found))
+            return True
         pasted = Pasted(data, 1, "")
         for piece in found:
             self.piece(piece, pasted, source)

@@ -49,6 +49,14 @@ def test_a_picture_has_units_and_names(tmp_path: Path) -> None:
         assert text in svg, text
 
 
+def test_values_that_never_change_have_an_axis(tmp_path: Path) -> None:
+    path = tmp_path / "battery.svg"
+    assert run("values", PLUGGED, *BATTERY, "--plot", str(path)).returncode == 0
+    svg = path.read_text()
+    # Both replies came after 4 ms.
+    assert {"0.0036", "0.0040", "0.0044"} <= set(re.findall(r">(0\.00\d+)<", svg))
+
+
 def test_a_picture_of_another_kind(tmp_path: Path) -> None:
     done = run("values", PLUGGED, "--plot", str(tmp_path / "x.gif"))
     assert done.returncode == 2

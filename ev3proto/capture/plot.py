@@ -61,6 +61,13 @@ def specification(found: Series, title: str) -> dict[str, Any]:
 
 
 def _panel(unit: str | None, points: list[dict[str, Any]]) -> dict[str, Any]:
+    values = [point["value"] for point in points]
+    low, high = min(values), max(values)
+    scale: dict[str, Any] = {"zero": False}
+    if low == high:
+        # An axis without a length would have a single number, rounded to none of its digits.
+        around = abs(low) / 10 or 1
+        scale["domain"] = [low - around, high + around]
     return {
         "width": WIDTH,
         "height": HEIGHT,
@@ -68,7 +75,7 @@ def _panel(unit: str | None, points: list[dict[str, Any]]) -> dict[str, Any]:
         "mark": {"type": "line", "point": True, "interpolate": "step-after"},
         "encoding": {
             "x": {"field": "time", "type": "quantitative", "title": "time (s)"},
-            "y": {"field": "value", "type": "quantitative", "title": unit or "number", "scale": {"zero": False}},
+            "y": {"field": "value", "type": "quantitative", "title": unit or "number", "scale": scale},
             "color": {"field": "name", "type": "nominal", "title": None},
         },
     }

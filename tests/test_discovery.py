@@ -72,3 +72,14 @@ def test_refused_unlock_texts(unlock: Unlock) -> None:
 
 def test_what_the_brick_answers() -> None:
     assert ACCEPT == b"Accept:EV340\r\n\r\n"
+
+
+@pytest.mark.parametrize("port", ["555*", "", "0", "65536", "-1", " 5555", "\xb2", "9" * 5000])
+def test_a_beacon_may_name_no_port_that_there_is(port: str) -> None:
+    beacon = Beacon("001653", port)
+    assert beacon.tcp_port is None
+    assert Beacon.parse(beacon.build()) == beacon
+
+
+def test_the_port_of_a_beacon_as_a_number() -> None:
+    assert Beacon("001653", "5555").tcp_port == 5555

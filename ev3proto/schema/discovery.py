@@ -27,6 +27,9 @@ from ev3proto.tables.encoding import STRING_CODING
 
 NEWLINE = b"\r\n"
 
+_PORT = re.compile(r"[0-9]{1,9}")
+_LAST_PORT = 0xFFFF
+
 
 class Line(Bytewise):
     """One line, `label: text`, of which the text is the value."""
@@ -62,6 +65,14 @@ class Beacon:
     port: str = str(TCP_PORT)
     name: str = PROTOCOL
     protocol: str = PROTOCOL
+
+    @property
+    def tcp_port(self) -> int | None:
+        """The port as a number, 1 to 65535; None where the text is no such number."""
+        if not _PORT.fullmatch(self.port):
+            return None
+        number = int(self.port)
+        return number if 1 <= number <= _LAST_PORT else None
 
     @classmethod
     def parse(cls, datagram: bytes) -> Beacon:

@@ -94,9 +94,9 @@ def discover(serial_number: str | None, timeout: float, *, interface: str = "", 
 def _found(beacon: Beacon, address: str) -> Found | None:
     """A brick by its beacon; None where the beacon makes no sense."""
     serial_number = beacon.serial.lower()
-    if not beacon.port.isdecimal() or not 1 <= int(beacon.port) <= 0xFFFF or not _DIGITS.fullmatch(serial_number):
+    if beacon.tcp_port is None or not _DIGITS.fullmatch(serial_number):
         return None
-    return Found(address, int(beacon.port), serial_number, beacon.name)
+    return Found(address, beacon.tcp_port, serial_number, beacon.name)
 
 
 def _not_heard(serial_number: str | None, timeout: float, others: dict[str, str]) -> str:

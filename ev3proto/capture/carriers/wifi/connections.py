@@ -238,10 +238,10 @@ class Connections:
         """Remembers where answers to a beacon may go: to its source port, the one for beacons, or the one it names."""
         self._answered.add((address, port), None)
         self._answered.add((address, BEACON_PORT), None)
-        if beacon is not None:
-            port = int(beacon.port)
-            self._answered.add((address, port), None)
-            self._named.add((address, port), None)
+        named = None if beacon is None else beacon.tcp_port
+        if named is not None:
+            self._answered.add((address, named), None)
+            self._named.add((address, named), None)
 
 
 def _reversed(key: Key) -> Key:

@@ -66,3 +66,20 @@ def test_programs_may_have_the_commands_of_the_latest_firmware() -> None:
     assert operations()["UI_READ.GET_POWER"].is_newer
     image = image_of((0, 0, f"{operation('UI_READ.GET_POWER', *map(GV, (0, 4, 8, 12))).raw.hex()} 0A"), global_size=16)
     assert check_program(image).accepted
+
+
+def help_of(name: str, image: bytes) -> str | None:
+    return next((finding.help for finding in check_program(image).findings if finding.code == name), None)
+
+
+def test_the_numbers_in_helps_were_tried() -> None:
+    image = PROGRAM_CODES["E003"].example
+    assert help_of("E003", image) == "give 1 to 2"
+    at = image.index(bytes.fromhex("05 03 0A")) + 1
+    for number in (1, 2):
+        assert help_of("E003", image[:at] + bytes((number,)) + image[at + 1 :]) is None
+    image = PROGRAM_CODES["E007"].example
+    assert help_of("E007", image) == "ask for 5 bytes of global memory, or use a lower index"
+    assert help_of("E007", image[:12] + (5).to_bytes(4, "little") + image[16:]) is None
+    assert help_of("E005", PROGRAM_CODES["E005"].example) == "give 1 parameter"
+    assert help_of("E005", PROGRAM_CODES["E005"].counterexample) is None

@@ -51,7 +51,7 @@ class CheckOptions:
     style    one of FORMATS
     fixes    print the fixed frame and what is left of the findings
     strict   warnings count as errors for the exit status
-    carrier  what is to carry the frames, None for what the capture tells, or any
+    carrier  what is to carry the frames, None for what the capture says, or any
     hidden   severities that are not shown
     quiet    only the summary is printed
     """
@@ -289,7 +289,7 @@ def _annotations(style: str, printer: Printer) -> Annotations | None:
 
 
 def _is_reply(record: Record) -> bool:
-    """Whether a frame comes from the brick, as the capture tells it, or else its type."""
+    """Whether a frame comes from the brick, as the capture says, or else its type."""
     if record.direction is not None:
         return record.direction == "received"
     return record.message.type is not None and not record.message.type.is_command
@@ -314,9 +314,7 @@ def _frames(count: int) -> str:
     help="How to show findings: text, unless you say otherwise; sarif and github are for continuous integration.",
 )
 @click.option("--carrier", type=click.Choice(CARRIERS), help="What is to carry the frames; a capture says so itself.")
-@click.option(
-    "--explain", "code", metavar="CODE", help=f"Tell what a finding means, with an example; {ALL_CODES} lists them."
-)
+@click.option("--explain", "code", metavar="CODE", help=f"Explain a code, with an example; {ALL_CODES} lists them.")
 @reading_options
 def check(
     names: tuple[str, ...],
@@ -331,7 +329,7 @@ def check(
     code: str | None,
     reading: CaptureOptions,
 ) -> None:
-    """Tells whether the brick will take a frame, which byte is wrong if not, and how to fix it.
+    """Says whether the brick will take a frame, which byte is wrong if not, and how to fix it.
 
     The verdict is that of the firmware itself, quirks included. Beside it stands what a careful sender would change:
     errors will not do what was meant, warnings may not, hints only could be done better. Frames come in every form that

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ev3proto.capture.files import RecoveredFile
 
 _SIGN = 4
-"""Bytes at the start of a file that tell a program."""
+"""Bytes at the start of a file by which a program is recognized."""
 
 
 class Decoding(SourceReader):

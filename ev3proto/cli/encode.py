@@ -40,7 +40,7 @@ _OBJECT = late_pattern(r"^[ \t]*(vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MUL
 
 _SUBROUTINE = "subcall"
 _MOST_LOOKED_AT = 500
-"""Lines of comments in front of the first that tells what a text is."""
+"""Lines of comments before the first line that says what a text is."""
 
 
 class Output:
@@ -203,7 +203,7 @@ class Encoding(SourceReader):
             self.complain(f"{source.where(pasted)}: fault at {fault}")
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
-        """A text, which is whatever its first line tells that is neither empty nor a comment."""
+        """A text. Its first line that is neither empty nor a comment says what it is."""
         first = list(_introduction(lines))
         line = first[-1].strip() if first else ""
         whole = itertools.chain(first, lines)
@@ -388,7 +388,7 @@ def encode(
     """Makes frames.
 
     Give assembly, objects as `decode --json` prints them, frames in any form that decode reads, captures, or files that
-    have them; or - (or nothing) for standard input. What a text is tells its first line.
+    have them; or - (or nothing) for standard input. The first line of a text says what it is.
 
     \b
       ev3proto encode 'SOUND(TONE, 1, 440, 1000)'

@@ -57,7 +57,7 @@ def _file_options(command: F) -> F:
 
 
 def _write(text: str, output: Path | None, *, check: bool) -> None:
-    """The text of a file to where it belongs; or whether it is there already, which the exit status tells."""
+    """The text of a file to where it belongs; or whether it is there already, as the exit status."""
     if check and output is None:
         raise click.UsageError("--check needs -o: the file to check")
     if output is None:

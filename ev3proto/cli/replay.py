@@ -80,7 +80,7 @@ def replay(
     timeout: float,
     reading: CaptureOptions,
 ) -> None:
-    """Sends the commands of a capture again, and tells how the replies differ from the recorded ones.
+    """Sends the commands of a capture again, and reports replies that differ from the recorded ones.
 
     What changes or harms a brick is omitted and listed, unless --allow names it: what deletes or writes files, moves
     motors, changes settings, controls programs, presses buttons, writes to devices, restarts the brick, erases

@@ -58,7 +58,7 @@ def sample(
 ) -> None:
     """Draws frames at random, from all that the tables have.
 
-    They are right as far as they can be read; whether a brick would run them is what check tells. The options that
+    They are right as far as they can be read; `check` says whether a brick would run them. The options that
     choose can be given several times. raw writes the bytes of one frame after the other.
 
     \b

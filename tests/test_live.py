@@ -163,7 +163,7 @@ def talk(port: int) -> Iterator[Callable[..., None]]:
         yield say
 
 
-@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_dialogues_while_they_happen(capturing: str | None, ending: signal.Signals) -> None:
     if capturing is None:
         return
@@ -191,6 +191,21 @@ def test_dialogues_while_they_happen(capturing: str | None, ending: signal.Signa
         live.wait_for("unlock: serial 06165300000a$")
         live.wait_for("accepted$")
         assert len(live.lines) == 6
+
+
+def test_tshark_ends_when_it_is_killed(capturing: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    if capturing is None:
+        return
+    monkeypatch.setenv("TMPDIR", str(tmp_path))  # nobody can remove what a killed process had there
+    with listening("-i", LOOPBACK, "--tshark", capturing) as live:
+        live.wait_for("Ctrl-C")
+        assert len(group(live.process.pid)) >= 3
+        live.process.kill()
+        assert live.process.wait(WITHIN) == -signal.SIGKILL
+        end = time.monotonic() + WITHIN
+        while group(live.process.pid) and time.monotonic() < end:
+            time.sleep(0.02)
+        assert group(live.process.pid) == []
 
 
 def test_ctrl_c_in_a_terminal_reaches_all_of_them(capturing: str | None) -> None:

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import contextlib
 import json
+import shutil
 import subprocess
 from collections.abc import Callable, Iterator, Sequence
-from threading import Thread
+from functools import cache
+from threading import Thread, current_thread, main_thread
 from typing import IO
 
 from ev3proto.capture.wireshark.events import fields
@@ -64,7 +66,10 @@ class Process:
         """
         try:
             process = subprocess.Popen(
-                self._words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+                [*_ended_with_us(), *self._words],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
             )
         except OSError as error:
             raise EngineError(f"{self._program.path} cannot be run: {error.strerror or error}") from error
@@ -100,6 +105,25 @@ class Process:
         while line := stderr.readline(_CHUNK):
             self.said = (self.said + line)[-_MOST_SAID:]
             self._on_said(self.said)
+
+
+def _ended_with_us() -> Sequence[str]:
+    """What a program is started by, so that it ends when this process is killed, which no process can handle.
+
+    Linux does that when the thread ends that has started it, so it is done for the main thread only.
+    """
+    return _setpriv() if current_thread() is main_thread() else ()
+
+
+@cache
+def _setpriv() -> Sequence[str]:
+    """The program of Linux that starts another one so; nothing where there is none that can."""
+    path = shutil.which("setpriv")
+    words = () if path is None else (path, "--pdeathsig", "TERM", "--")
+    with contextlib.suppress(OSError, subprocess.TimeoutExpired):
+        if words and subprocess.run([*words, "true"], capture_output=True, timeout=PATIENCE).returncode == 0:
+            return words
+    return ()
 
 
 def _terminate(process: subprocess.Popen[bytes]) -> None:

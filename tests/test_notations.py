@@ -147,3 +147,78 @@ def test_what_looks_like_a_frame_and_is_none(text: str) -> None:
     (piece,) = pieces(f"first\n{text}\nlast\n")
     assert (piece.data, piece.unread, piece.line) == (b"", True, 2)
     assert LOOKS[text] in (piece.problem or "")
+
+
+NO_FRAMES = (
+    "00:16:53:42:2B:99",
+    "d41d8cd98f00b204e9800998ecf8427e  brick.bin",
+    "da39a3ee5e6b4b0d3255bfef95601890afd80709",
+    "{0f000000-0080-0094-0181-0282e80382e8}",
+    "00001101-0000-1000-8000-00805F9B34FB",
+    "2024-01-31T12:30:45.123456Z",
+    "2024-01-31 12:30:45.123 INFO  sha1 da39a3ee5e6b4b0d3255bfef95601890afd80709",
+    "192.168.1.100:5555",
+    "2001:0db8:85a3:0000:0000:8a2e:0370:7334",
+    "[1, 2, 3, 4, 5, 6, 7, 8]",
+    "x = 3.14, y = 2.71, 100%",
+    "00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F",
+    "the face of a bad cab faded",
+    "Serial-Number: 0016532a2b2c",
+    "font-size: 12px; color: #0f0000; #ffffff",
+)
+
+
+@pytest.mark.parametrize("text", NO_FRAMES)
+def test_what_is_no_frame_and_does_not_look_like_one(text: str) -> None:
+    assert pieces(f"first\n{text}\nlast\n") == []
+
+
+BATTERY = "08 00 01 00 00 04 00 81 01 60"
+ANSWER = "07 00 01 00 02 a4 70 fd 40"
+DIALOGUES = (
+    "sending {}\ngot {}",
+    "out: {}\nin: {}",
+    "To EV3: {}\nFrom EV3: {}",
+    "PC -> EV3: {}\nEV3 -> PC: {}",
+    "Sending:\n{}\nReceived:\n{}",
+    "12:30:45.123 Outgoing\n  {}\n12:30:45.133 Incoming\n  {}",
+    "TX: {} RX: {}",
+    "> 2024/01/31 12:00:00.123456  length=10 from=0 to=9\n {}\n< 2024/01/31 12:00:00.133456  length=9 from=0 to=8\n {}",
+    "> 00000000 {} # ..........\n< 00000000 {} # ......p.@",
+    "| 1 | sent | `{}` |\n| 2 | received | `{}` |",
+    "0.000,TX,{}\n0.010,RX,{}",
+)
+
+
+@pytest.mark.parametrize("text", DIALOGUES)
+def test_sent_and_received(text: str) -> None:
+    found = pieces(text.format(BATTERY, ANSWER))
+    assert [(piece.data.hex(" "), piece.direction) for piece in found] == [(BATTERY, "sent"), (ANSWER, "received")]
+
+
+DOWNLOAD = bytes.fromhex("65 00 05 00 01 93 00") + bytes(96)
+OMITTED = {
+    "od": "0000000 65 00 05 00 01 93 00 00 00 00 00 00 00 00 00 00\n"
+    "0000020 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00\n*\n0000140 00 00 00 00 00 00 00\n0000147",
+    "hexdump": "0000000 0065 0005 9301 0000 0000 0000 0000 0000\n"
+    "0000010 0000 0000 0000 0000 0000 0000 0000 0000\n*\n0000060 0000 0000 0000 0000\n0000067",
+    "hexdump -C": "00000000  65 00 05 00 01 93 00 00  00 00 00 00 00 00 00 00  |e...............|\n"
+    "00000010  00 00 00 00 00 00 00 00  00 00 00 00 00 00 00 00  |................|\n*\n"
+    "00000060  00 00 00 00 00 00 00                              |.......|\n00000067",
+    "xxd -a": "00000000: 6500 0500 0193 0000 0000 0000 0000 0000  e...............\n"
+    "00000010: 0000 0000 0000 0000 0000 0000 0000 0000  ................\n*\n"
+    "00000060: 0000 0000 0000 00                        .......",
+    "gdb, hex": "$1 = {0x65, 0x0, 0x5, 0x0, 0x1, 0x93, 0x0 <repeats 97 times>}",
+    "gdb": r"$1 = {101 'e', 0 '\000', 5 '\005', 0 '\000', 1 '\001', 147 '\223', 0 '\000' <repeats 97 times>}",
+    "gdb, string": r"""$1 = "e\000\005\000\001\223", '\000' <repeats 97 times>""",
+}
+
+
+@pytest.mark.parametrize("name", OMITTED)
+def test_bytes_that_are_only_said_to_repeat(name: str) -> None:
+    assert [frame_of(piece) for piece in pieces(OMITTED[name])] == [DOWNLOAD]
+
+
+def test_a_frame_that_a_line_shows_twice_is_one() -> None:
+    text = f'<field showname="Data: {TONE.hex()}" show="{TONE.hex(":")}" value="{TONE.hex()}"/>'
+    assert [piece.data for piece in pieces(text)] == [TONE]

@@ -252,6 +252,31 @@ LINE: dict[str, Notation] = {
     "HID report number": lambda data: (b"\0" + data).hex(" "),
     "HID report, padded": lambda data: (b"\0" + data + bytes(64 - len(data) % 64)).hex(" "),
     "padded": lambda data: (data + bytes(64 - len(data) % 64)).hex(" "),
+    "calls": lambda data: "".join(f"buf.put((byte)0x{byte:02x});" for byte in data),
+    "chr() in PHP": lambda data: _list(data, "chr({})", "."),
+    "table of HTML": lambda data: "<tr>" + "".join(f"<td>{byte:02x}</td>" for byte in data) + "</tr>",
+    "elements of XML": lambda data: "".join(f"<byte>{byte}</byte>" for byte in data),
+    "non-breaking blanks": lambda data: data.hex(" ").replace(" ", "\u00a0"),
+    "entities": lambda data: _list(data, "{:02x}", "&nbsp;"),
+    "quoted-printable, all": lambda data: "".join(f"={byte:02X}" for byte in data),
+    "Pascal characters": lambda data: "".join(f"#{byte}" for byte in data),
+    "Pascal characters, hex": lambda data: "".join(f"#${byte:02X}" for byte in data),
+    "Verilog": lambda data: f"{{{_list(data, chr(39).join(('8', 'h{:02x}')))}}}",
+    "VHDL": lambda data: f"({_list(data, 'x{0}{{:02x}}{0}'.format(chr(34)))})",
+    "Forth": lambda data: _list(data, "{:02X} c,", " "),
+    "Nim": lambda data: f"@[{data[0]}'u8, {_list(data[1:])}]",
+    "octal of C": lambda data: f"{{{_list(data, '0{:03o}')}}}",
+    "0x glued": lambda data: _list(data, "0x{:02x}", ""),
+    "x": lambda data: _list(data, "x{:02x}", " "),
+    "bytea": lambda data: f"\\x{data.hex()}",
+    "bytes joined": lambda data: _halves(data, lambda one, two: f"b''.join([{one!r}, {two!r}])"),
+    "bytes and a list": lambda data: f"{data[:4]!r} + bytes([{_list(data[4:7])}]) + {data[7:]!r}" if data[7:] else "",
+    "gdb print": lambda data: "$1 = {" + ", ".join(f"{byte} '\\{byte:03o}'" for byte in data) + "}",
+    "gdb print, hex": lambda data: f"$1 = {{{_list(data, '{:#x}')}}}",
+    "fields by name": lambda data: (
+        f"len={data[:2].hex()} cnt={data[2:4].hex()} type={data[4]:02x} rest={data[5:].hex()}"
+    ),
+    "the same in decimal": lambda data: _list(data, "0x{0:02x} ({0})", " "),
 }
 """Notations of one line."""
 
@@ -364,6 +389,71 @@ LINES: dict[str, Notation] = {
     ),
     "VB rows": lambda data: (
         "Dim b() As Byte = { _\n" + ", _\n".join(_list(r, "&H{:X}") for _, r in _rows(data, 8)) + " }"
+    ),
+    "calls, one a line": lambda data: "\n".join(f"    data.Add(0x{byte:02X});" for byte in data),
+    "numbered": lambda data: "n,byte\n" + "\n".join(f"{index},{byte}" for index, byte in enumerate(data)),
+    "numbered, hex and decimal": lambda data: "\n".join(f"{i}\t0x{byte:02X}\t{byte}" for i, byte in enumerate(data)),
+    "printed by index": lambda data: "\n".join(f"buf[{i}] = 0x{byte:02x} ({byte})" for i, byte in enumerate(data)),
+    "Visual Studio": lambda data: "\n".join(f"\t[{i}]\t0x{byte:02x}\tbyte" for i, byte in enumerate(data)),
+    "var_dump": lambda data: (
+        "array {\n" + "\n".join(f"  [{index}]=>\n  int({byte})" for index, byte in enumerate(data)) + "\n}"
+    ),
+    "MATLAB's columns": lambda data: (
+        "ans =\n"
+        + "".join(
+            f"\n  Columns {at + 1} through {at + len(row)}\n\n  {_list(row, '{:3}', '   ')}\n"
+            for at, row in _rows(data, 9)
+        )
+    ),
+    "gdb x/xb, with a name": lambda data: "\n".join(
+        f"0x{0x601040 + at:x} <cmd+{at}>:\t" + _list(row, "0x{:02x}", "\t") for at, row in _rows(data, 8)
+    ),
+    "gdb x/ub": lambda data: "\n".join(
+        f"0x{0x601040 + at:x} <cmd+{at}>:\t" + _list(row, "{}", "\t") for at, row in _rows(data, 8)
+    ),
+    "WinDbg": lambda data: "\n".join(
+        f"00000000`{0x12FF40 + at:08x}  {row[:8].hex(' ')}{'-' * (len(row) > 8)}{row[8:].hex(' ')}".ljust(69)
+        + _shown(row)
+        for at, row in _rows(data, 16)
+    ),
+    "Netty": lambda data: (
+        "         +-------------------------------------------------+\n"
+        "         |  0  1  2  3  4  5  6  7  8  9  a  b  c  d  e  f |\n"
+        + "\n".join(f"|{at:08x}| {row.hex(' '):<47} |{_shown(row):<16}|" for at, row in _rows(data, 16))
+    ),
+    "hexyl": lambda data: "\n".join(
+        f"\u2502{at:08x}\u2502 {row[:8].hex(' '):<23} \u250a {row[8:].hex(' '):<23} \u2502{_shown(row):<16}\u2502"
+        for at, row in _rows(data, 16)
+    ),
+    "Format-Hex of PowerShell 7": lambda data: "\n".join(
+        f"{at:016X} {row.hex(' ').upper():<47} {_shown(row).replace('.', chr(0xFFFD))}" for at, row in _rows(data, 16)
+    ),
+    "hexdump -x": lambda data: "\n".join(
+        f"{at:07x}    " + "    ".join(f"{word:04x}" for word in _words(row)) for at, row in _rows(data, 16)
+    ),
+    "hexdump -d": lambda data: "\n".join(
+        f"{at:07x}   " + "   ".join(f"{word:05}" for word in _words(row)) for at, row in _rows(data, 16)
+    ),
+    "socat -x -v": lambda data: (
+        f"> 2024/01/31 12:00:00.123456  length={len(data)} from=0 to={len(data) - 1}\n"
+        + "\n".join(f" {row.hex(' '):<47}  {_shown(row)}" for _, row in _rows(data, 16))
+        + "\n--"
+    ),
+    "ncat -x": lambda data: "\n".join(
+        f"[{at:04x}]   {row[:8].hex(' '):<23}   {row[8:].hex(' '):<23}   {_shown(row)}" for at, row in _rows(data, 16)
+    ),
+    "btmon, with the check sum": lambda data: (
+        f"< ACL Data TX: Handle 42 flags 0x00 dlen {len(data) + 8}   #12 [hci0] 5.123456\n"
+        "      RFCOMM: Unnumbered Info with Header Check (UIH) (0xef)\n"
+        f"         Length: {len(data)}\n         FCS: 0x9a\n"
+        + "\n".join(f"        {row.hex(' '):<47}  {_shown(row)}" for _, row in _rows(data + b"\x9a", 16))
+    ),
+    "explained": lambda data: (
+        f"{data[:2].hex()} length\n{data[2:4].hex()} counter\n{data[4]:02x} type\n{data[5:].hex()} all the rest"
+    ),
+    "explained, in front": lambda data: (
+        f"Length:  {data[:2].hex(' ')}\nCounter: {data[2:4].hex(' ')}\n"
+        f"Type:    {data[4]:02x}\nRest:    {data[5:].hex(' ')}"
     ),
 }
 """Notations of several lines."""

@@ -13,13 +13,13 @@ from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.blanking import OTHER
 
 _OFFSET = late_pattern(
-    r"^(?P<before>(?:.{0,80}?[\s\])>:|])??)(?P<offset>(?:0[xX])?[0-9a-fA-F]{4,16})(?P<mark>[:hH]?(?:\s?[|:])?|\s{1,130}:)(?P<blanks>\s++)"
+    r"^(?P<before>(?:.{0,80}?[\s\])>:|[])??)(?P<offset>(?:0[xX])?[0-9a-fA-F]{4,16})(?P<mark>\]|[:hH]?(?:\s?[|:])?|\s{1,130}:)(?P<blanks>\s++)"
     r"(?=-?[0-9a-fA-F\\])"
 )
 _ROW_OFFSET = late_pattern(r"\s*(?:0[xX])?(?P<offset>[0-9a-fA-F]{4,16}):?(?=\s|$)")
 _ONLY_OFFSET = late_pattern(r"^\s*(?P<offset>[0-9a-fA-F]{7,8}):?\s*$")
 _GROUP = late_pattern(r"(?P<digits>(?:[0-9a-fA-F]{2}){1,32})(?![^\s|])(?P<blanks>\s*+)")
-_MORE = late_pattern(r"(?:[0-9a-fA-F]{2,8}(?:\s{1,4}|$)){2,}|[0-9a-fA-F]{2,8}\s*(?:$|\s\S{1,16}\s*$)")
+_MORE = late_pattern(r"(?:[0-9a-fA-F]{2,8}(?:\s{1,4}|$)){2,}|[0-9a-fA-F]{2,8}(?:\s*$|\s{2,}\S)")
 _PAIR = late_pattern(r"[0-9a-fA-F]{2}")
 _MOST_TEXT = 1 << 10
 _NUMBERS = late_pattern(r"[\s\d-]+")

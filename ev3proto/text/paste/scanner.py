@@ -266,7 +266,8 @@ class Scanner:
         run = _without_prefix(found[-1], bare) if found else None
         if run is not None and run.check_sum != self._check_sum:
             run.check_sum, run.known = self._check_sum, None
-        if run is not None and not run.is_head and run.opened > 0 >= run.depth and len(run.values) < LEAST:
+        is_call = run is not None and (len(run.values) == 1 or (not run.is_head and len(run.values) < LEAST))
+        if run is not None and is_call and run.opened > 0 >= run.depth:
             # The brackets of a call that has one part of the bytes, as in `data.Add(0x0F);`.
             run = replace(run, opened=0, depth=0)
         return Row(number, line, run, index=following), index, in_comment

@@ -1,0 +1,66 @@
+"""Texts that somebody sends to keep us busy: twice as much takes at most about twice as long, and little memory."""
+
+from __future__ import annotations
+
+import time
+import tracemalloc
+
+import pytest
+from support.effort import effort
+
+from ev3proto.text.paste import read_text
+
+HOSTILE = {
+    "hex without end": ("0f", 1),
+    "hex in one line": ("0f 00 ", 1),
+    "frames that lack a byte": ("0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 ", 1),
+    "length fields": ("ff 03 00 00 80 00 00 01 ", 1),
+    "0x": ("0x\n", 10),
+    "strings without end": ('"\\x0f', 2),
+    "quotes": ('"', 1),
+    "brackets": ("{[(", 1),
+    "lists without end": ("[1,\n", 10),
+    "base64": ("QUJDREVGR0hJSktMTU5PUFFS", 1),
+    "rows of a frame without end": ("ff 03 00 00 80 00 00 94\n", 6),
+    "rows that are left out": ("00000000  0f 00 00 00\n*\n", 10),
+    "repeats": ("0x0 <repeats 999 times>, ", 20),
+    "comments": ("/* 1", 1),
+    "calls": ("put(0x0f);", 2),
+    "colons": ("|0f", 2),
+    "minus": ("-1 ", 2),
+    "labels": ("ff03 x\n", 10),
+    "announcements": ("sent:\n", 10),
+}
+SIZE = effort(1 << 13, 1 << 19)
+
+
+def seconds(text: str) -> float:
+    """CPU time for a text, the best of three."""
+    lines = text.splitlines(keepends=True)
+    best = float("inf")
+    for _ in range(3):
+        begin = time.process_time()
+        for _ in read_text(lines):
+            pass
+        best = min(best, time.process_time() - begin)
+    return best
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_twice_the_text_takes_twice_the_time(name: str) -> None:
+    unit, share = HOSTILE[name]
+    count = SIZE // share // len(unit)
+    once, twice = seconds(unit * count), seconds(unit * (2 * count))
+    # Times of a few milliseconds are noise; quadratic work shows as a factor of four.
+    assert twice < max(2.9 * once, 0.03), (once, twice)
+
+
+def test_memory_does_not_grow_with_the_text() -> None:
+    lines = (f"12:30:45 sent {number % 256:02x} 00 00 00 80 00 00 94\n" for number in range(effort(1_000, 200_000)))
+    tracemalloc.start()
+    try:
+        for _ in read_text(lines):
+            pass
+        assert tracemalloc.get_traced_memory()[1] < 8 << 20
+    finally:
+        tracemalloc.stop()

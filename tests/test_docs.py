@@ -85,6 +85,11 @@ def test_every_page_of_the_html_says_its_version(built: Path) -> None:
         assert f"ev3proto {VERSION}" in page.read_text(encoding="utf-8"), page
 
 
+@pytest.mark.parametrize("name", ["index.md", "tutorial.md", "reference/index.md", "reference/sound.md"])
+def test_pages_say_their_version_where_nobody_built_them(name: str) -> None:
+    assert re.findall(r"for ev3proto ([0-9.]+\d)", (DOCS / name).read_text(encoding="utf-8")) == [VERSION]
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_links_anchors_and_images_lead_somewhere(page: Path) -> None:
     for target in LINK.findall(without_code(page.read_text(encoding="utf-8"))):

@@ -335,7 +335,7 @@ def check(
     errors will not do what was meant, warnings may not, hints only could be done better. Frames come in every form that
     decode reads; of logs and captures, the replies of the brick are passed over.
 
-    Exit status: 0 without errors, 1 with errors or where the input cannot be read.
+    Exit status: 1 where the brick refuses a frame, where there are errors, and where the input cannot be read; else 0.
 
     \b
       ev3proto check 08 00 2a 00 80 00 00 81 01 60
@@ -343,6 +343,7 @@ def check(
       ev3proto check --strict --no-hints robot.log
       ev3proto check robot.rbf
       ev3proto check robot.lms
+      ev3proto check --errors-only --format github robot.log
       ev3proto check --explain E101
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if code is not None:

@@ -40,7 +40,7 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
     """Shows dialogues while they happen: a line each, with values and latency.
 
     tshark captures, so it must be here, and have the right to. A command stands there once its reply came, or with
-    "no reply" after two seconds without one. With --filter, dialogues are shown of which the command or the reply fits.
+    "no reply" after two seconds without one. --filter is about a command together with its reply.
 
     \b
       ev3proto live -i wlan0

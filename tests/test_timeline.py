@@ -453,7 +453,7 @@ def test_shades(most: int) -> None:
 
 
 def test_texts_are_made_safe_and_short() -> None:
-    assert clean("a\x1b[31m\u202eb\n") == "a\\x1b[31m\\x202eb\\x0a"
+    assert clean("a\x1b[31m\u202eb\n") == "a\\u001b[31m\\u202eb\\u000a"
     assert clean("x" * 1000, 10) == "xxxxxxxxx…"
     assert clean_path("/home/root/lms2012/prjs/long/name.rbf", 16) == "…s/long/name.rbf"
     assert len(clean("\0" * 1000, 50)) == 50
@@ -487,7 +487,7 @@ def test_svg(drawn: Timeline) -> None:
     assert not tags & {"script", "image", "foreignObject", "a"}
     texts = {"".join(element.itertext()) for element in root.iter("{http://www.w3.org/2000/svg}text")}
     assert texts >= {
-        r"</title></script><script>alert(0)</script>&\x00\x202e.pcap",
+        r"</title></script><script>alert(0)</script>&\u0000\u202e.pcap",
         "USB 1.7",
         "direct commands",
         "UI_READ.GET_VBATT",
@@ -545,7 +545,7 @@ class Page(HTMLParser):
 def test_page(drawn: Timeline) -> None:
     text = render(drawn, Form.HTML, NASTY).decode()
     page = Page(text)
-    assert page.title.strip() == r"</title></script><script>alert(0)</script>&\x00\x202e.pcap"
+    assert page.title.strip() == r"</title></script><script>alert(0)</script>&\u0000\u202e.pcap"
     # Nothing is fetched, and nothing of the capture became an element.
     tags = [tag for tag, _ in page.elements]
     assert tags.count("script") == 3

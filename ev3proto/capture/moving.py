@@ -48,8 +48,3 @@ def begins(message: Message) -> bool:
     """True for the command that begins to move something."""
     entry = entry_of(message)
     return isinstance(message, SystemCommand) and entry is not None and entry.transfer == "begin"
-
-
-def printable(path: str) -> str:
-    r"""A path from a capture as it can be shown: what would move the cursor or do worse is written `\x1b`."""
-    return "".join(letter if letter.isprintable() else f"\\x{ord(letter):02x}" for letter in path)

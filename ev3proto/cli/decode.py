@@ -16,6 +16,7 @@ from ev3proto.dialogue import Dialogue
 from ev3proto.text.heading import Seen
 from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
+from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture import Record
@@ -68,7 +69,6 @@ class Decoding(SourceReader):
         """The programs that a capture moves to or from the brick, as far as they were captured."""
         from ev3proto.capture import CaptureError
         from ev3proto.capture.files import recover
-        from ev3proto.capture.moving import printable
         from ev3proto.temporary import temporary_folder
 
         with temporary_folder() as folder:
@@ -83,7 +83,7 @@ class Decoding(SourceReader):
             for file in found:
                 image = b"" if file.file is None else file.file.read_bytes()
                 if is_image(image[:_SIGN]):
-                    origin = f"{capture.label}, {capture.unit} {file.packets[0]}: {printable(file.path)}"
+                    origin = f"{capture.label}, {capture.unit} {file.packets[0]}: {visible(file.path)}"
                     self._shown(origin, origin, image)
 
     def _fault(self, record: Record, capture: CaptureSource) -> None:

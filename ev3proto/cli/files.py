@@ -13,6 +13,7 @@ import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain, say
+from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture.files import RecoveredFile
@@ -46,7 +47,6 @@ def files(
     if force and folder is None:
         raise click.UsageError("--force needs -o: the folder to write into")
     from ev3proto.capture.files import Outcome, recover, survey
-    from ev3proto.capture.moving import printable
 
     rows: list[tuple[str, ...]] = []
     units = set()
@@ -65,10 +65,10 @@ def files(
             elif folder is None:
                 rows.append(_row(recovered))
             elif recovered.file is not None:
-                say(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {printable(recovered.path)}")
+                say(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {visible(recovered.path)}")
             if folder is not None and recovered.trouble is not None:
                 place = f"{source.label}, {source.unit} {recovered.packets[0]}"
-                complain(f"{place}: {printable(recovered.path)}: {recovered.trouble}")
+                complain(f"{place}: {visible(recovered.path)}: {recovered.trouble}")
                 source.status |= recovered.outcome is not Outcome.REFUSED
         units.add(source.unit)
         if is_empty and not source.status:

@@ -1,7 +1,8 @@
 r"""What comes from outside made fit to be shown: a character that would steer a terminal is written as `\u001b`.
 
 This is the border that everything printed passes. Control characters (C0, DEL, C1), line and paragraph separators, and
-the marks that turn the direction of writing can hide what a line says, or make a terminal do things.
+the marks that turn the direction of writing can hide what a line says, or make a terminal do things. Halves of a
+character and numbers that are none cannot stand in files of many kinds, SVG among them.
 """
 
 from __future__ import annotations
@@ -10,7 +11,9 @@ import re
 
 from ev3proto.text.late_pattern import late_pattern
 
-_HARMFUL = late_pattern("[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff\ud800-\udfff]")
+_HARMFUL = late_pattern(
+    "[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff\ud800-\udfff\ufffe\uffff]"
+)
 
 
 def visible(text: str) -> str:

@@ -7,13 +7,13 @@ have or that turn the text around them.
 from __future__ import annotations
 
 from ev3proto.capture.dialogues import is_error
-from ev3proto.capture.moving import printable
 from ev3proto.capture.record import Announcement, Record
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
 from ev3proto.text.dialogues import command_spans, reply_spans
 from ev3proto.text.phrases import argument_meaning, argument_value, value_text
 from ev3proto.text.spans import plain_text
+from ev3proto.text.visible import visible
 
 MOST_LETTERS = 240
 """Letters of one detail."""
@@ -30,13 +30,13 @@ UNSEEN = "command not seen"
 
 def clean(text: str, most: int = MOST_LETTERS) -> str:
     """A text with what is not printable escaped, and not longer than `most` letters: the end is omitted."""
-    shown = printable(text[: most + 1])
+    shown = visible(text[: most + 1])
     return shown if len(shown) <= most else f"{shown[: most - 1]}…"
 
 
 def clean_path(path: str, most: int = MOST_LABEL) -> str:
     """The same for a path, whose beginning is omitted."""
-    shown = printable(path[-most - 1 :])
+    shown = visible(path[-most - 1 :])
     return shown if len(shown) <= most else f"…{shown[1 - most :]}"
 
 

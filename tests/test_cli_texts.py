@@ -98,6 +98,8 @@ def test_frames_as_raw_bytes() -> None:
     raw = run("encode", "SOUND(TONE, 1, 440, 1000)", "--to", "raw").stdout
     assert json.loads(out("decode", "--json", "-", stdin=raw))["counter"] == 0
     assert run("decode", "-", stdin=b"\x00\x01\x02garbage").returncode == 1
+    assert json.loads(out("stats", "--json", "-", stdin=frames))["whole"]["messages"]["messages"] == 2
+    assert len(out("decode", "--dialogues", "-", stdin=frames).splitlines()) == 2
 
 
 def test_frames_without_their_length_and_operations_alone() -> None:

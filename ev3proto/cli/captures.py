@@ -172,7 +172,7 @@ class CaptureSource:
         from ev3proto.capture.formats import CaptureFile
         from ev3proto.capture.record import CaptureError
         from ev3proto.cli.programs import is_image
-        from ev3proto.cli.texts import START, is_text, text_lines
+        from ev3proto.cli.texts import START, is_text, raw_frames, text_lines
 
         if self.file is None:
             self.file = CaptureFile.at(self.name) if self.name != "-" else CaptureFile(_stream(self.name))
@@ -182,6 +182,9 @@ class CaptureSource:
             raise CaptureError("this is a program image (.rbf) and no capture: ev3proto decode shows it")
         if is_text(self.file):
             self.lines = text_lines(self.file.contents)
+        else:
+            raw = raw_frames(self.file.contents, self.options.dialect)
+            self.lines = None if raw is None else iter(raw)
 
     def _pieces(self, lines: Iterator[str]) -> Iterator[Pasted]:
         """What there is in the text; what cannot be read of it is complained about."""

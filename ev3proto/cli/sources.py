@@ -16,7 +16,7 @@ from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
 from ev3proto.cli.programs import is_image
 from ev3proto.cli.progress import advancing, progress_bar
-from ev3proto.cli.texts import START, is_binary, pieces, text_lines
+from ev3proto.cli.texts import MOST_RAW, START, is_binary, pieces, text_lines
 from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.split import Piece, split
@@ -24,8 +24,6 @@ from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
-
-_MOST_RAW = 1 << 26
 
 _GROUP = late_pattern(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 
@@ -161,7 +159,7 @@ class SourceReader(ABC):
     def _raw(self, source: Source, file: CaptureFile) -> bool:
         """Takes frames that stand one after the other as they are; says whether they do."""
         try:
-            data = file.contents.read(_MOST_RAW)
+            data = file.contents.read(MOST_RAW)
         except (OSError, EOFError, zlib.error):
             return False
         found = list(split(data, dialect=self.reading.dialect))

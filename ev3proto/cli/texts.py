@@ -7,11 +7,17 @@ import io
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
+from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste import MAX_LINE, Missing, Pasted, read_bare, read_text
+from ev3proto.text.split import split
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
+
+MOST_RAW = 1 << 26
+"""Bytes of frames that are read from a file which has nothing else."""
 
 START = 8
 """Bytes by which a file is recognised."""
@@ -91,6 +97,25 @@ def text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
         yield line
         while len(line) > MAX_LINE and not line.endswith("\n"):
             line = text.readline(MAX_LINE + 1)
+
+
+def raw_frames(stream: io.BufferedReader[Any], dialect: str) -> list[str] | None:
+    """Frames that stand one after the other as they are, as lines of hex.
+
+    Args:
+        stream: A file that is neither a text nor a capture. It is not read where it does not start with a frame.
+        dialect: The firmware whose instruction set to read by.
+
+    Returns:
+        A line for each frame; None where there is none.
+    """
+    start = stream.peek(HEADER_SIZE)[:HEADER_SIZE]
+    if len(start) < HEADER_SIZE or not is_frame_size(frame_size(start)) or start[-1] not in frozenset(MessageType):
+        return None
+    found = list(split(stream.read(MOST_RAW), dialect=dialect))
+    if len(found) == 1 and found[0].message.fault is not None:
+        return None
+    return [piece.message.build().hex(" ") for piece in found]
 
 
 def is_binary(start: bytes) -> bool:

@@ -195,7 +195,7 @@ class Summary:
 # The counting
 
 
-class Carried(NamedTuple):
+class OperationName(NamedTuple):
     """What a message carries: whose operation it is, and its name."""
 
     kind: str
@@ -203,7 +203,7 @@ class Carried(NamedTuple):
 
 
 @dataclass(slots=True)
-class _Operation:
+class _OperationCounts:
     uses: int = 0
     commands: int = 0
     replies: int = 0
@@ -212,7 +212,7 @@ class _Operation:
     bytes: int = 0
     latencies: Latencies = field(default_factory=Latencies)
 
-    def add_all(self, other: _Operation) -> None:
+    def add_all(self, other: _OperationCounts) -> None:
         self.uses += other.uses
         self.commands += other.commands
         self.replies += other.replies
@@ -221,7 +221,7 @@ class _Operation:
         self.bytes += other.bytes
         self.latencies.add_all(other.latencies)
 
-    def summary(self, carried: Carried) -> OperationSummary:
+    def summary(self, carried: OperationName) -> OperationSummary:
         return OperationSummary(
             carried.name,
             carried.kind,
@@ -236,13 +236,13 @@ class _Operation:
 
 
 @dataclass(slots=True)
-class _Tally:
+class _PeerCounts:
     """The counts of one brick, or of all."""
 
     name: str
     messages: Amount = field(default_factory=Amount)
     kinds: dict[str, Amount] = field(default_factory=dict)
-    operations: dict[Carried, _Operation] = field(default_factory=dict)
+    operations: dict[OperationName, _OperationCounts] = field(default_factory=dict)
     latencies: Latencies = field(default_factory=Latencies)
     errors: int = 0
     faults: int = 0
@@ -251,7 +251,7 @@ class _Tally:
     first_ns: int | None = None
     last_ns: int = 0
 
-    def command(self, record: Record, carried: dict[Carried, int]) -> None:
+    def command(self, record: Record, carried: dict[OperationName, int]) -> None:
         self._message(record)
         for key, uses in carried.items():
             operation = self._operation(key)
@@ -259,7 +259,7 @@ class _Tally:
             operation.commands += 1
             operation.bytes += len(record.frame)
 
-    def reply(self, record: Record, carried: dict[Carried, int], failed: bool) -> None:
+    def reply(self, record: Record, carried: dict[OperationName, int], failed: bool) -> None:
         self._message(record)
         self.errors += failed
         self.orphans += record.request is None
@@ -277,7 +277,7 @@ class _Tally:
     def no_message(self, record: Record) -> None:
         self._message(record)
 
-    def add_all(self, other: _Tally) -> None:
+    def add_all(self, other: _PeerCounts) -> None:
         self.messages.add_all(other.messages)
         for kind, amount in other.kinds.items():
             self.kinds.setdefault(kind, Amount()).add_all(amount)
@@ -292,7 +292,7 @@ class _Tally:
             self.first_ns = other.first_ns if self.first_ns is None else min(self.first_ns, other.first_ns)
             self.last_ns = max(self.last_ns, other.last_ns)
 
-    def no_reply(self, carried: dict[Carried, int]) -> None:
+    def no_reply(self, carried: dict[OperationName, int]) -> None:
         self.unanswered += 1
         for key in carried:
             self._operation(key).unanswered += 1
@@ -306,10 +306,10 @@ class _Tally:
             self.first_ns = record.time_ns if self.first_ns is None else min(self.first_ns, record.time_ns)
             self.last_ns = max(self.last_ns, record.time_ns)
 
-    def _operation(self, key: Carried) -> _Operation:
+    def _operation(self, key: OperationName) -> _OperationCounts:
         found = self.operations.get(key)
         if found is None:
-            found = self.operations[key] = _Operation()
+            found = self.operations[key] = _OperationCounts()
         return found
 
     def summary(self) -> PeerSummary:
@@ -332,12 +332,12 @@ class _Tally:
         )
 
 
-class _Waiting(NamedTuple):
+class _OpenCommand(NamedTuple):
     """A command that waits for its reply; not the record itself, which would keep its frame and message."""
 
     number: int
     peer: str
-    carried: dict[Carried, int]
+    carried: dict[OperationName, int]
 
 
 @dataclass(slots=True)
@@ -371,10 +371,10 @@ class Statistics:
     """Takes the events of a capture one by one, in their order. What it says is about those that it was given."""
 
     def __init__(self) -> None:
-        self._peers: dict[str, _Tally] = {}
-        self._further = _Tally("further ones")
+        self._peers: dict[str, _PeerCounts] = {}
+        self._further = _PeerCounts("further ones")
         self._texts: dict[str, Amount] = {}
-        self._waiting: Bounded[int, _Waiting] = Bounded(MOST_PENDING)
+        self._waiting: Bounded[int, _OpenCommand] = Bounded(MOST_PENDING)
         self._unanswered: list[Noted] = []
         self._faults: list[Noted] = []
         self._skipped: list[Noted] = []
@@ -401,7 +401,7 @@ class Statistics:
         while self._waiting:
             self._give_up(self._waiting.pop_oldest())
         self._unanswered.sort(key=lambda noted: noted.packet)
-        whole = _Tally("all")
+        whole = _PeerCounts("all")
         for tally in (*self._peers.values(), self._further):
             whole.add_all(tally)
         return Summary(
@@ -439,20 +439,20 @@ class Statistics:
         if record.transfer is not None:
             self._move(record, record.transfer)
 
-    def _tally(self, peer: str) -> _Tally:
+    def _tally(self, peer: str) -> _PeerCounts:
         found = self._peers.get(peer)
         if found is None:
             if len(self._peers) >= MOST_PEERS:
                 return self._further
-            found = self._peers[peer] = _Tally(peer)
+            found = self._peers[peer] = _PeerCounts(peer)
         return found
 
     # Commands and their replies. A record that is no longer referred to can have no reply, and then another one can
     # have its id: what waits under that id waits in vain.
 
-    def _wait(self, record: Record, carried: dict[Carried, int]) -> None:
+    def _wait(self, record: Record, carried: dict[OperationName, int]) -> None:
         same = self._waiting.pop(id(record), None)
-        oldest = self._waiting.add(id(record), _Waiting(record.number, record.peer, carried))
+        oldest = self._waiting.add(id(record), _OpenCommand(record.number, record.peer, carried))
         for forgotten in (same, oldest):
             if forgotten is not None:
                 self._give_up(forgotten)
@@ -463,7 +463,7 @@ class Statistics:
         if request is not None and waiting is not None and waiting.number == request.number:
             del self._waiting[id(request)]
 
-    def _give_up(self, waiting: _Waiting) -> None:
+    def _give_up(self, waiting: _OpenCommand) -> None:
         self._peers.get(waiting.peer, self._further).no_reply(waiting.carried)
         self._unanswered.append(Noted(waiting.number, waiting.peer, _listed(waiting.carried)))
         if len(self._unanswered) > 2 * MOST_LISTED:
@@ -492,16 +492,16 @@ class Statistics:
             self._skipped.append(Noted(event.number, event.route.peer, event.reason))
 
 
-def _carried(message: Message) -> dict[Carried, int]:
+def _carried(message: Message) -> dict[OperationName, int]:
     """What a command carries, each with how often; of a reply whose command was not seen, what it says of it."""
     if isinstance(message, SystemCommand | SystemReply):
-        return {Carried("system", _system_name(message.number)): 1}
-    found: dict[Carried, int] = {}
+        return {OperationName("system", _system_name(message.number)): 1}
+    found: dict[OperationName, int] = {}
     if isinstance(message, DaisyCommand):
-        found[Carried("daisy", message.command or f"0x{message.number:02X}")] = 1
+        found[OperationName("daisy", message.command or f"0x{message.number:02X}")] = 1
     if isinstance(message, DirectCommand | DaisyCommand):
         for operation in message.operations:
-            key = Carried("direct", operation.full_name)
+            key = OperationName("direct", operation.full_name)
             found[key] = found.get(key, 0) + 1
     return found
 
@@ -514,7 +514,7 @@ def _system_name(number: int) -> str:
     return f"{entry.name} (bootloader)" if entry.bootloader else entry.name
 
 
-def _listed(carried: dict[Carried, int]) -> str:
+def _listed(carried: dict[OperationName, int]) -> str:
     """`SOUND.TONE, UI_WRITE.LED`, not all of a long program."""
     names = [key.name for key in _first(carried, MOST_NAMED)]
     more = len(carried) - len(names)
@@ -525,7 +525,7 @@ MOST_NAMED = 4
 """So many operations of an unanswered command are named."""
 
 
-def _first(carried: dict[Carried, int], most: int) -> Iterator[Carried]:
+def _first(carried: dict[OperationName, int], most: int) -> Iterator[OperationName]:
     for count, key in enumerate(carried):
         if count == most:
             return

@@ -47,7 +47,7 @@ _MOST_INTERFACES = 1 << 16
 
 
 @dataclass(slots=True)
-class _Clock:
+class _InterfaceTime:
     """How the times of an interface are meant."""
 
     interface: Interface
@@ -71,11 +71,11 @@ class _Section:
         self.option = packed(OPTION, order)
         self.number = packed(Struct("value" / Int64ul), order)
         self.size = packed(Struct("size" / Int32ul), order)
-        self.clocks: list[_Clock] = []
+        self.clocks: list[_InterfaceTime] = []
 
     def add_interface(self, body: bytes) -> None:
         link, _, most = self.interface.unpack_from(body)
-        clock = _Clock(Interface(link, None, self.order), most)
+        clock = _InterfaceTime(Interface(link, None, self.order), most)
         for code, value in self._options(body, self.interface.size):
             if code == NAME:
                 name = value.split(b"\0", 1)[0].decode("utf-8", "replace")
@@ -119,7 +119,7 @@ class _Section:
         data = self._data(body, start, captured, number, is_cut)
         return Packet(number, clock.time_ns(high, low), data, size, clock.interface)
 
-    def _clock(self, interface: int, number: int) -> _Clock:
+    def _clock(self, interface: int, number: int) -> _InterfaceTime:
         if interface >= len(self.clocks):
             raise CaptureError(f"packet {number} is of interface {interface}, of which the file says nothing")
         return self.clocks[interface]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ev3proto.capture.timeline.layout import KINDS_WIDTH, LATENCY_MARGIN, SHADES, WIDTH, Picture
+from ev3proto.capture.timeline.layout import KINDS_WIDTH, LATENCY_MARGIN, SHADES, WIDTH, Drawing
 from ev3proto.capture.timeline.marks import Outcome
 
 VERSION = "6.1"
@@ -60,7 +60,7 @@ _TIP = {"expr": "datum.tip"}
 _MARGIN = {"expr": "margin"}
 
 
-def specification(picture: Picture) -> Json:
+def specification(picture: Drawing) -> Json:
     """The specification of a picture, with all of its data."""
     panels = [_Panel(picture, number) for number in range(len(picture.panels))]
     views = [_legend(picture), *(panel.view() for panel in panels)]
@@ -107,7 +107,7 @@ def specification(picture: Picture) -> Json:
     }
 
 
-def _datasets(picture: Picture) -> Json:
+def _datasets(picture: Drawing) -> Json:
     found: Json = {
         "marks": picture.marks,
         "cells": picture.cells,
@@ -155,7 +155,7 @@ def _faded(full: float = 1.0) -> Json:
 _SYMBOL = {"type": "point", "filled": True, "clip": True, "tooltip": _TIP}
 
 
-def _symbol(picture: Picture) -> Json:
+def _symbol(picture: Drawing) -> Json:
     """How symbols look. Trouble is never small, and has a white rim that lifts it from what is around it."""
     return {
         "color": _COLOUR,
@@ -167,7 +167,7 @@ def _symbol(picture: Picture) -> Json:
     }
 
 
-def _time(picture: Picture, field: str, title: str | None) -> Json:
+def _time(picture: Drawing, field: str, title: str | None) -> Json:
     return {
         "field": field,
         "type": "quantitative",
@@ -179,7 +179,7 @@ def _time(picture: Picture, field: str, title: str | None) -> Json:
 _SECONDS = "seconds since the first message"
 
 
-def _legend(picture: Picture) -> Json:
+def _legend(picture: Drawing) -> Json:
     x, y = ({"field": name, "type": "quantitative", "scale": None, "axis": None} for name in ("x", "y"))
     layers = [
         _layer(
@@ -217,7 +217,7 @@ def _legend(picture: Picture) -> Json:
 class _Panel:
     """The rows of one brick."""
 
-    def __init__(self, picture: Picture, number: int) -> None:
+    def __init__(self, picture: Drawing, number: int) -> None:
         self.name = f"rows{number}"
         self._picture = picture
         self._number = number
@@ -328,7 +328,7 @@ class _Panel:
         return " && ".join((f"datum.p === {self._number}", *conditions))
 
 
-def _latency(picture: Picture) -> Json:
+def _latency(picture: Drawing) -> Json:
     assert picture.latency_ms is not None
     low, high = picture.latency_ms
     logarithmic = {"type": "log", "domain": [low / LATENCY_MARGIN, high * LATENCY_MARGIN], "nice": False}

@@ -57,7 +57,7 @@ Datum = dict[str, Any]
 
 
 @dataclass(slots=True)
-class Panel:
+class BrickRows:
     """The rows of one brick.
 
     title   its name
@@ -75,7 +75,7 @@ class Panel:
 
 
 @dataclass(slots=True)
-class Picture:
+class Drawing:
     """All that is drawn, with its place.
 
     title        name of the capture
@@ -95,7 +95,7 @@ class Picture:
     title: str
     lines: list[str]
     domain: tuple[float, float]
-    panels: list[Panel] = field(default_factory=list)
+    panels: list[BrickRows] = field(default_factory=list)
     marks: list[Datum] = field(default_factory=list)
     cells: list[Datum] = field(default_factory=list)
     latencies: list[Datum] = field(default_factory=list)
@@ -146,15 +146,15 @@ def _dialogue_begin(timeline: Timeline) -> int:
     return max(timeline.begin_ns, min(said)) if said else timeline.begin_ns
 
 
-def lay_out(timeline: Timeline, title: str) -> Picture:
+def lay_out(timeline: Timeline, title: str) -> Drawing:
     """The places of all that a timeline has."""
     begin, end = timeline.seconds(_dialogue_begin(timeline)), timeline.seconds(timeline.end_ns)
     margin = _MARGIN * (end - begin) or 0.5
-    picture = Picture(title, summary(timeline), (_rounded(begin - margin), _rounded(end + margin)))
+    picture = Drawing(title, summary(timeline), (_rounded(begin - margin), _rounded(end + margin)))
     homes = _homes(timeline)
     for brick, tally in timeline.bricks.items():
         if homes[brick] == brick:
-            panel = Panel(brick, brick_summary(tally))
+            panel = BrickRows(brick, brick_summary(tally))
             picture.panels.append(panel)
             _Rows(timeline, picture, panel, {name for name, home in homes.items() if home == brick}).fill()
     _least_widths(picture)
@@ -165,7 +165,7 @@ def lay_out(timeline: Timeline, title: str) -> Picture:
     return picture
 
 
-def _least_widths(picture: Picture) -> None:
+def _least_widths(picture: Drawing) -> None:
     """How wide the picture must be for each label: a narrow window has no room for some of them."""
     low, high = picture.domain
     rows: dict[tuple[int, str], list[Datum]] = {}
@@ -211,7 +211,7 @@ def _host(brick: str) -> str:
 class _Rows:
     """Fills a panel with its rows, and the picture with what stands in them."""
 
-    def __init__(self, timeline: Timeline, picture: Picture, panel: Panel, bricks: set[str]) -> None:
+    def __init__(self, timeline: Timeline, picture: Drawing, panel: BrickRows, bricks: set[str]) -> None:
         self._timeline = timeline
         self._picture = picture
         self._panel = panel
@@ -374,7 +374,7 @@ def shade_starts(most: int) -> list[int]:
     return list(starts.values())
 
 
-def _latencies(timeline: Timeline, picture: Picture) -> None:
+def _latencies(timeline: Timeline, picture: Drawing) -> None:
     found = [datum["ms"] for datum in picture.marks if "ms" in datum]
     bins: dict[int, Cell] = {}
     for (lane, begin), cell in timeline.cells.items():
@@ -397,7 +397,7 @@ def _latencies(timeline: Timeline, picture: Picture) -> None:
         picture.latency_ms = min(found), max(found)
 
 
-def _legend(picture: Picture, timeline: Timeline) -> list[Datum]:
+def _legend(picture: Drawing, timeline: Timeline) -> list[Datum]:
     """What occurs, in the order of the outcomes, in as many rows as it takes."""
     entries: list[Datum] = []
     outcomes = timeline.outcomes

@@ -16,10 +16,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 from support.cli import run_ev3proto_text
 from support.wireshark import Tshark
 
-from ev3proto.generate.dissector import profile
+from ev3proto.cli.dissector import dissector
+from ev3proto.generate.dissector import install, profile
 from ev3proto.generate.dissector.build import build
 
 ROOT = Path(__file__).parent.parent
@@ -180,14 +182,11 @@ def test_a_folder_and_a_tshark(home: Home, tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (1, f"{home.program} does not load it: {ELSEWHERE}\n")
 
 
-def test_no_tshark(tmp_path: Path) -> None:
+def test_a_tshark_that_is_not_there(tmp_path: Path) -> None:
     advice = (
         "install tshark, which is part of Wireshark, or name it with --tshark, or name the folder for Lua plugins with "
         "--dir (Wireshark shows it under Help, About, Folders)\n"
     )
-    done = run(path=str(tmp_path))
-    assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == f"there is no tshark on the path: {advice}"
     done = run("--tshark", "no-such-program")
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == f"there is no program no-such-program: {advice}"
@@ -406,3 +405,55 @@ def test_uninstall_leaves_the_plugin_of_others(tmp_path: Path) -> None:
     plugin.write_text("-- somebody else's\n")
     assert "kept" in run_ev3proto_text("dissector", "uninstall", "--dir", str(tmp_path)).stdout
     assert plugin.exists()
+
+
+USUAL = {
+    "linux": ("home/.local/lib/wireshark/plugins", "home/.config/wireshark/profiles/EV3"),
+    "darwin": ("home/.local/lib/wireshark/plugins", "home/.config/wireshark/profiles/EV3"),
+    "win32": ("roaming/Wireshark/plugins", "roaming/Wireshark/profiles/EV3"),
+}
+"""By platform: where Wireshark's manual says that plugins and profiles are."""
+
+
+@pytest.mark.parametrize("platform", USUAL)
+def test_without_a_tshark_the_usual_folders_are_taken(
+    platform: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(install, "PLATFORM", platform)
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.setenv("APPDATA", str(tmp_path / "roaming"))
+    for name in ("XDG_CONFIG_HOME", "WIRESHARK_CONFIG_DIR"):
+        monkeypatch.delenv(name, raising=False)
+    plugins, profile = USUAL[platform]
+    files = [
+        f"{plugins}/ev3.lua",
+        *(f"{profile}/{name}" for name in ("colorfilters", "dfilter_buttons", "preferences")),
+    ]
+    done = CliRunner().invoke(dissector, ["install", "--profile"])
+    assert done.exit_code == 0
+    assert "There is no tshark to ask" in done.output
+    assert sorted(tree(tmp_path)) == sorted(files)
+    done = CliRunner().invoke(dissector, ["uninstall"])
+    assert (done.exit_code, done.output.count(": removed\n")) == (0, 4)
+    assert tree(tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    ("variables", "profiles"),
+    [
+        ({}, ".wireshark/profiles"),
+        ({"XDG_CONFIG_HOME": "settings"}, ".wireshark/profiles"),
+        ({"WIRESHARK_CONFIG_DIR": "own"}, "own/profiles"),
+    ],
+)
+def test_a_configuration_where_it_was_before(
+    variables: dict[str, str], profiles: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(install, "PLATFORM", "linux")
+    (tmp_path / ".wireshark").mkdir()
+    for name in ("XDG_CONFIG_HOME", "WIRESHARK_CONFIG_DIR"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in {"HOME": "", **variables}.items():
+        monkeypatch.setenv(name, str(tmp_path / value))
+    assert install.Folders.documented().profiles == tmp_path / profiles

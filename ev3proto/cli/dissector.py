@@ -59,7 +59,7 @@ def build_command(output: Path | None, check: bool) -> None:
     "--dir",
     "folder",
     type=click.Path(path_type=Path, file_okay=False),
-    help="Folder for Lua plugins; without it, tshark is asked.",
+    help="Folder for Lua plugins; without it, tshark is asked, or Wireshark's usual folders are taken.",
 )
 @click.option("--profile", "with_profile", is_flag=True, help="Also add the profile EV3: columns and colours.")
 @click.option("--tshark", metavar="PATH", help="The tshark to ask, where it is not on the path.")
@@ -68,7 +68,8 @@ def install(folder: Path | None, with_profile: bool, tshark: str | None, force: 
     """Installs the dissector for the user who runs this.
 
     ev3.lua goes into the personal folder for Lua plugins that tshark names, and tshark is asked whether it loads it.
-    The profile goes into tshark's personal configuration.
+    The profile goes into tshark's personal configuration. Where there is no tshark, the folders are those that
+    Wireshark's manual names for this system.
 
     With --dir, all goes below that folder, the profile into profiles/EV3; no tshark is needed, and none is asked,
     unless --tshark names it.
@@ -129,15 +130,21 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     from ev3proto.generate.dissector.install import (
         Folders,
         InstallError,
+        NoTsharkError,
         Outcome,
         Tshark,
         install_dissector,
         install_profile,
     )
 
-    asked = Tshark(tshark) if tshark or folder is None else None
-    folders = Folders.below(folder) if folder is not None else asked.folders() if asked else None
-    assert folders is not None
+    asked = None
+    try:
+        asked = Tshark(tshark) if tshark or folder is None else None
+    except NoTsharkError:
+        if tshark:
+            raise
+    named = Folders.below(folder) if folder is not None else None
+    folders = named or (asked.folders() if asked else Folders.documented())
     plugin = folders.plugins / FILE_NAME
     outcome = install_dissector(folders.plugins, force=force)
     if outcome is Outcome.KEPT:
@@ -156,6 +163,8 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
         raise InstallError(f"{asked.path} does not load it: {trouble}")
     if asked:
         say(f"{asked.path} loads it.")
+    elif folder is None:
+        say("There is no tshark to ask: these are Wireshark's usual folders. Help, About, Folders names its own.")
     say("Restart Wireshark, or choose Analyze, Reload Lua Plugins.")
     if with_profile and folder is None:
         say("For the profile, choose EV3 under Edit, Configuration Profiles.")

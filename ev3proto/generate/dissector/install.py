@@ -17,6 +17,7 @@ from ev3proto.generate.dissector import profile
 from ev3proto.generate.dissector.build import FILE_NAME, build
 
 TIMEOUT = 60
+PLATFORM = sys.platform
 USUAL_PLACES = (
     "/Applications/Wireshark.app/Contents/MacOS/tshark",
     r"C:\Program Files\Wireshark\tshark.exe",
@@ -30,6 +31,10 @@ _NO_LUA_AS_ROOT = (4, 4)
 
 class InstallError(Exception):
     """Why it cannot be installed, and what to do, in a sentence."""
+
+
+class NoTsharkError(InstallError):
+    """There is no tshark to ask."""
 
 
 class Outcome(Enum):
@@ -59,10 +64,16 @@ class Folders:
     @classmethod
     def documented(cls) -> Folders:
         """Where Wireshark's manual says that they are, for when there is no tshark to ask."""
-        if sys.platform == "win32":
+        named = os.environ.get("WIRESHARK_CONFIG_DIR")
+        if PLATFORM == "win32":
             roaming = Path(os.environ.get("APPDATA") or Path.home() / "AppData" / "Roaming") / "Wireshark"
-            return cls(roaming / "plugins", roaming / "profiles")
+            return cls(roaming / "plugins", (Path(named) if named else roaming) / "profiles")
         configuration = Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "wireshark"
+        older = Path.home() / ".wireshark"
+        if named:
+            configuration = Path(named)
+        elif older.is_dir() and not configuration.is_dir():
+            configuration = older
         return cls(Path.home() / ".local" / "lib" / "wireshark" / "plugins", configuration / "profiles")
 
 
@@ -224,7 +235,7 @@ def _find(name: str | None) -> str:
         if found:
             return found
     missing = f"there is no program {name}" if name else "there is no tshark on the path"
-    raise InstallError(
+    raise NoTsharkError(
         f"{missing}: install tshark, which is part of Wireshark, or name it with --tshark, or name the folder for Lua "
         "plugins with --dir (Wireshark shows it under Help, About, Folders)"
     )

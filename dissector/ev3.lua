@@ -606,13 +606,13 @@ local OPERATIONS = {
             },
             {
                 15, "TST_WRITE_UART", "Sends bytes out of a sensor port's serial line",
-                { "PORT", IN, DATA8, "sensor port less one" },
+                { "PORT", IN, DATA8, "sensor port less one", label = "Port" },
                 { "LENGTH", IN, DATA8, "how many bytes to send", unit = "bytes" },
                 { "STRING", IN, DATA8, "the bytes", length = "LENGTH" },
             },
             {
                 16, "TST_READ_UART", "Reads bytes that arrived on a sensor port's serial line",
-                { "PORT", IN, DATA8, "sensor port less one" },
+                { "PORT", IN, DATA8, "sensor port less one", label = "Port" },
                 { "LENGTH", IN, DATA8, "how many bytes to read", unit = "bytes" },
                 { "STRING", OUT, DATA8, "the bytes, filled up with zeros", length = "LENGTH" },
             },
@@ -2214,9 +2214,9 @@ local OPERATIONS = {
             },
             {
                 2, "GET_FORMAT", "Tells the shape of a device's values in its present mode",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2241,9 +2241,9 @@ local OPERATIONS = {
             },
             {
                 5, "GET_TYPEMODE", "Tells which device is at a port and in which mode",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2254,9 +2254,9 @@ local OPERATIONS = {
             },
             {
                 6, "GET_SYMBOL", "Reads the symbol of the unit of the present mode",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2282,9 +2282,9 @@ local OPERATIONS = {
             },
             {
                 9, "SETUP", "Writes to an I2C sensor and reads its answer, again and again if asked to",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "sensor port, counted from 0",
+                    "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                     special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 },
                 { "REPEAT", IN, DATA8, "how often to write and read", special = { [0] = "without end" } },
@@ -2296,13 +2296,16 @@ local OPERATIONS = {
             },
             {
                 10, "CLR_ALL", "Clears counters and angles of all devices",
-                { "LAYER", IN, DATA8, "brick in the daisy chain", special = { [-1] = "all layers" } },
+                {
+                    "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
+                    special = { [-1] = "all layers" },
+                },
             },
             {
                 11, "GET_RAW", "Reads the first raw value of a device",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2312,9 +2315,9 @@ local OPERATIONS = {
             },
             {
                 12, "GET_CONNECTION", "Tells how the device at a port is connected",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2324,7 +2327,10 @@ local OPERATIONS = {
             },
             {
                 13, "STOP_ALL", "Stops all devices, motors among them",
-                { "LAYER", IN, DATA8, "brick in the daisy chain", special = { [-1] = "all layers" } },
+                {
+                    "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
+                    special = { [-1] = "all layers" },
+                },
             },
             {
                 14, "SET_TYPEMODE", "Renumbers an entry of the table of device types, third party types only",
@@ -2336,9 +2342,9 @@ local OPERATIONS = {
             },
             {
                 15, "READY_IIC", "Writes to an I2C sensor once, waits for its answer and tells how it went",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "sensor port, counted from 0",
+                    "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                     special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 },
                 { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes" },
@@ -2349,9 +2355,9 @@ local OPERATIONS = {
             },
             {
                 21, "GET_NAME", "Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2365,9 +2371,9 @@ local OPERATIONS = {
             },
             {
                 22, "GET_MODENAME", "Reads the name of any mode of a device",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2382,9 +2388,9 @@ local OPERATIONS = {
             },
             {
                 23, "SET_RAW", "Pretends that a device has read this raw value",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2398,9 +2404,9 @@ local OPERATIONS = {
             },
             {
                 24, "GET_FIGURES", "Tells how many digits a value of the present mode needs",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2411,9 +2417,9 @@ local OPERATIONS = {
             },
             {
                 25, "GET_CHANGES", "Reads how often a touch sensor changed in positive direction since CLR_CHANGES",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2423,9 +2429,9 @@ local OPERATIONS = {
             },
             {
                 26, "CLR_CHANGES", "Sets the counts of GET_CHANGES and GET_BUMPS to zero",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2434,9 +2440,9 @@ local OPERATIONS = {
             },
             {
                 27, "READY_PCT", "Sets type and mode, waits until the device is ready and reads percent values",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2451,9 +2457,9 @@ local OPERATIONS = {
             },
             {
                 28, "READY_RAW", "Sets type and mode, waits until the device is ready and reads raw values",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2468,9 +2474,9 @@ local OPERATIONS = {
             },
             {
                 29, "READY_SI", "Sets type and mode, waits until the device is ready and reads SI values",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2485,9 +2491,9 @@ local OPERATIONS = {
             },
             {
                 30, "GET_MINMAX", "Tells between which SI values the present mode moves",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2498,9 +2504,9 @@ local OPERATIONS = {
             },
             {
                 31, "GET_BUMPS", "Reads how often a touch sensor changed in negative direction since CLR_CHANGES",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
                 {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
                     special = {
                         [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                         [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2512,9 +2518,9 @@ local OPERATIONS = {
     },
     {
         0x9A, "INPUT_READ", "Sets type and mode and reads the first value in percent at once",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
             special = {
                 [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                 [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2529,9 +2535,9 @@ local OPERATIONS = {
     },
     {
         0x9B, "INPUT_TEST", "Tells whether a device is still changing type or mode",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
             special = {
                 [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                 [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2541,9 +2547,9 @@ local OPERATIONS = {
     },
     {
         0x9C, "INPUT_READY", "Waits until a device has valid values",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
             special = {
                 [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                 [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2552,9 +2558,9 @@ local OPERATIONS = {
     },
     {
         0x9D, "INPUT_READSI", "Sets type and mode and reads the first value in SI units at once",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
             special = {
                 [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                 [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2569,9 +2575,9 @@ local OPERATIONS = {
     },
     {
         0x9E, "INPUT_READEXT", "Sets type and mode and reads several values at once, in the format asked for",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors",
+            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
             special = {
                 [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
                 [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
@@ -2587,9 +2593,9 @@ local OPERATIONS = {
     },
     {
         0x9F, "INPUT_WRITE", "Sends bytes to a UART sensor",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "sensor port, counted from 0",
+            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
             special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
         },
         { "BYTES", IN, DATA8, "how many bytes to send", unit = "bytes" },
@@ -2597,9 +2603,9 @@ local OPERATIONS = {
     },
     {
         0xE0, "INPUT_SET_CONN", "Sets how a port is connected, for ports whose automatic detection is off",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "sensor port, counted from 0",
+            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
             special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
         },
         { "CONN", IN, DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE", enum = ENUMERATIONS.CONN },
@@ -2607,9 +2613,9 @@ local OPERATIONS = {
     },
     {
         0xE1, "INPUT_IIC_READ", "Fetches the bytes that an I2C sensor answered to INPUT_IIC_WRITE",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "sensor port, counted from 0",
+            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
             special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
         },
         { "RDLNG", IN, DATA8, "how many bytes to read", unit = "bytes" },
@@ -2619,9 +2625,9 @@ local OPERATIONS = {
     },
     {
         0xE2, "INPUT_IIC_STATUS", "Tells the state of the I2C bus of a port",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "sensor port, counted from 0",
+            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
             special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
         },
         { "RESULT", OUT, DATA8, "state of the bus", enum = ENUMERATIONS.RESULT },
@@ -2629,9 +2635,9 @@ local OPERATIONS = {
     },
     {
         0xE3, "INPUT_IIC_WRITE", "Sends bytes to an I2C sensor once and does not wait for its answer",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "sensor port, counted from 0",
+            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
             special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
         },
         { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes" },
@@ -2642,9 +2648,9 @@ local OPERATIONS = {
     },
     {
         0xE4, "INPUT_SET_AUTOID", "Switches the automatic detection of sensors at a port on or off",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NO", IN, DATA8, "sensor port, counted from 0",
+            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
             special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
         },
         { "ENABLE", IN, DATA8, "whether to detect", special = { [0] = "off", [1] = "on" } },
@@ -2652,22 +2658,28 @@ local OPERATIONS = {
     },
     {
         0xA0, "OUTPUT_GET_TYPE", "Tells the type of motor at a port, in headers only: no firmware runs it",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
-        { "NO", IN, DATA8, "port, counted from 0", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" } },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+        {
+            "NO", IN, DATA8, "port, counted from 0", label = "Port",
+            special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+        },
         { "TYPE", OUT, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE },
         dialects = {},
     },
     {
         0xA1, "OUTPUT_SET_TYPE", "Declares which type of motor is at a port",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
-        { "NO", IN, DATA8, "port, counted from 0", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" } },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+        {
+            "NO", IN, DATA8, "port, counted from 0", label = "Port",
+            special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+        },
         { "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE },
     },
     {
         0xA2, "OUTPUT_RESET", "Sets the tacho counts that moves and OUTPUT_READ use to zero",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2677,9 +2689,9 @@ local OPERATIONS = {
     },
     {
         0xA3, "OUTPUT_STOP", "Stops motors",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2690,9 +2702,9 @@ local OPERATIONS = {
     },
     {
         0xA4, "OUTPUT_POWER", "Sets the power of motors, OUTPUT_START makes them run",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2703,9 +2715,9 @@ local OPERATIONS = {
     },
     {
         0xA5, "OUTPUT_SPEED", "Sets the speed of motors, OUTPUT_START makes them run",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2716,9 +2728,9 @@ local OPERATIONS = {
     },
     {
         0xA6, "OUTPUT_START", "Starts motors with the power or speed set before",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2728,9 +2740,9 @@ local OPERATIONS = {
     },
     {
         0xA7, "OUTPUT_POLARITY", "Sets the direction of motors",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2744,16 +2756,19 @@ local OPERATIONS = {
     },
     {
         0xA8, "OUTPUT_READ", "Reads speed and tacho count of one motor, 0 on layers other than 0",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
-        { "NO", IN, DATA8, "port, counted from 0", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" } },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+        {
+            "NO", IN, DATA8, "port, counted from 0", label = "Port",
+            special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+        },
         { "SPEED", OUT, DATA8, "present speed", unit = "%" },
         { "TACHO", OUT, DATA32, "angle since OUTPUT_RESET", unit = "degrees" },
     },
     {
         0xA9, "OUTPUT_TEST", "Tells whether one of the motors is still in a move that ends by itself",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2764,9 +2779,9 @@ local OPERATIONS = {
     },
     {
         0xAA, "OUTPUT_READY", "Waits until the moves of the motors have ended, OUTPUT_START does not count",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2776,9 +2791,9 @@ local OPERATIONS = {
     },
     {
         0xAB, "OUTPUT_POSITION", "Tells the position of motors, in headers only: no firmware runs it",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2790,9 +2805,9 @@ local OPERATIONS = {
     },
     {
         0xAC, "OUTPUT_STEP_POWER", "Turns motors by an angle with unregulated power",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2807,9 +2822,9 @@ local OPERATIONS = {
     },
     {
         0xAD, "OUTPUT_TIME_POWER", "Runs motors for a time with unregulated power",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2824,9 +2839,9 @@ local OPERATIONS = {
     },
     {
         0xAE, "OUTPUT_STEP_SPEED", "Turns motors by an angle with regulated speed",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2841,9 +2856,9 @@ local OPERATIONS = {
     },
     {
         0xAF, "OUTPUT_TIME_SPEED", "Runs motors for a time with regulated speed",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2858,9 +2873,9 @@ local OPERATIONS = {
     },
     {
         0xB0, "OUTPUT_STEP_SYNC", "Turns two motors in step by an angle",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2880,9 +2895,9 @@ local OPERATIONS = {
     },
     {
         0xB1, "OUTPUT_TIME_SYNC", "Runs two motors in step for a time",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2902,9 +2917,9 @@ local OPERATIONS = {
     },
     {
         0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts that motors have as sensors to zero",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
         {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8",
+            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
             special = {
                 [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
                 [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
@@ -2914,8 +2929,11 @@ local OPERATIONS = {
     },
     {
         0xB3, "OUTPUT_GET_COUNT", "Reads the tacho count that a motor has as a sensor",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed" },
-        { "NOS", IN, DATA8, "port, counted from 0", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" } },
+        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+        {
+            "NOS", IN, DATA8, "port, counted from 0", label = "Port",
+            special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+        },
         { "TACHO", OUT, DATA32, "angle since OUTPUT_CLR_COUNT", unit = "degrees" },
     },
     { 0xB4, "OUTPUT_PRG_STOP", "Stops and resets all motors as the end of a program does" },
@@ -3999,7 +4017,7 @@ local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
 -- A typed field of one parameter. Its kind tells which values it takes.
 local function parameter_field(abbreviation, parameter, kind)
-    local name, text = parameter.name, parameter.text
+    local name, text = parameter.label, parameter.text
     local made
     if kind == TEXT_VALUE then
         made = ProtoField.string(abbreviation, name, text)
@@ -4080,6 +4098,7 @@ do
     local function ready_parameter(abbreviation, row)
         local parameter = {
             name = row[1], field_name = row[1], direction = row[2], type = row[3], text = row[4],
+            label = row.label and row.label .. " " .. row[1] or row[1],
             unit = row.unit, enum = row.enum, special = row.special, length = row.length,
             element = row.element, elements = row.elements,
         }
@@ -4123,7 +4142,7 @@ do
             element.field, element.kind = list.any_field, FLOAT
         else
             element.kind = PARAMETER_KINDS[type] or NUMBER
-            local named = { name = list.name, text = list.text }
+            local named = { label = list.name, text = list.text }
             element.field = parameter_field(abbreviation .. ".item", named, element.kind)
         end
         return numbered(element)
@@ -5427,7 +5446,7 @@ do
         if encoding.scope then
             local text = encoding.text or variable_text(encoding, value)
             rows[count + 1], rows[count + 4] = field.variable, text
-            rows[count + 5], rows[count + 6] = parameter.name .. ": " .. text, false
+            rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
             rows[count + 8] = variable_complaints(nil, rows, parameter, encoding, value) or false
         else
             rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
@@ -5675,9 +5694,7 @@ do
                 start, behind = math.min(start, output.at), math.max(behind, output.at + output.size)
             end
             if values[1] then
-                local operation = group.operation
-                local added =
-                    item:add(field.answers, tvb(base + start, behind - start), operation.name, operation.title)
+                local added = item:add(field.answers, tvb(base + start, behind - start), group.operation.name)
                 for _, output in ipairs(values) do
                     add_output(added, tvb, base, output)
                 end

@@ -15,7 +15,7 @@ from ev3proto.schema.frame import SENSOR_REPORT
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame, operations
-from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, RANGES, TEXT, Encoding
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
@@ -190,8 +190,14 @@ def _dialects(entry: Opcode | Command) -> dict[Any, object]:
     return {} if entry.dialects == DIALECTS else {"dialects": Table(entry.dialects)}
 
 
+ROLE_LABELS = {Role.LAYER: "Daisy chain", Role.PORT: "Port", Role.MOTOR: "Port", Role.MOTORS: "Ports"}
+"""What stands before names of the firmware's that say little: `Port NO`."""
+
+
 def _parameter(parameter: Parameter) -> Table:
     named: dict[Any, object] = {}
+    if parameter.role in ROLE_LABELS:
+        named["label"] = ROLE_LABELS[parameter.role]
     if parameter.unit:
         named["unit"] = parameter.unit
     if parameter.enum is not None:

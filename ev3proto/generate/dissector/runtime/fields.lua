@@ -95,7 +95,7 @@ local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
 -- A typed field of one parameter. Its kind tells which values it takes.
 local function parameter_field(abbreviation, parameter, kind)
-    local name, text = parameter.name, parameter.text
+    local name, text = parameter.label, parameter.text
     local made
     if kind == TEXT_VALUE then
         made = ProtoField.string(abbreviation, name, text)

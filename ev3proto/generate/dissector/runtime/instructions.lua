@@ -7,6 +7,7 @@ do
     local function ready_parameter(abbreviation, row)
         local parameter = {
             name = row[1], field_name = row[1], direction = row[2], type = row[3], text = row[4],
+            label = row.label and row.label .. " " .. row[1] or row[1],
             unit = row.unit, enum = row.enum, special = row.special, length = row.length,
             element = row.element, elements = row.elements,
         }
@@ -50,7 +51,7 @@ do
             element.field, element.kind = list.any_field, FLOAT
         else
             element.kind = PARAMETER_KINDS[type] or NUMBER
-            local named = { name = list.name, text = list.text }
+            local named = { label = list.name, text = list.text }
             element.field = parameter_field(abbreviation .. ".item", named, element.kind)
         end
         return numbered(element)

@@ -135,9 +135,7 @@ do
                 start, behind = math.min(start, output.at), math.max(behind, output.at + output.size)
             end
             if values[1] then
-                local operation = group.operation
-                local added =
-                    item:add(field.answers, tvb(base + start, behind - start), operation.name, operation.title)
+                local added = item:add(field.answers, tvb(base + start, behind - start), group.operation.name)
                 for _, output in ipairs(values) do
                     add_output(added, tvb, base, output)
                 end

@@ -74,7 +74,7 @@ do
         if encoding.scope then
             local text = encoding.text or variable_text(encoding, value)
             rows[count + 1], rows[count + 4] = field.variable, text
-            rows[count + 5], rows[count + 6] = parameter.name .. ": " .. text, false
+            rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
             rows[count + 8] = variable_complaints(nil, rows, parameter, encoding, value) or false
         else
             rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =

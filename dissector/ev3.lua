@@ -606,13 +606,13 @@ local OPERATIONS = {
             },
             {
                 15, "TST_WRITE_UART", "Sends bytes out of a sensor port's serial line",
-                { "PORT", IN, DATA8, "sensor port less one", label = "Port" },
+                { "PORT", IN, DATA8, "sensor port less one" },
                 { "LENGTH", IN, DATA8, "how many bytes to send", unit = "bytes" },
                 { "STRING", IN, DATA8, "the bytes", length = "LENGTH" },
             },
             {
                 16, "TST_READ_UART", "Reads bytes that arrived on a sensor port's serial line",
-                { "PORT", IN, DATA8, "sensor port less one", label = "Port" },
+                { "PORT", IN, DATA8, "sensor port less one" },
                 { "LENGTH", IN, DATA8, "how many bytes to read", unit = "bytes" },
                 { "STRING", OUT, DATA8, "the bytes, filled up with zeros", length = "LENGTH" },
             },
@@ -4649,11 +4649,12 @@ end
 --
 -- What the info column and the headings of the tree say.
 
-local plural, on_one_line, shortened, number_text, meaning_of, variable_text, add_phrase, output_text,
+local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, variable_text, add_phrase, output_text,
     values_text, transfer_text
 do
     -- Wireshark cuts the info column anyway; a list of a hundred values says no more than its start.
-    local MOST_VALUES, MOST_TEXT = 12, 60
+    MOST_VALUES = 12
+    local MOST_TEXT = 60
 
     function plural(count, word)
         return count .. " " .. word .. (count == 1 and "" or "s")
@@ -5268,13 +5269,13 @@ do
         return room >= 4 and DATA32 or room >= 2 and DATA16 or room >= 1 and DATA8 or DATA32
     end
 
-    -- Reads an output in a reply: its value (or a list of them), offset and size. False where the memory ends before.
-    local function read_output(output, outputs, reply)
+    -- Reads an output in a reply: its value (or a list of them) and size. False where the memory ends before. Of a list
+    -- so many are read at most.
+    local function read_output(output, outputs, reply, most_read)
         -- At an address there is no value but where the value is.
         if output.is_address then return false end
         local parameter, start = output.parameter, output.index
         local most, at = reply.stop - HEADER_SIZE, HEADER_SIZE + start
-        output.at = at
         local type = output.type
         local read, size = READ_TYPE[type], SIZE_OF[type]
         -- Nearly all are one number.
@@ -5299,7 +5300,7 @@ do
         output.size = count * size
         if output.is_list then
             output.list = {}
-            for index = 1, count do
+            for index = 1, math.min(count, most_read) do
                 output.list[index] = read(reply.text, at + (index - 1) * size)
             end
         else
@@ -5316,7 +5317,7 @@ do
                 type = is_handle and HANDLE or parameter.type,
                 is_list = parameter.length and parameter.type ~= ARRAY_TYPED and parameter.type ~= STRING
                     and not is_handle,
-                at = 0, size = 0, value = false,
+                size = 0, value = false,
             }
         elseif tells_length(parameter, encoding) then
             outputs.lengths[parameter.name] = value
@@ -5343,20 +5344,21 @@ do
     local layouts = new_memory(1024, function(layout) return 1 + #layout end)
 
     -- Reads what a reply says: the operations of the command that have outputs, each with `values`, those of them that
-    -- are in the reply. Valid until the next reply is read. Returns how many values there are, too.
-    function read_reply(body, reply)
+    -- are in the reply. Valid until the next reply is read. Returns how many values there are, too. Lists have all
+    -- their elements where the tree shows them, else no more than a line says.
+    function read_reply(body, reply, is_shown)
         local layout = layouts.get(body)
         if not layout then
             layout = layout_of_body(body)
             layouts.put(body, layout)
         end
-        local count = 0
+        local count, most_read = 0, is_shown and math.huge or MOST_VALUES + 1
         for number = 1, #layout do
             local group = layout[number]
             local outputs, values, found = group.all, group.values, 0
             for index = 1, #outputs do
                 local output = outputs[index]
-                if read_output(output, outputs, reply) then
+                if read_output(output, outputs, reply, most_read) then
                     found = found + 1
                     values[found] = output
                 end
@@ -5460,8 +5462,9 @@ do
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
     -- there are, the offset behind what could be read, and the fault where there is one.
     function read_rows(rows, text, at, stop, globals, locals)
-        local pieces = { count = 1 }
-        rows.count, rows.globals, rows.locals, rows.lengths, rows.pieces = 0, globals, locals, {}, pieces
+        local pieces = rows.pieces or { count = 1 }
+        rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces
+        rows.lengths = rows.lengths or {}
         rows.line, rows.operations, rows.fault = nil, 0, nil
         while at < stop do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
@@ -5499,6 +5502,7 @@ do
             end
         end
         rows.behind = at
+        if next(rows.lengths) then rows.lengths = {} end
     end
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
@@ -5528,32 +5532,39 @@ do
         elseif parameter.tells_length and tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
-        if view.pieces then add_phrase(view.pieces, parameter, encoding, value) end
+        if view.is_first then add_phrase(view.pieces, parameter, encoding, value) end
     end
+
+    -- One serves all, as they come one after the other.
+    local view = { complaints = {}, pieces = { count = 1 }, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
     -- Returns the line on the first one, how many there are, the fault, and the complaints.
     function say_operations(text, at, stop, globals, locals)
-        local line, count = nil, 0
-        local view = { complaints = {}, globals = globals, locals = locals, lengths = {}, pieces = { "", count = 1 } }
+        local line, count, pieces, fault = nil, 0, view.pieces, nil
+        view.globals, view.locals, view.is_beyond, view.is_first, pieces.count = globals, locals, false, true, 1
+        if next(view.lengths) then view.lengths = {} end
         while at < stop do
             local operation, behind, offset, reason, kind = read_operation(text, at, stop, say_argument, view)
             if operation then
                 if not line then
-                    local pieces = view.pieces
                     pieces[1] = operation.title
                     line = concat(pieces, "", 1, pieces.count)
-                    view.pieces = nil
+                    view.is_first = false
                 end
                 if next(view.lengths) then view.lengths = {} end
                 count = count + 1
             end
             if reason then
-                return line, count, { at = offset, reason = reason, kind = kind }, view.complaints
+                fault = { at = offset, reason = reason, kind = kind }
+                break
             end
             at = behind
         end
-        return line, count, nil, view.complaints
+        local complaints = view.complaints
+        if not complaints[1] then return line, count, fault, nil end
+        view.complaints = {}
+        return line, count, fault, complaints
     end
 end
 
@@ -5625,7 +5636,7 @@ do
             local line, count, fault, complaints =
                 say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
             known = line_of(message, line, count, fault)
-            if fault or complaints[1] then known = { line = known, fault = fault, complaints = complaints } end
+            if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
             lines.put(body, known)
         end
         if type(known) == "string" then return known end
@@ -5645,7 +5656,7 @@ do
         if rows.fault then add_rest(item, tvb, base, rows.behind, stop) end
     end
 
-    local function say_direct_reply(message, place)
+    local function say_direct_reply(message, place, is_shown)
         local request = request_of(place)
         message.layout = nil
         if message.type.is_error then
@@ -5657,7 +5668,7 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
-        local layout, count = read_reply(request.body, message)
+        local layout, count = read_reply(request.body, message, is_shown)
         message.layout = layout
         local first = layout.first
         local head = first and "reply to " .. first.title .. ": " or "reply: "
@@ -5668,7 +5679,8 @@ do
     local function add_output(item, tvb, base, output)
         local parameter = output.parameter
         local name = parameter.name
-        local range = tvb(base + output.at, output.size)
+        local at = base + HEADER_SIZE + output.index
+        local range = tvb(at, output.size)
         if not output.is_list then
             local declared, value, label, addition = value_of_row(parameter, name, output.value)
             if output.is_handle then label = name .. ": handle " .. output.value end
@@ -5680,7 +5692,7 @@ do
         for index, element in ipairs(output.list) do
             local declared, value, label, addition =
                 value_of_row(parameter, format("%s[%d]", name, index - 1), element)
-            list:add(declared, tvb(base + output.at + (index - 1) * step, step), value, label, addition)
+            list:add(declared, tvb(at + (index - 1) * step, step), value, label, addition)
         end
     end
 
@@ -5691,7 +5703,8 @@ do
             local values = group.values
             local start, behind = stop, HEADER_SIZE
             for _, output in ipairs(values) do
-                start, behind = math.min(start, output.at), math.max(behind, output.at + output.size)
+                local at = HEADER_SIZE + output.index
+                start, behind = math.min(start, at), math.max(behind, at + output.size)
             end
             if values[1] then
                 local added = item:add(field.answers, tvb(base + start, behind - start), group.operation.name)

@@ -191,12 +191,13 @@ def _dialects(entry: Opcode | Command) -> dict[Any, object]:
 
 
 ROLE_LABELS = {Role.LAYER: "Daisy chain", Role.PORT: "Port", Role.MOTOR: "Port", Role.MOTORS: "Ports"}
-"""What stands before names of the firmware's that say little: `Port NO`."""
+"""What stands before the firmware's names where they say little: `Port NO`."""
+SHORT_NAMES = ("LAYER", "NO", "NOS")
 
 
 def _parameter(parameter: Parameter) -> Table:
     named: dict[Any, object] = {}
-    if parameter.role in ROLE_LABELS:
+    if parameter.name in SHORT_NAMES and parameter.role in ROLE_LABELS:
         named["label"] = ROLE_LABELS[parameter.role]
     if parameter.unit:
         named["unit"] = parameter.unit

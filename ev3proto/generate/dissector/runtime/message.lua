@@ -66,7 +66,7 @@ do
             local line, count, fault, complaints =
                 say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
             known = line_of(message, line, count, fault)
-            if fault or complaints[1] then known = { line = known, fault = fault, complaints = complaints } end
+            if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
             lines.put(body, known)
         end
         if type(known) == "string" then return known end
@@ -86,7 +86,7 @@ do
         if rows.fault then add_rest(item, tvb, base, rows.behind, stop) end
     end
 
-    local function say_direct_reply(message, place)
+    local function say_direct_reply(message, place, is_shown)
         local request = request_of(place)
         message.layout = nil
         if message.type.is_error then
@@ -98,7 +98,7 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
-        local layout, count = read_reply(request.body, message)
+        local layout, count = read_reply(request.body, message, is_shown)
         message.layout = layout
         local first = layout.first
         local head = first and "reply to " .. first.title .. ": " or "reply: "
@@ -109,7 +109,8 @@ do
     local function add_output(item, tvb, base, output)
         local parameter = output.parameter
         local name = parameter.name
-        local range = tvb(base + output.at, output.size)
+        local at = base + HEADER_SIZE + output.index
+        local range = tvb(at, output.size)
         if not output.is_list then
             local declared, value, label, addition = value_of_row(parameter, name, output.value)
             if output.is_handle then label = name .. ": handle " .. output.value end
@@ -121,7 +122,7 @@ do
         for index, element in ipairs(output.list) do
             local declared, value, label, addition =
                 value_of_row(parameter, format("%s[%d]", name, index - 1), element)
-            list:add(declared, tvb(base + output.at + (index - 1) * step, step), value, label, addition)
+            list:add(declared, tvb(at + (index - 1) * step, step), value, label, addition)
         end
     end
 
@@ -132,7 +133,8 @@ do
             local values = group.values
             local start, behind = stop, HEADER_SIZE
             for _, output in ipairs(values) do
-                start, behind = math.min(start, output.at), math.max(behind, output.at + output.size)
+                local at = HEADER_SIZE + output.index
+                start, behind = math.min(start, at), math.max(behind, at + output.size)
             end
             if values[1] then
                 local added = item:add(field.answers, tvb(base + start, behind - start), group.operation.name)

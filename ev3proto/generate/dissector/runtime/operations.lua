@@ -88,8 +88,9 @@ do
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
     -- there are, the offset behind what could be read, and the fault where there is one.
     function read_rows(rows, text, at, stop, globals, locals)
-        local pieces = { count = 1 }
-        rows.count, rows.globals, rows.locals, rows.lengths, rows.pieces = 0, globals, locals, {}, pieces
+        local pieces = rows.pieces or { count = 1 }
+        rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces
+        rows.lengths = rows.lengths or {}
         rows.line, rows.operations, rows.fault = nil, 0, nil
         while at < stop do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
@@ -127,6 +128,7 @@ do
             end
         end
         rows.behind = at
+        if next(rows.lengths) then rows.lengths = {} end
     end
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
@@ -156,31 +158,38 @@ do
         elseif parameter.tells_length and tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
-        if view.pieces then add_phrase(view.pieces, parameter, encoding, value) end
+        if view.is_first then add_phrase(view.pieces, parameter, encoding, value) end
     end
+
+    -- One serves all, as they come one after the other.
+    local view = { complaints = {}, pieces = { count = 1 }, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
     -- Returns the line on the first one, how many there are, the fault, and the complaints.
     function say_operations(text, at, stop, globals, locals)
-        local line, count = nil, 0
-        local view = { complaints = {}, globals = globals, locals = locals, lengths = {}, pieces = { "", count = 1 } }
+        local line, count, pieces, fault = nil, 0, view.pieces, nil
+        view.globals, view.locals, view.is_beyond, view.is_first, pieces.count = globals, locals, false, true, 1
+        if next(view.lengths) then view.lengths = {} end
         while at < stop do
             local operation, behind, offset, reason, kind = read_operation(text, at, stop, say_argument, view)
             if operation then
                 if not line then
-                    local pieces = view.pieces
                     pieces[1] = operation.title
                     line = concat(pieces, "", 1, pieces.count)
-                    view.pieces = nil
+                    view.is_first = false
                 end
                 if next(view.lengths) then view.lengths = {} end
                 count = count + 1
             end
             if reason then
-                return line, count, { at = offset, reason = reason, kind = kind }, view.complaints
+                fault = { at = offset, reason = reason, kind = kind }
+                break
             end
             at = behind
         end
-        return line, count, nil, view.complaints
+        local complaints = view.complaints
+        if not complaints[1] then return line, count, fault, nil end
+        view.complaints = {}
+        return line, count, fault, complaints
     end
 end

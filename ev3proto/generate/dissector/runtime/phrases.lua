@@ -2,11 +2,12 @@
 --
 -- What the info column and the headings of the tree say.
 
-local plural, on_one_line, shortened, number_text, meaning_of, variable_text, add_phrase, output_text,
+local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, variable_text, add_phrase, output_text,
     values_text, transfer_text
 do
     -- Wireshark cuts the info column anyway; a list of a hundred values says no more than its start.
-    local MOST_VALUES, MOST_TEXT = 12, 60
+    MOST_VALUES = 12
+    local MOST_TEXT = 60
 
     function plural(count, word)
         return count .. " " .. word .. (count == 1 and "" or "s")

@@ -30,13 +30,13 @@ do
         return room >= 4 and DATA32 or room >= 2 and DATA16 or room >= 1 and DATA8 or DATA32
     end
 
-    -- Reads an output in a reply: its value (or a list of them), offset and size. False where the memory ends before.
-    local function read_output(output, outputs, reply)
+    -- Reads an output in a reply: its value (or a list of them) and size. False where the memory ends before. Of a list
+    -- so many are read at most.
+    local function read_output(output, outputs, reply, most_read)
         -- At an address there is no value but where the value is.
         if output.is_address then return false end
         local parameter, start = output.parameter, output.index
         local most, at = reply.stop - HEADER_SIZE, HEADER_SIZE + start
-        output.at = at
         local type = output.type
         local read, size = READ_TYPE[type], SIZE_OF[type]
         -- Nearly all are one number.
@@ -61,7 +61,7 @@ do
         output.size = count * size
         if output.is_list then
             output.list = {}
-            for index = 1, count do
+            for index = 1, math.min(count, most_read) do
                 output.list[index] = read(reply.text, at + (index - 1) * size)
             end
         else
@@ -78,7 +78,7 @@ do
                 type = is_handle and HANDLE or parameter.type,
                 is_list = parameter.length and parameter.type ~= ARRAY_TYPED and parameter.type ~= STRING
                     and not is_handle,
-                at = 0, size = 0, value = false,
+                size = 0, value = false,
             }
         elseif tells_length(parameter, encoding) then
             outputs.lengths[parameter.name] = value
@@ -105,20 +105,21 @@ do
     local layouts = new_memory(1024, function(layout) return 1 + #layout end)
 
     -- Reads what a reply says: the operations of the command that have outputs, each with `values`, those of them that
-    -- are in the reply. Valid until the next reply is read. Returns how many values there are, too.
-    function read_reply(body, reply)
+    -- are in the reply. Valid until the next reply is read. Returns how many values there are, too. Lists have all
+    -- their elements where the tree shows them, else no more than a line says.
+    function read_reply(body, reply, is_shown)
         local layout = layouts.get(body)
         if not layout then
             layout = layout_of_body(body)
             layouts.put(body, layout)
         end
-        local count = 0
+        local count, most_read = 0, is_shown and math.huge or MOST_VALUES + 1
         for number = 1, #layout do
             local group = layout[number]
             local outputs, values, found = group.all, group.values, 0
             for index = 1, #outputs do
                 local output = outputs[index]
-                if read_output(output, outputs, reply) then
+                if read_output(output, outputs, reply, most_read) then
                     found = found + 1
                     values[found] = output
                 end

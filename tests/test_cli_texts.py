@@ -154,3 +154,11 @@ def test_what_a_text_says_above_the_bytes_counts_for_them() -> None:
     )
     (line,) = out("decode", "--dialogues", "-", stdin=text).splitlines()
     assert line.endswith("VALUE=7.92 V  10.000 ms")
+
+
+def test_commands_of_a_text_wait_within_the_memory_that_is_given(tmp_path: Path) -> None:
+    path = tmp_path / "long.log"
+    wide = "fe 03 {:02x} {:02x} 00 04 00" + " 01" * 1017
+    path.write_text("".join(wide.format(number & 255, number >> 8) + "\n" for number in range(1200)))
+    done = run("stats", "--memory", "1", str(path))
+    assert b"commands without a reply were given up: what waits may take 1 MiB" in done.stderr

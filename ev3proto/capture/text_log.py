@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
 
+from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.reading import Capture
@@ -91,22 +92,23 @@ def _nanoseconds(text: str, begin_ns: int) -> tuple[int, bool] | None:
     return (since, True) if date else (begin_ns - begin_ns % _DAY_NS + since, False)
 
 
-def read_log(pieces: Iterable[Pasted], *, dialect: str = "official") -> Capture:
+def read_log(pieces: Iterable[Pasted], *, dialect: str = "official", memory: int = DEFAULT_MEMORY) -> Capture:
     """The frames of a text as a capture, each reply with its command.
 
     Args:
         pieces: What was found in the text; those without bytes are passed over.
         dialect: The firmware whose instruction set to read by.
+        memory: Bytes that commands without a reply may take; the oldest waits no longer.
 
     Returns:
         The capture. The numbers of its records are those of lines.
     """
     account = Account()
-    return Capture(_events(pieces, account, dialect), account)
+    return Capture(_events(pieces, account, dialect, Budget(memory)), account)
 
 
-def _events(pieces: Iterable[Pasted], account: Account, dialect: str) -> Iterator[Event]:
-    conversation = Conversation(frame_schema(dialect))
+def _events(pieces: Iterable[Pasted], account: Account, dialect: str, budget: Budget) -> Iterator[Event]:
+    conversation = Conversation(frame_schema(dialect), budget)
     clock = Clock()
     routes = {
         (direction, is_timed): Route(DEFAULT_CARRIER, *ends, direction, None, BRICK, is_text=True, is_timed=is_timed)
@@ -126,6 +128,7 @@ def _events(pieces: Iterable[Pasted], account: Account, dialect: str) -> Iterato
             route = routes[_direction(piece, frame), piece.time is not None]
             yield conversation.record(frame, (piece.line,), time_ns, route)
         account.padding = account.captured - account.frames
+        account.forgotten = budget.dropped
 
 
 def _frames(data: bytes) -> Iterator[bytes]:

@@ -155,7 +155,7 @@ class CaptureSource:
         if self.lines is None and options.engine == BUILTIN:
             self._look()
         if self.lines is not None:
-            self._capture = read_log(self._pieces(self.lines), dialect=options.dialect)
+            self._capture = read_log(self._pieces(self.lines), dialect=options.dialect, memory=options.memory * _MIB)
             return self._capture
         self._capture = read(
             self.file or _stream(self.name),

@@ -1,18 +1,20 @@
-"""A long dialogue with a brick: random commands that want a reply, each with its reply, a frame a packet of TCP."""
+"""Long dialogues with a brick, a frame a packet of TCP: one at random, and one as programs have them."""
 
 from __future__ import annotations
 
 import random
 from collections.abc import Iterator
+from dataclasses import replace
 
 from support.frames import Segment
 
 import ev3proto
 from benchmarks.commands import commands
+from ev3proto import ops
 
 
 def dialogue(count: int) -> Iterator[Segment]:
-    """So many commands with their replies, and whether each comes from the host."""
+    """So many random commands with their replies, and whether each comes from the host. Nearly none comes twice."""
     rng = random.Random(1)
     for number, frame in enumerate(commands(count)):
         command = ev3proto.parse(frame)
@@ -26,4 +28,22 @@ def dialogue(count: int) -> Iterator[Segment]:
             local_size=command.local_size,
         )
         yield Segment(True, asked.build())
+        yield Segment(False, ev3proto.direct_reply(rng.randbytes(command.global_size), counter=counter).build())
+
+
+def usual_dialogue(count: int) -> Iterator[Segment]:
+    """So many commands as programs send them, with replies: sensors, motors, the battery, now and then a new speed."""
+    rng = random.Random(1)
+    asked = [
+        ev3proto.command(*(ops.input_readsi(0, port, 0, 0) for port in range(4))),
+        ev3proto.command(*(ops.output_get_count(0, port) for port in range(4))),
+        ev3proto.command(ops.ui_read.get_vbatt()),
+    ]
+    for number in range(count):
+        counter = number & 0xFFFF
+        command = rng.choice(asked)
+        if rng.random() < 0.3:
+            speed = rng.randint(-100, 100)
+            command = ev3proto.command(ops.output_speed(0, "B+C", speed), ops.output_start(0, "B+C"), reply=True)
+        yield Segment(True, replace(command, counter=counter).build())
         yield Segment(False, ev3proto.direct_reply(rng.randbytes(command.global_size), counter=counter).build())

@@ -5,15 +5,20 @@ from __future__ import annotations
 import io
 import json
 import struct
+import subprocess
+import sys
 import time
 from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto_text
+from support.effort import effort
+from support.packets import RAW_IP, Capture, Connection, datagram, segment
+from support.wireshark import Tshark
 
 import ev3proto
 from ev3proto.bounded import Budget
-from ev3proto.capture import read
+from ev3proto.capture import Record, read
 from ev3proto.checking.checking import check
 from ev3proto.checking.fixing import fix
 from ev3proto.dialogue import Exchange
@@ -155,3 +160,72 @@ def test_a_frame_longer_than_any_is_not_looked_into() -> None:
     report = check(frame)
     assert time.process_time() - started < 2
     assert not report.accepted
+
+
+PEAK = """
+import sys
+from ev3proto.cli.main import main
+sys.argv[0] = "ev3proto"
+try:
+    main()
+finally:
+    with open("/proc/self/status") as status:
+        print(next(line.split()[1] for line in status if line.startswith("VmHWM")), file=sys.stderr)
+"""
+"""Runs a subcommand, and says last how many KiB of memory it had at most."""
+
+
+def hostile(kind: str, count: int) -> bytes:
+    """A capture whose packets all want something to be remembered."""
+    found = Capture(RAW_IP)
+    one = Connection(found)
+    waiting = struct.pack("<HHBH", 95, 1, 0, 0) + b"\x01" * 90
+    for number in range(count):
+        if kind == "pending commands":
+            one.send(waiting[:2] + struct.pack("<H", number & 0xFFFF) + waiting[4:])
+        elif kind == "half frames of many connections":
+            found.add(segment(True, 1, waiting[:50], port=1024 + number, acknowledged=1))
+        elif kind == "gaps":
+            found.add(segment(True, 1 + 2000 * number, waiting * 2, port=1024 + number % 50, acknowledged=1))
+        elif kind == "segments of one byte":
+            one.send(waiting[number % 97 : number % 97 + 1])
+        elif kind == "segments of one byte, backwards":
+            found.add(segment(True, 1 + 2 * (count - number), b"\x01", acknowledged=1))
+        elif kind == "bricks":
+            beacon = b"Serial-Number: %012x\r\nPort: 5555\r\nName: x\r\nProtocol: EV3\r\n" % number
+            found.add(datagram(beacon, struct.pack(">I", 0x0A000000 + number)))
+        else:
+            one.send(struct.pack("<HHB", 600, number & 0xFFFF, 0x81) + b"\x03\0" * 50)
+    return found.data()
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        "pending commands",
+        "half frames of many connections",
+        "gaps",
+        "segments of one byte",
+        "segments of one byte, backwards",
+        "bricks",
+        "garbage that almost fits",
+    ],
+)
+def test_memory_has_a_limit(kind: str, tmp_path: Path) -> None:
+    peaks = []
+    for count in (effort(1500, 15_000), effort(4500, 45_000)):
+        path = tmp_path / f"{count}.pcap"
+        path.write_bytes(hostile(kind, count))
+        call = [sys.executable, "-c", PEAK, "decode", "--dialogues", "--memory", "1", str(path)]
+        done = subprocess.run(call, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+        peaks.append(int(done.stderr.splitlines()[-1]))
+    assert peaks[1] - peaks[0] < 6 << 10, peaks
+    assert peaks[1] < 100 << 10
+
+
+def test_tshark_shares_the_limit(tshark: Tshark) -> None:
+    path = tshark.folder / "pending.pcap"
+    path.write_bytes(commands(3000))
+    capture = read(path, engine="wireshark", tshark=str(tshark.path), memory=1 << 20)
+    assert sum(1 for event in capture if isinstance(event, Record)) > 2900
+    assert 1400 < capture.account.forgotten < 1900

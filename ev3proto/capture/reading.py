@@ -91,8 +91,8 @@ def read(
         ports: TCP ports on which bricks listen.
         engine: "builtin", or "wireshark": tshark takes the packets apart, for every link type that Wireshark knows.
         tshark: Path of the tshark for that engine, where it is not on the path.
-        memory: Bytes that all that waits for more of the capture may take together, in the built-in engine: commands
-            without a reply, segments ahead of their turn. The oldest goes first; `account.forgotten` counts commands.
+        memory: Bytes that all that waits for more of the capture may take together: commands without a reply,
+            segments ahead of their turn. The oldest goes first; `account.forgotten` counts commands.
 
     Returns:
         The capture. While it is read it raises CaptureError for a damaged file, after everything readable.
@@ -108,7 +108,8 @@ def read(
     if engine == "wireshark":
         from ev3proto.capture.wireshark import wireshark_events
 
-        return Capture(wireshark_events(source, account, dialect=dialect, ports=ports, tshark=tshark), account)
+        found = wireshark_events(source, account, dialect=dialect, ports=ports, tshark=tshark, memory=memory)
+        return Capture(found, account)
     if engine != "builtin":
         raise ValueError(f"there is no engine {engine!r}: it must be builtin or wireshark")
     from ev3proto.capture.builtin import events

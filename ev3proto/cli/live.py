@@ -57,6 +57,7 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
             dialect=reading.dialect,
             ports=reading.ports,
             tshark=reading.tshark,
+            memory=reading.memory << 20,
             on_start=lambda: complain(f"Capturing on {names}. Ctrl-C ends it."),
         )
         with stopped_by_signals(capture.stop):

@@ -14,6 +14,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
+from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture.record import CaptureError
 from ev3proto.capture.wireshark.events import Events
 from ev3proto.capture.wireshark.process import Process
@@ -35,6 +36,7 @@ def wireshark_events(
     dialect: str,
     ports: Collection[int],
     tshark: str | None = None,
+    memory: int = DEFAULT_MEMORY,
 ) -> Iterator[Event]:
     """Everything in a capture, in the order of its packets. A stream is copied into a temporary file for tshark.
 
@@ -45,6 +47,7 @@ def wireshark_events(
         dialect: The firmware whose instruction set to read by.
         ports: TCP ports on which bricks listen.
         tshark: Path of the tshark, where it is not on the path.
+        memory: Bytes that commands without a reply may take together.
 
     Returns:
         The events. While they are read they raise CaptureError, after everything readable, with what tshark says.
@@ -58,7 +61,7 @@ def wireshark_events(
         path = _file(source, stack)
         program = Program(tshark)
         words = stack.enter_context(program.words(dialect, ports))
-        return _events(path, program, words, Events(account, dialect, ports), stack.pop_all())
+        return _events(path, program, words, Events(account, dialect, ports, memory), stack.pop_all())
 
 
 def _events(path: Path, program: Program, words: list[str], making: Events, stack: ExitStack) -> Iterator[Event]:

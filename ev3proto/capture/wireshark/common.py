@@ -33,15 +33,22 @@ class Common:
 
     account  counts the bytes
     ports    TCP ports on which bricks listen
+
+    What waits may take so many bytes of memory together.
     """
 
-    def __init__(self, account: Account, dialect: str, ports: Collection[int]) -> None:
+    def __init__(self, account: Account, dialect: str, ports: Collection[int], memory: int) -> None:
         self.account = account
         self.ports = frozenset(ports)
         self._schema = frame_schema(dialect)
-        self._budget = Budget()
+        self._budget = Budget(memory)
         self._conversations: Bounded[Hashable, Conversation] = Bounded(MOST_CONNECTIONS)
         self._routes: Bounded[tuple[object, ...], Route] = Bounded(MOST_CONNECTIONS)
+
+    @property
+    def forgotten(self) -> int:
+        """How many commands are no longer waited for."""
+        return self._budget.dropped
 
     def piece(self, row: Row, data: bytes, origin: Origin, route: Route, talk: Conversation) -> Iterator[Event]:
         """What the dissector has taken from a stream in one piece: a text, a frame, or what is neither."""

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator
 from importlib import import_module
 from typing import Any, Protocol
 
+from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Event
 from ev3proto.capture.wireshark.common import Common
@@ -39,8 +40,9 @@ def fields() -> tuple[str, ...]:
 class Events:
     """Makes events of rows, in their order."""
 
-    def __init__(self, account: Account, dialect: str, ports: Collection[int]) -> None:
-        common = Common(account, dialect, ports)
+    def __init__(self, account: Account, dialect: str, ports: Collection[int], memory: int = DEFAULT_MEMORY) -> None:
+        common = Common(account, dialect, ports, memory)
+        self._common = common
         self._account = account
         self._carriers: dict[Carrier, CarrierRows] = {carrier: _module(carrier).Rows(common) for carrier in Carrier}
 
@@ -56,6 +58,7 @@ class Events:
         """What was waiting for more."""
         for carrier in self._carriers.values():
             yield from carrier.end()
+        self._account.forgotten = self._common.forgotten
 
     def _count(self, row: Row) -> None:
         account, captured = self._account, row.captured

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
 
+from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Event
 from ev3proto.capture.wireshark.events import Events
@@ -24,6 +25,7 @@ class Live:
         dialect: str,
         ports: Collection[int],
         tshark: str | None = None,
+        memory: int = DEFAULT_MEMORY,
         on_start: Callable[[], None] = lambda: None,
     ) -> None:
         """Nothing is captured before the first of `events`.
@@ -33,6 +35,7 @@ class Live:
             dialect: The firmware whose instruction set to read by.
             ports: TCP ports on which bricks listen.
             tshark: Path of the tshark, where it is not on the path.
+            memory: Bytes that commands without a reply may take together.
             on_start: Is called once packets are captured, from another thread.
 
         Raises:
@@ -42,6 +45,7 @@ class Live:
         self._program = Program(tshark)
         self._dialect = dialect
         self._ports = ports
+        self._memory = memory
         self._on_start = on_start
         self._process: Process | None = None
         self._is_started = False
@@ -63,7 +67,7 @@ class Live:
             EngineError: tshark ended by itself.
 
         """
-        making = Events(Account(), self._dialect, self._ports)
+        making = Events(Account(), self._dialect, self._ports, self._memory)
         with self._program.words(self._dialect, self._ports) as words:
             if self._is_stopped:
                 return

@@ -4456,7 +4456,7 @@ do
         return (gsub(text, "[\0\128-\255]", utf8_of))
     end
 
-    -- The offset behind the argument at an offset; else nil, the offset of the fault and the reason.
+    -- The offset after the argument at an offset; else nil, the offset of the fault and the reason.
     local function measure(text, at, stop, name)
         if at >= stop then
             return nil, stop, "the frame ends where the argument " .. name .. " should start", "cut_off"
@@ -4490,7 +4490,7 @@ do
         return READ_SIGNED[width](text, at + 1)
     end
 
-    -- The operation that an opcode and its CMD select, and the offset behind the two; else nil, offset and reason.
+    -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset and reason.
     function select_operation(text, at, stop)
         local entry = instructions[byte(text, at + 1)]
         if not entry then
@@ -4534,9 +4534,9 @@ do
         return value
     end
 
-    -- One operation: what it is and the offset behind it. Each of its arguments is handed to `visit`, if that is given,
-    -- with its parameter, encoding, value, and the offsets of its first byte and behind its last; with `for_reply` only
-    -- those of operations that have outputs. At a fault the offset is the one behind what could be read, and the
+    -- One operation: what it is and the offset after it. Each of its arguments is handed to `visit`, if that is given,
+    -- with its parameter, encoding, value, and the offsets of its first byte and after its last; with `for_reply` only
+    -- those of operations that have outputs. At a fault the offset is the one after what could be read, and the
     -- fault's offset, reason and kind follow.
     function read_operation(text, at, stop, visit, context, for_reply)
         local operation, behind, reason, kind = select_operation(text, at, stop)
@@ -4586,7 +4586,7 @@ do
         return operation, at
     end
 
-    -- One field of a system message: its value and the offset behind it; else nil, offset and reason.
+    -- One field of a system message: its value and the offset after it; else nil, offset and reason.
     local function read_field(text, at, stop, declared, before)
         local kind = declared.kind
         local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
@@ -4624,7 +4624,7 @@ do
         return sub(text, at + 1, stop), stop
     end
 
-    -- The fields of a system message: { declared, value, at, stop }, the offset behind them, and the fault if there is
+    -- The fields of a system message: { declared, value, at, stop }, the offset after them, and the fault if there is
     -- one. Replies to failed commands may end before any field: they are not `complete`.
     function read_fields(text, at, stop, declarations, complete)
         local found, counted = {}, {}
@@ -5460,7 +5460,7 @@ do
     end
 
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
-    -- there are, the offset behind what could be read, and the fault where there is one.
+    -- there are, the offset after what could be read, and the fault where there is one.
     function read_rows(rows, text, at, stop, globals, locals)
         local pieces = rows.pieces or { count = 1 }
         rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces
@@ -6261,7 +6261,7 @@ end
 
 local dissect_stream, dissect_no_frame, judge_text
 do
-    -- The text by which a host unlocks the brick's port: the offset behind it, and the serial number.
+    -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
         local serial, newline, behind = text:match(UNLOCK_PATTERN, at + 1)
         if not serial then return nil end
@@ -6322,7 +6322,7 @@ do
         return is_part_of_text(text, 0) and PART or nil
     end
 
-    -- What is left of a text that came in an earlier segment: its line ends, or the zero behind the answer. A faulty
+    -- What is left of a text that came in an earlier segment: its line ends, or the zero after the answer. A faulty
     -- frame may start like that, too: so only whole frames may follow.
     local function end_of_text(text, at)
         local behind = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
@@ -6392,7 +6392,7 @@ do
         return stop >= #text or may_start(text, stop)
     end
 
-    -- Whether the frame of this size that seems to start here is none: the chain of frames breaks behind it, or, at
+    -- Whether the frame of this size that seems to start here is none: the chain of frames breaks after it, or, at
     -- the start of a packet, it has faults and another frame inside. A gap in the capture may be before it.
     local function is_misleading(text, at, size, accepts)
         local stop, captured = at + size, #text
@@ -6410,7 +6410,7 @@ do
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
     end
 
-    -- The frames and texts in a piece of a stream: the offset behind the last one that is whole, how many bytes the
+    -- The frames and texts in a piece of a stream: the offset after the last one that is whole, how many bytes the
     -- next one wants (nil where its length is not known yet), and whether there was anything that is ours. `reported`
     -- is the size of the piece on the wire, of which a capture may have less; with `is_last` there is nothing more to
     -- wait for. `types_of` tells of a packet which types go its way.

@@ -86,7 +86,7 @@ do
     end
 
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
-    -- there are, the offset behind what could be read, and the fault where there is one.
+    -- there are, the offset after what could be read, and the fault where there is one.
     function read_rows(rows, text, at, stop, globals, locals)
         local pieces = rows.pieces or { count = 1 }
         rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces

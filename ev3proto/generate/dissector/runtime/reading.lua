@@ -86,7 +86,7 @@ do
         return (gsub(text, "[\0\128-\255]", utf8_of))
     end
 
-    -- The offset behind the argument at an offset; else nil, the offset of the fault and the reason.
+    -- The offset after the argument at an offset; else nil, the offset of the fault and the reason.
     local function measure(text, at, stop, name)
         if at >= stop then
             return nil, stop, "the frame ends where the argument " .. name .. " should start", "cut_off"
@@ -120,7 +120,7 @@ do
         return READ_SIGNED[width](text, at + 1)
     end
 
-    -- The operation that an opcode and its CMD select, and the offset behind the two; else nil, offset and reason.
+    -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset and reason.
     function select_operation(text, at, stop)
         local entry = instructions[byte(text, at + 1)]
         if not entry then
@@ -164,9 +164,9 @@ do
         return value
     end
 
-    -- One operation: what it is and the offset behind it. Each of its arguments is handed to `visit`, if that is given,
-    -- with its parameter, encoding, value, and the offsets of its first byte and behind its last; with `for_reply` only
-    -- those of operations that have outputs. At a fault the offset is the one behind what could be read, and the
+    -- One operation: what it is and the offset after it. Each of its arguments is handed to `visit`, if that is given,
+    -- with its parameter, encoding, value, and the offsets of its first byte and after its last; with `for_reply` only
+    -- those of operations that have outputs. At a fault the offset is the one after what could be read, and the
     -- fault's offset, reason and kind follow.
     function read_operation(text, at, stop, visit, context, for_reply)
         local operation, behind, reason, kind = select_operation(text, at, stop)
@@ -216,7 +216,7 @@ do
         return operation, at
     end
 
-    -- One field of a system message: its value and the offset behind it; else nil, offset and reason.
+    -- One field of a system message: its value and the offset after it; else nil, offset and reason.
     local function read_field(text, at, stop, declared, before)
         local kind = declared.kind
         local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
@@ -254,7 +254,7 @@ do
         return sub(text, at + 1, stop), stop
     end
 
-    -- The fields of a system message: { declared, value, at, stop }, the offset behind them, and the fault if there is
+    -- The fields of a system message: { declared, value, at, stop }, the offset after them, and the fault if there is
     -- one. Replies to failed commands may end before any field: they are not `complete`.
     function read_fields(text, at, stop, declarations, complete)
         local found, counted = {}, {}

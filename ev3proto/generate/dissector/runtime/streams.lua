@@ -5,7 +5,7 @@
 
 local dissect_stream, dissect_no_frame, judge_text
 do
-    -- The text by which a host unlocks the brick's port: the offset behind it, and the serial number.
+    -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
         local serial, newline, behind = text:match(UNLOCK_PATTERN, at + 1)
         if not serial then return nil end
@@ -66,7 +66,7 @@ do
         return is_part_of_text(text, 0) and PART or nil
     end
 
-    -- What is left of a text that came in an earlier segment: its line ends, or the zero behind the answer. A faulty
+    -- What is left of a text that came in an earlier segment: its line ends, or the zero after the answer. A faulty
     -- frame may start like that, too: so only whole frames may follow.
     local function end_of_text(text, at)
         local behind = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
@@ -136,7 +136,7 @@ do
         return stop >= #text or may_start(text, stop)
     end
 
-    -- Whether the frame of this size that seems to start here is none: the chain of frames breaks behind it, or, at
+    -- Whether the frame of this size that seems to start here is none: the chain of frames breaks after it, or, at
     -- the start of a packet, it has faults and another frame inside. A gap in the capture may be before it.
     local function is_misleading(text, at, size, accepts)
         local stop, captured = at + size, #text
@@ -154,7 +154,7 @@ do
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
     end
 
-    -- The frames and texts in a piece of a stream: the offset behind the last one that is whole, how many bytes the
+    -- The frames and texts in a piece of a stream: the offset after the last one that is whole, how many bytes the
     -- next one wants (nil where its length is not known yet), and whether there was anything that is ours. `reported`
     -- is the size of the piece on the wire, of which a capture may have less; with `is_last` there is nothing more to
     -- wait for. `types_of` tells of a packet which types go its way.

@@ -203,8 +203,11 @@ def test_a_program(tmp_path: Path) -> None:
     Path(os.fsdecode(path)).write_bytes(program())
     for style in ("listing", "lego", "tree", "json"):
         harmless("decode", path, "--format", style, status=(0, 1))
-    for words in ((), ("--json",), ("--format", "sarif"), ("--format", "github")):
+    for words in ((), ("--json",), ("--format", "sarif")):
         harmless("check", path, *words, status=(0, 1))
+    cut = os.fsencode(tmp_path) + b"/cut " + IN_PATHS + b".rbf"
+    Path(os.fsdecode(cut)).write_bytes(program()[:-1])
+    harmless("check", cut, "--format", "github", status=1)
     harmless("run", path, "--limit", "1", status=(0, 1), draws=True)
 
 

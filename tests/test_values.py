@@ -67,3 +67,46 @@ def test_nothing_to_show() -> None:
     done = run("values", str(CAPTURES / "daisy.pcap"), *BATTERY)
     assert (done.returncode, done.stdout) == (1, "")
     assert "no reply with its command was found" in done.stderr
+
+
+def test_several_files_name_the_file_of_each_row(tmp_path: Path) -> None:
+    logs = [tmp_path / name for name in ("first.log", "second.log")]
+    for log in logs:
+        log.write_text(LOG)
+    done = run("values", *map(str, logs), "--csv")
+    first, *rows = csv.reader(io.StringIO(done.stdout))
+    assert first == ["file", "time", "packet", "peer", "UI_READ.GET_VBATT.VALUE [V]"]
+    assert [(row[0], row[2], row[4]) for row in rows] == [(str(log), "2", "8") for log in logs]
+
+
+def test_one_of_several_files_cannot_be_read() -> None:
+    done = run("values", PLUGGED, "missing.pcap", *BATTERY, "--json")
+    assert done.returncode == 1
+    assert [json.loads(line)["packet"] for line in done.stdout.splitlines()] == [3, 34]
+    assert "missing.pcap: cannot be read" in done.stderr
+
+
+LOG = """\
+sent 09 00 01 00 00 04 00 81 01 60 00
+received 07 00 01 00 02 00 00 00 41
+"""
+"""A battery of 8 V, and nobody wrote down when."""
+
+
+def test_a_log_without_times_has_none(tmp_path: Path) -> None:
+    log = tmp_path / "robot.log"
+    log.write_text(LOG)
+    assert json.loads(run("values", str(log), "--json").stdout)["time"] is None
+    assert run("values", str(log), "--csv").stdout.splitlines()[1] == ",2,brick,8"
+    records = run("decode", str(log), "--dialogues", "--json").stdout
+    assert records
+    assert '"time"' not in records
+
+
+def test_a_picture_without_times_is_in_their_order(tmp_path: Path) -> None:
+    log, path = tmp_path / "robot.log", tmp_path / "battery.svg"
+    log.write_text(2 * LOG)
+    assert run("values", str(log), "--plot", str(path)).returncode == 0
+    svg = path.read_text()
+    assert ">order<" in svg
+    assert "time (s)" not in svg

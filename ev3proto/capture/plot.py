@@ -10,6 +10,7 @@ from ev3proto.capture.timeline.writing import MOST_TITLE, PNG_SCALE, require_lib
 
 WIDTH, HEIGHT = 760, 160
 SUFFIXES = (".svg", ".png")
+_TIME, _ORDER = "time (s)", "order"
 
 
 def draw(found: Series, suffix: str, title: str) -> bytes:
@@ -43,24 +44,29 @@ def draw(found: Series, suffix: str, title: str) -> bytes:
 
 
 def specification(found: Series, title: str) -> dict[str, Any]:
-    """The picture in Vega-Lite: one panel for each unit, with the time in seconds below all of them."""
-    start = found.rows[0].time_ns
+    """The picture in Vega-Lite: one panel for each unit, with the time in seconds below all of them.
+
+    Where a reply has no time, there is the order instead: the first reply is 1.
+    """
+    is_timed = all(row.is_timed for row in found.rows)
+    start = min(row.time_ns for row in found.rows)
     panels: dict[str | None, list[dict[str, Any]]] = {}
-    for row in found.rows:
+    for number, row in enumerate(found.rows, 1):
+        at = (row.time_ns - start) / 1e9 if is_timed else number
         for name, cell in row.cells.items():
             if not isinstance(cell, str):
-                point = {"time": (row.time_ns - start) / 1e9, "value": float(cell), "name": name}
+                point = {"time": at, "value": float(cell), "name": name}
                 panels.setdefault(found.units[name], []).append(point)
     if not panels:
         raise ValueError("there is no number to draw")
     return {
         "title": title,
         "resolve": {"scale": {"color": "independent", "x": "shared"}},
-        "vconcat": [_panel(unit, points) for unit, points in panels.items()],
+        "vconcat": [_panel(unit, points, _TIME if is_timed else _ORDER) for unit, points in panels.items()],
     }
 
 
-def _panel(unit: str | None, points: list[dict[str, Any]]) -> dict[str, Any]:
+def _panel(unit: str | None, points: list[dict[str, Any]], along: str) -> dict[str, Any]:
     values = [point["value"] for point in points]
     low, high = min(values), max(values)
     scale: dict[str, Any] = {"zero": False}
@@ -74,7 +80,7 @@ def _panel(unit: str | None, points: list[dict[str, Any]]) -> dict[str, Any]:
         "data": {"values": points},
         "mark": {"type": "line", "point": True, "interpolate": "step-after"},
         "encoding": {
-            "x": {"field": "time", "type": "quantitative", "title": "time (s)"},
+            "x": {"field": "time", "type": "quantitative", "title": along},
             "y": {"field": "value", "type": "quantitative", "title": unit or "number", "scale": scale},
             "color": {"field": "name", "type": "nominal", "title": None},
         },

@@ -26,6 +26,7 @@ class Row:
     peer      address of the brick
     cells     its values by the names of their columns
     is_timed  somebody wrote down when it was captured
+    file      the name of its file, where that was given
     """
 
     time_ns: int
@@ -33,11 +34,12 @@ class Row:
     peer: str
     cells: dict[str, Cell]
     is_timed: bool = True
+    file: str | None = None
 
     @property
-    def time(self) -> str:
-        """When it was captured, as `2024-01-31T09:12:31.011558Z`."""
-        return utc(self.time_ns)
+    def time(self) -> str | None:
+        """When it was captured, as `2024-01-31T09:12:31.011558Z`; None where nobody wrote that down."""
+        return utc(self.time_ns) if self.is_timed else None
 
 
 @dataclass(slots=True)
@@ -51,12 +53,18 @@ class Series:
     units: dict[str, str | None] = field(default_factory=dict)
     rows: list[Row] = field(default_factory=list)
 
+    def extend(self, other: Series) -> None:
+        """Adds the rows of another capture after these, and the columns that are only there."""
+        self.units = {**self.units, **other.units}
+        self.rows += other.rows
 
-def series_of(events: Iterable[Event]) -> Series:
+
+def series_of(events: Iterable[Event], file: str | None = None) -> Series:
     """Gathers the values of all replies.
 
     Args:
         events: Of a capture; what is no reply with a value is passed over.
+        file: The name of the capture, which all rows get.
 
     Returns:
         The values. A text and a number that stand for no value ("not a number") have no cell.
@@ -71,7 +79,7 @@ def series_of(events: Iterable[Event]) -> Series:
             for suffix, cell in _cells(value):
                 found.units.setdefault(name + suffix, value.unit)
                 cells[name + suffix] = cell
-        found.rows.append(Row(event.time_ns, event.number, event.peer, cells, event.route.is_timed))
+        found.rows.append(Row(event.time_ns, event.number, event.peer, cells, event.route.is_timed, file))
     if not any(LATENCY in row.cells for row in found.rows):
         del found.units[LATENCY]
     return found

@@ -152,12 +152,12 @@ def _seen(event: Record | Announcement, start_ns: int, answers: int | None = Non
 
 
 def _place(event: Record | Announcement) -> dict[str, Any]:
-    """Where and when, for other tools."""
+    """Where and when, for other tools; no `time` where nobody wrote that down."""
     from ev3proto.capture.record import utc
 
     route = event.route
-    return {
-        "time": utc(event.time_ns),
+    time = {"time": utc(event.time_ns)} if route.is_timed else {}
+    return time | {
         "packets": list(event.numbers),
         "interface": route.interface,
         "carrier": route.carrier,

@@ -6,8 +6,9 @@ import csv
 import io
 import json
 import sys
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("file")
+@click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @reading_options
 @click.option("--csv", "form", flag_value="csv", help="Comma-separated values, a column for each.")
 @click.option("--json", "form", flag_value="json", help="One JSON object a line, for each reply.")
@@ -32,30 +33,34 @@ if TYPE_CHECKING:
     metavar="FILE",
     help="Draw numbers over time into this file: .svg or .png.",
 )
-def values(file: str, reading: CaptureOptions, form: str | None, plot: Path | None) -> None:
+def values(files: tuple[str, ...], reading: CaptureOptions, form: str | None, plot: Path | None) -> None:
     """Prints the values in replies over time: battery, sensors, motors, latencies.
 
     Each value is a column, named after its operation, what that was asked with, and the parameter. --filter chooses the
-    replies; a value that an operation gives for another port is another column.
+    replies; a value that an operation gives for another port is another column. Of several files, each row names its
+    file.
 
     \b
       ev3proto values robot.pcapng
       ev3proto values robot.pcapng --filter 'op == UI_READ.GET_VBATT' --csv
       ev3proto values robot.pcapng --filter 'op == INPUT_READ' --plot light.svg
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.capture.series import series_of
+    from ev3proto.capture.series import Series, series_of
 
-    source = CaptureSource(file, reading)
-    found = series_of(source.events())
+    sources = [CaptureSource(file, reading) for file in files]
+    found = Series()
+    for source in sources:
+        found.extend(series_of(source.events(), source.label))
+    status = max(source.status for source in sources)
     if not found.rows:
-        if not source.status:
-            complain(f"{source.label}: no reply with its command was found")
+        if not status:
+            complain(f"{', '.join(source.label for source in sources)}: no reply with its command was found")
         sys.exit(1)
     if plot is not None:
-        _draw(found, plot, source.label)
+        _draw(found, plot, ", ".join(Path(source.label).name for source in sources))
     else:
-        _PRINTERS[form](found, source.unit)
-    sys.exit(source.status)
+        _PRINTERS[form](found, "line" if {source.unit for source in sources} == {"line"} else "packet")
+    sys.exit(status)
 
 
 def _titles(found: Series) -> list[str]:
@@ -69,12 +74,22 @@ def _text(cell: Cell | None) -> str:
 
 
 def _print_table(found: Series, unit: str) -> None:
-    start = found.rows[0].time_ns
+    start = min((row.time_ns for row in found.rows if row.is_timed), default=0)
+    leading = ["file"] if _is_of_several(found) else []
     rows = [
-        [_seconds(row, start), str(row.packet), *(_text(row.cells.get(name)) for name in found.units)]
+        [
+            *([row.file or ""] if leading else []),
+            _seconds(row, start),
+            str(row.packet),
+            *(_text(row.cells.get(name)) for name in found.units),
+        ]
         for row in found.rows
     ]
-    Tables().table(["time [s]", unit, *_titles(found)], rows)
+    Tables().table([*leading, "time [s]", unit, *_titles(found)], rows)
+
+
+def _is_of_several(found: Series) -> bool:
+    return len({row.file for row in found.rows}) > 1
 
 
 def _seconds(row: Row, start_ns: int) -> str:
@@ -84,16 +99,25 @@ def _seconds(row: Row, start_ns: int) -> str:
 def _print_csv(found: Series, _unit: str) -> None:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["time", "packet", "peer", *_titles(found)])
-    for row in found.rows:
-        writer.writerow([row.time, row.packet, row.peer, *(_text(row.cells.get(name)) for name in found.units)])
+    for number, record in enumerate(_records(found)):
+        cells = record.pop("values")
+        if number == 0:
+            writer.writerow([*record, *_titles(found)])
+        writer.writerow([*record.values(), *(_text(cells.get(name)) for name in found.units)])
     say(text.getvalue().removesuffix("\n"))
 
 
 def _print_json(found: Series, _unit: str) -> None:
-    for row in found.rows:
-        record = {"time": row.time, "packet": row.packet, "peer": row.peer, "values": row.cells}
+    for record in _records(found):
         say(json.dumps(record, ensure_ascii=False))
+
+
+def _records(found: Series) -> Iterator[dict[str, Any]]:
+    """The rows for other programs. A row has the name of its file where they are of several."""
+    is_of_several = _is_of_several(found)
+    for row in found.rows:
+        file = {"file": row.file} if is_of_several else {}
+        yield file | {"time": row.time, "packet": row.packet, "peer": row.peer, "values": row.cells}
 
 
 _PRINTERS = {None: _print_table, "csv": _print_csv, "json": _print_json}

@@ -90,4 +90,5 @@ def _finding() -> Schema:
 
 def _values() -> Schema:
     one = {"anyOf": [NUMBER, TEXT, list_of({"anyOf": [NUMBER, NOT_FINITE]})]}
-    return object_of({"time": TIME, "packet": WHOLE, "peer": TEXT, "values": by_name(one)})
+    properties = {"file": TEXT, "time": maybe(TIME), "packet": WHOLE, "peer": TEXT, "values": by_name(one)}
+    return object_of(properties, "file")

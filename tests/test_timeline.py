@@ -702,3 +702,16 @@ def test_the_command_without_the_library(tmp_path: Path, monkeypatch: pytest.Mon
     done = run(CAPTURES / "usb.pcapng", "-o", tmp_path / "x.svg")
     assert done.exit_code == 2
     assert f"vl-convert-python, which is not installed: {install_command('plot')}\n" in done.output
+
+
+def test_a_text_without_times_is_drawn_in_its_order(tmp_path: Path) -> None:
+    log, path = tmp_path / "robot.log", tmp_path / "robot.svg"
+    log.write_text("sent 09 00 01 00 00 04 00 81 01 60 00\nreceived 07 00 01 00 02 00 00 00 41\n")
+    done = CliRunner().invoke(command, [str(log), "-o", str(path)])
+    assert (done.exit_code, done.output) == (0, f"{path}: written\n")
+    svg = path.read_text()
+    assert "order: the lines of the text, which has no times" in svg
+    assert "in their order, without times: 2 messages" in svg
+    assert "UI_READ" in svg
+    for invented in ("seconds", " ms<", " s<", "median answer", "2026-01-01", "How long a brick took"):
+        assert invented not in svg, invented

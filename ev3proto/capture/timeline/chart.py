@@ -167,16 +167,23 @@ def _symbol(picture: Drawing) -> Json:
     }
 
 
-def _time(picture: Drawing, field: str, title: str | None) -> Json:
+def _time(picture: Drawing, field: str, *, is_titled: bool) -> Json:
+    title, label = (_SECONDS, "datum.label + ' s'") if picture.is_timed else (_LINES, "datum.label")
     return {
         "field": field,
         "type": "quantitative",
         "scale": {"domain": list(picture.domain), "nice": False, "zero": False},
-        "axis": {"title": title, "tickCount": 10, "labelExpr": "datum.label + ' s'", "labelOverlap": True},
+        "axis": {
+            "title": title if is_titled else None,
+            "tickCount": 10,
+            "labelExpr": label,
+            "labelOverlap": True,
+        },
     }
 
 
 _SECONDS = "seconds since the first message"
+_LINES = "order: the lines of the text, which has no times"
 
 
 def _legend(picture: Drawing) -> Json:
@@ -223,8 +230,7 @@ class _Panel:
         self._number = number
         self._panel = picture.panels[number]
         is_last = picture.latency_ms is None and number == len(picture.panels) - 1
-        title = _SECONDS if is_last else None
-        self._x, self._x_of_words = (_time(picture, field, title) for field in ("t", "x"))
+        self._x, self._x_of_words = (_time(picture, field, is_titled=is_last) for field in ("t", "x"))
         self._y = {
             "field": "row",
             "type": "nominal",
@@ -345,7 +351,7 @@ def _latency(picture: Drawing) -> Json:
         axis["values"] = picture.latency_ticks
     scale = logarithmic if picture.is_logarithmic else {"domain": [0, high * 1.1]}
     y = {"field": "ms", "type": "quantitative", "scale": scale, "axis": axis}
-    x = _time(picture, "t", _SECONDS)
+    x = _time(picture, "t", is_titled=True)
     layers = [
         _layer(
             "marks",

@@ -111,6 +111,8 @@ class Collector:
         self._window = window
         # When the capture's first event was captured, and between which times something is drawn.
         self._origin: int | None = None
+        # Whether that has a time, as all captures and most logs have; else all is drawn in its order.
+        self._is_timed = True
         self._first: float = -math.inf
         self._last: float = math.inf
         self._most_marks = most_marks
@@ -127,7 +129,7 @@ class Collector:
     def feed(self, event: Event) -> None:
         """Takes the next event."""
         if self._origin is None:
-            self._begin(event.time_ns)
+            self._begin(event)
         match event:
             case Record():
                 self._record(event)
@@ -136,12 +138,19 @@ class Collector:
             case Skipped() if self._chosen is None:
                 self._skipped(event)
 
-    def _begin(self, origin: int) -> None:
-        self._origin = origin
+    def _begin(self, event: Event) -> None:
+        self._is_timed = event.route.is_timed
+        origin = self._origin = event.time_ns if self._is_timed else 0
         if self._window.first is not None:
             self._first = origin + self._window.first * NANOSECONDS
         if self._window.last is not None:
             self._last = origin + self._window.last * NANOSECONDS
+
+    def _at(self, event: Event) -> int:
+        """Where on the axis something stands: without times, each line of the text is as long as a second."""
+        if self._is_timed:
+            return event.time_ns
+        return NANOSECONDS * (max(event.numbers) if isinstance(event, Announcement) else event.number)
 
     def finish(self) -> Timeline | None:
         """All that was collected; commands that still wait were never answered. None where nothing was."""
@@ -165,6 +174,7 @@ class Collector:
             bin_ns=self._bins.width_ns if self._bins else 0,
             bricks={name: tally for name, tally in self._bricks.items() if tally.messages or tally.outcomes},
             unshown=self._unshown,
+            is_timed=self._is_timed,
         )
 
     def _record(self, record: Record) -> None:
@@ -205,7 +215,7 @@ class Collector:
 
     def _chosen_record(self, record: Record) -> None:
         brick = self._brick(record.route)
-        if self._is_inside(record.time_ns):
+        if self._is_inside(self._at(record)):
             self._bricks[brick].messages += 1
         if record.message.fault is not None or record.message.type is None:
             self._faulty(record, brick)
@@ -222,11 +232,12 @@ class Collector:
         seen = command or reply
         assert seen is not None
         assert seen.message.type is not None
-        begin, end = seen.time_ns, reply.time_ns if command and reply else None
+        begin, end = self._at(seen), self._at(reply) if command and reply else None
         outcome = _outcome(command, reply)
         about = subject(seen.message)
         lane = self._lane(self._brick(seen.route), _KINDS[seen.message.type.carries], about)
         mark = Mark(lane, outcome, begin, end, about, "", {}, seen.number)
+        mark.is_timed = self._is_timed and seen.route.is_timed and (reply is None or reply.route.is_timed)
         if self._is_told(outcome):
             mark.label = exchange_label(command, reply)
             mark.details = _exchange_details(command, reply)
@@ -237,7 +248,7 @@ class Collector:
         mark = Mark(
             self._lane(brick, LaneKind.TROUBLE, "faulty frames"),
             Outcome.FAULTY,
-            record.time_ns,
+            self._at(record),
             None,
             "faulty frame" if record.message.type is None else f"faulty {record.message.type.name}",
             "",
@@ -261,7 +272,7 @@ class Collector:
         said = announcement.said.value
         lane = self._lane(brick, LaneKind.ANNOUNCEMENTS, said)
         number = max(announcement.numbers)
-        self._keep(Mark(lane, Outcome.ANNOUNCED, announcement.time_ns, None, said, "", details, number))
+        self._keep(Mark(lane, Outcome.ANNOUNCED, self._at(announcement), None, said, "", details, number))
 
     def _skipped(self, skipped: Skipped) -> None:
         lane = self._lane(self._brick(skipped.route), LaneKind.TROUBLE, "skipped bytes")
@@ -274,7 +285,7 @@ class Collector:
         if skipped.missing:
             details["not captured"] = f"{skipped.missing} bytes"
         heading = f"{len(skipped.data)} bytes skipped" if skipped.data else "bytes are missing"
-        self._keep(Mark(lane, Outcome.SKIPPED, skipped.time_ns, None, heading, "", details, skipped.number))
+        self._keep(Mark(lane, Outcome.SKIPPED, self._at(skipped), None, heading, "", details, skipped.number))
 
     def _move(self, record: Record, transfer: Transfer, brick: str) -> None:
         move = self._moves.get(id(transfer))
@@ -282,10 +293,10 @@ class Collector:
             if len(self._moves) >= MOST_FILES:
                 self._unshown += begins(record.message)
                 return
-            move = _Move(transfer, brick, record.time_ns, record.time_ns, record.number, record.number)
+            move = _Move(transfer, brick, self._at(record), self._at(record), record.number, record.number)
             self._moves[id(transfer)] = move
-        move.begin_ns, move.first = min((move.begin_ns, move.first), (record.time_ns, record.number))
-        move.end_ns, move.last = max((move.end_ns, move.last), (record.time_ns, record.number))
+        move.begin_ns, move.first = min((move.begin_ns, move.first), (self._at(record), record.number))
+        move.end_ns, move.last = max((move.end_ns, move.last), (self._at(record), record.number))
         if is_error(record.message):
             move.failure = reply_text(record)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ev3proto.capture.timeline.marks import EXCHANGES, OTHERS, TROUBLES, Cell, Lane, LaneKind, Mark, Outcome, Timeline
-from ev3proto.capture.timeline.phrases import brick_summary, clock, count, duration, exact, summary
+from ev3proto.capture.timeline.phrases import brick_summary, clock, count, exact, extent, summary
 
 WIDTH = 960
 """Pixels from the begin of the capture to its end."""
@@ -90,6 +90,7 @@ class Drawing:
     legend       symbols with their words: `o`, `text`, `x`, `x2`, `y` in pixels, `s` instead of `o` for shades,
                  `breaks` where a row must begin
     latency_ms   shortest and longest latency, None where nothing was answered
+    is_timed     the axis has seconds; else the lines of a text without times
     """
 
     title: str
@@ -101,6 +102,7 @@ class Drawing:
     latencies: list[Datum] = field(default_factory=list)
     legend: list[Datum] = field(default_factory=list)
     latency_ms: tuple[float, float] | None = None
+    is_timed: bool = True
 
     @property
     def label_width(self) -> float:
@@ -150,7 +152,9 @@ def lay_out(timeline: Timeline, title: str) -> Drawing:
     """The places of all that a timeline has."""
     begin, end = timeline.seconds(_dialogue_begin(timeline)), timeline.seconds(timeline.end_ns)
     margin = _MARGIN * (end - begin) or 0.5
-    picture = Drawing(title, summary(timeline), (_rounded(begin - margin), _rounded(end + margin)))
+    picture = Drawing(
+        title, summary(timeline), (_rounded(begin - margin), _rounded(end + margin)), is_timed=timeline.is_timed
+    )
     homes = _homes(timeline)
     for brick, tally in timeline.bricks.items():
         if homes[brick] == brick:
@@ -407,7 +411,7 @@ def _legend(picture: Drawing, timeline: Timeline) -> list[Datum]:
     if picture.cells:
         most = max(cell.count for cell in timeline.cells.values())
         for number in shade_starts(most):
-            text = f"{number:,} or more in {duration(timeline.bin_ns)}"
+            text = f"{number:,} or more in {extent(timeline, timeline.bin_ns)}"
             entries.append({"s": shade(number, most), "text": text, "breaks": number == 1})
     x, y = 0.0, LEGEND_HEIGHT / 2
     for entry in entries:
@@ -421,17 +425,19 @@ def _legend(picture: Drawing, timeline: Timeline) -> list[Datum]:
 
 def _tip(timeline: Timeline, mark: Mark) -> dict[str, str]:
     tip = {"title": mark.heading, "outcome": mark.outcome.value}
-    tip["at"] = f"{timeline.seconds(mark.begin_ns):.6f} s"
-    tip["clock"] = clock(mark.begin_ns)
-    if mark.end_ns is not None:
-        name = "took" if mark.lane.kind is LaneKind.FILES else "answer after"
-        tip[name] = exact(mark.end_ns - mark.begin_ns)
+    if timeline.is_timed and mark.is_timed:
+        tip["at"] = f"{timeline.seconds(mark.begin_ns):.6f} s"
+        tip["clock"] = clock(mark.begin_ns)
+        if mark.end_ns is not None:
+            name = "took" if mark.lane.kind is LaneKind.FILES else "answer after"
+            tip[name] = exact(mark.end_ns - mark.begin_ns)
     return tip | {"brick": mark.lane.brick} | mark.details
 
 
 def _cell_tip(timeline: Timeline, begin: int, cell: Cell) -> dict[str, str]:
-    tip = {"title": count(cell.count, "mark"), "from": f"{timeline.seconds(begin):.3f} s"}
-    tip["during"] = duration(timeline.bin_ns)
+    since = timeline.seconds(begin)
+    tip = {"title": count(cell.count, "mark"), "from": f"{since:.3f} s" if timeline.is_timed else f"line {since:.0f}"}
+    tip["during"] = extent(timeline, timeline.bin_ns)
     tip |= {outcome.value: str(number) for outcome, number in cell.troubles.items()}
     if cell.fastest_ns is not None and cell.slowest_ns is not None:
         tip["fastest answer"] = exact(cell.fastest_ns)

@@ -67,6 +67,7 @@ class Mark:
     label     what may stand beside it: the values of a reply, the path of a file; "" for nothing
     details   what else is known of it, by name
     number    the packet by which to find it
+    is_timed  somebody wrote down when it was; else there is only an order
     """
 
     lane: Lane
@@ -77,11 +78,12 @@ class Mark:
     label: str
     details: dict[str, str]
     number: int
+    is_timed: bool = True
 
     @property
     def latency_ns(self) -> int | None:
         """Nanoseconds from command to reply, 0 where their times are the wrong way round; None for all else."""
-        if self.end_ns is None or self.lane.kind not in EXCHANGES:
+        if not self.is_timed or self.end_ns is None or self.lane.kind not in EXCHANGES:
             return None
         return max(self.end_ns - self.begin_ns, 0)
 
@@ -158,6 +160,7 @@ class Timeline:
     bin_ns     nanoseconds of a bin, 0 where nothing is binned
     bricks     how each brick did, by its name, in the order in which they appeared
     unshown    troubles and files that are counted, but too many to be shown one by one
+    is_timed   the times are those of the capture; else there are none, and a second stands for a line of the text
     """
 
     origin_ns: int
@@ -169,6 +172,7 @@ class Timeline:
     bin_ns: int
     bricks: dict[str, Tally]
     unshown: int
+    is_timed: bool = True
 
     @property
     def messages(self) -> int:

@@ -32,16 +32,23 @@ def count(number: int, what: str, plural: str | None = None) -> str:
     return f"{number:,} {what if number == 1 else plural or f'{what}s'}"
 
 
+def extent(timeline: Timeline, nanoseconds: int) -> str:
+    """A part of the axis: `1.23 s`, or without times `12 lines`."""
+    return duration(nanoseconds) if timeline.is_timed else count(-(-nanoseconds // NANOSECONDS), "line")
+
+
 def summary(timeline: Timeline) -> list[str]:
     """The lines under the title: when, how long, how much, how it went; what is not shown one by one."""
-    lines = [
-        f"from {clock(timeline.begin_ns)}, {duration(timeline.end_ns - timeline.begin_ns)}:"
-        f" {', '.join((count(timeline.messages, 'message'), *_troubles(timeline.outcomes)))}"
-    ]
+    length = timeline.end_ns - timeline.begin_ns
+    when = (
+        f"from {clock(timeline.begin_ns)}, {duration(length)}" if timeline.is_timed else "in their order, without times"
+    )
+    lines = [f"{when}: {', '.join((count(timeline.messages, 'message'), *_troubles(timeline.outcomes)))}"]
     if timeline.bin_ns:
+        below = ", and below is the slowest answer in that time" if timeline.is_timed else ""
         lines.append(
-            f"Too much to mark one by one: the darker, the more in {duration(timeline.bin_ns)};"
-            " what went wrong has marks, and below is the slowest answer in that time."
+            f"Too much to mark one by one: the darker, the more in {extent(timeline, timeline.bin_ns)};"
+            f" what went wrong has marks{below}."
         )
     else:
         lines.append("A mark stands where a command was sent, and its bar reaches to the reply.")

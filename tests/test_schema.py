@@ -19,7 +19,7 @@ from ev3proto import GV, LV, BuildError, DecodeError
 from ev3proto.schema.fields import Fields
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.header import HEADER, MEMORY
-from ev3proto.schema.identification import ENCODINGS, IDENTIFICATION, LABEL_BYTE
+from ev3proto.schema.identification import ENCODINGS, IDENTIFICATION, LABEL_BYTE, SHORT_VALUES
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables.system import SYSTEM
 
@@ -131,6 +131,7 @@ def test_an_identification_byte_goes_both_ways(byte: int) -> None:
     assert found.is_long == bool(byte & 0x80)
     assert found.is_variable == bool(byte & 0x40)
     assert IDENTIFICATION.build(found) == bytes((byte,))
+    assert SHORT_VALUES[byte] == (None if found.is_long else found.form.value)
 
 
 @pytest.mark.parametrize(

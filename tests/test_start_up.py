@@ -26,6 +26,10 @@ PARTS_NOT_NEEDED = (
     "testing",
     "text.diagnostics",
     "text.json_format.reading",
+    "text.paste.fitting",
+    "text.paste.forms",
+    "text.paste.reader",
+    "text.paste.scanner",
     "text.table",
     "whole_files",
 )

@@ -1,13 +1,13 @@
 """The identification byte: the first byte of every argument, which tells its kind, its width and often its value.
 
-The bits are declared once, as a Construct. There are only 256 such bytes, so the declaration is run over all of them
-when this module is imported, and decoding an argument is looking up what was found then.
+The bits are declared once, as a Construct. There are only 256 such bytes, so the declared forms are run over all their
+bits when this module is imported, and decoding an argument is looking up what was found then.
 """
 
 from __future__ import annotations
 
 from construct import Array, BitsInteger, BitStruct, Bitwise, Const, Flag, IfThenElse, Struct, this
-from construct.lib import bytes2bits
+from construct.lib import integer2bits
 
 from ev3proto.tables.encoding import (
     CONSTANT,
@@ -21,6 +21,9 @@ from ev3proto.tables.encoding import (
     Encoding,
 )
 
+_FORM_BITS = 6
+"""The bits after the first two, which select what these stand for."""
+
 LONG_FORM = Struct(
     "selector" / Flag,  # of variables: global; of constants: label
     "handle" / Flag,
@@ -29,7 +32,7 @@ LONG_FORM = Struct(
 )
 """Bits 5 to 0 where the value stands in the bytes that follow."""
 
-SHORT_CONSTANT = Struct("value" / BitsInteger(6, signed=True))
+SHORT_CONSTANT = Struct("value" / BitsInteger(_FORM_BITS, signed=True))
 SHORT_VARIABLE = Struct("is_global" / Flag, "value" / BitsInteger(5))
 
 _BITS = Struct(
@@ -65,25 +68,25 @@ def _long_encoding(is_variable: bool, form: object) -> Encoding | None:
     return Encoding(f"LC{WIDTHS[width]}", CONSTANT, WIDTHS[width], handle, address)
 
 
-_SHORT = {
-    (False, False): Encoding("LC0", CONSTANT, 0),
-    (True, False): Encoding("LV0", LOCAL, 0),
-    (True, True): Encoding("GV0", GLOBAL, 0),
-}
+_SHORT_CONSTANT = Encoding("LC0", CONSTANT, 0)
+_SHORT_VARIABLE = {False: Encoding("LV0", LOCAL, 0), True: Encoding("GV0", GLOBAL, 0)}
 
 
 def _survey() -> tuple[tuple[Encoding | None, ...], tuple[int | None, ...]]:
-    encodings: list[Encoding | None] = []
-    values: list[int | None] = []
-    # All bytes in one run take half the time of 256 runs.
-    for found in Array(256, _BITS).parse(bytes2bits(bytes(range(256)))):
-        if found.is_long:
-            encodings.append(_long_encoding(found.is_variable, found.form))
-            values.append(None)
-        else:
-            encodings.append(_SHORT[found.is_variable, found.form.get("is_global", False)])
-            values.append(found.form.value)
-    return tuple(encodings), tuple(values)
+    # Each form is run over its own bits, and all of them in one go: the whole byte 256 times takes three times as long.
+    bits = b"".join(integer2bits(number, _FORM_BITS) for number in range(1 << _FORM_BITS))
+    constants, variables, longs = (
+        Array(1 << _FORM_BITS, form).parse(bits) for form in (SHORT_CONSTANT, SHORT_VARIABLE, LONG_FORM)
+    )
+    # Bytes with neither of the first two bits come first, then those with the second, the first, and both.
+    encodings = (
+        *(_SHORT_CONSTANT for _ in constants),
+        *(_SHORT_VARIABLE[form.is_global] for form in variables),
+        *(_long_encoding(False, form) for form in longs),
+        *(_long_encoding(True, form) for form in longs),
+    )
+    values = (*(form.value for form in (*constants, *variables)), *[None] * (2 * len(longs)))
+    return encodings, values
 
 
 ENCODINGS, SHORT_VALUES = _survey()

@@ -4,6 +4,7 @@ Nobody types a frame into a file of its own: frames come out of terminals, sourc
 finds them there and leaves prose alone. One rule says what a frame is: a run of byte values, in any notation, whose
 length field fits it exactly, wherever it stands in a text and whatever stands around it.
 
+    plain         the hex digits of one frame and nothing else, for which none of the following is loaded
     blanking      what is no byte is blanked: times, casts, indexes, comments
     columns       so are the offsets and the text of dumps
     rhythm        values with the same words between them
@@ -21,23 +22,15 @@ with that.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from typing import Literal
 
-from ev3proto.text.paste.dumps import dump_row
-from ev3proto.text.paste.fitting import bare_reason, is_flawless, with_header, with_length
-from ev3proto.text.paste.forms import Forms
-from ev3proto.text.paste.hexadecimal import bare
-from ev3proto.text.paste.pieces import MAX_TEXT, Pasted, Wants, short
-from ev3proto.text.paste.reader import MAX_LINE, Reader
-from ev3proto.text.paste.scanner import bytes_in
+from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, Wants, short
+from ev3proto.text.paste.plain import plain_frame
 
 __all__ = ["MAX_LINE", "Missing", "Pasted", "read_argument", "read_bare", "read_text"]
 
 Missing = Literal["length", "header"]
 """What bytes may lack: the two bytes of the length field, or the whole header of a direct command."""
-
-_MAKERS = {"length": with_length, "header": with_header}
 
 
 def read_text(lines: Iterable[str]) -> Iterator[Pasted]:
@@ -46,6 +39,8 @@ def read_text(lines: Iterable[str]) -> Iterator[Pasted]:
     Memory stays bounded: only an array or a dump that goes on over several lines is collected, up to 64 KiB of it.
     Lines of more than 1 MiB are not read, but reported.
     """
+    from ev3proto.text.paste.reader import Reader
+
     yield from Reader().read(lines)
 
 
@@ -59,11 +54,15 @@ def read_bare(lines: Iterable[str], missing: Missing) -> Iterator[Pasted]:
     Yields:
         The frames. A line whose bytes cannot be a frame even so has a `problem`; a line without bytes has nothing.
     """
+    from ev3proto.text.paste.fitting import with_header, with_length
+    from ev3proto.text.paste.scanner import bytes_in
+
+    completed = with_length if missing == "length" else with_header
     for number, line in enumerate(lines, 1):
         data = bytes_in(line[:MAX_LINE])
         if not data:
             continue
-        frame = _MAKERS[missing](data)
+        frame = completed(data)
         text = short(line, MAX_TEXT)
         if frame is not None:
             yield Pasted(frame, number, text)
@@ -76,6 +75,13 @@ def read_argument(text: str) -> Pasted:
 
     What cannot be read gives a `problem`, and so does a second piece in the same argument: `data` is the first.
     """
+    return plain_frame(text) or read_any_form(text)
+
+
+def read_any_form(text: str) -> Pasted:
+    """What `read_argument` gives for a text that is not plain hex: any of the other forms."""
+    from ev3proto.text.paste.forms import Forms
+
     lines = text.strip("\r\n").split("\n")
     found = list(read_text(lines))
     pieces = [piece for piece in found if not piece.unread]
@@ -94,19 +100,24 @@ def read_argument(text: str) -> Pasted:
     if len(pieces) == 1 or first.problem is not None:
         return first
     problem = f"it has {len(pieces)} frames in it, of which only the first was read: give each an argument of its own"
-    return replace(first, problem=problem)
+    return first._replace(problem=problem)
 
 
 def _explained(piece: Pasted) -> Pasted:
     """The piece, and what is missing in front of it where that makes a frame of it."""
+    from ev3proto.text.paste.fitting import bare_reason, is_flawless
+
     if piece.problem is not None or piece.cut or is_flawless(piece.data):
         return piece
     reason = bare_reason(piece.data)
-    return piece if reason is None else replace(piece, problem=reason)
+    return piece if reason is None else piece._replace(problem=reason)
 
 
 def _wrapped_hex(lines: list[str]) -> Pasted | None:
     """Hex that was wrapped at the end of the line is one piece; a dump must not be joined, its offsets are no bytes."""
+    from ev3proto.text.paste.dumps import dump_row
+    from ev3proto.text.paste.hexadecimal import bare
+
     joined = " ".join(lines)
     if dump_row(lines[0]) is not None or len(joined) > MAX_LINE:
         return None

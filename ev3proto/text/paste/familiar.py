@@ -8,7 +8,6 @@ such lines is their times, their frames, and numbers that are too few to be a fr
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
 from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables.frame import MessageType
@@ -94,7 +93,7 @@ class Familiar:
         if len(self._directions) + len(self._strange) >= _MOST_SHAPES:
             self._directions.clear()
             self._strange.clear()
-        if len(pieces) == 1 and replace(pieces[0], direction=None) == expected:
+        if len(pieces) == 1 and pieces[0]._replace(direction=None) == expected:
             self._directions[shape] = pieces[0].direction
         else:
             self._strange.add(shape)

@@ -5,19 +5,18 @@ All forms share this, so that each has to say only where the bytes are, what the
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from ev3proto.text.paste.head import Direction, Head
 
 # The shortest frame there is. Less than that in the midst of other text is not worth the risk of reading prose as hex.
 LEAST = 5
+MAX_LINE = 1 << 20
 MAX_TEXT = 200
 MAX_COLLECTED = 1 << 16
 
 
-@dataclass(frozen=True, slots=True)
-class Pasted:
+class Pasted(NamedTuple):
     """One piece of pasted text and the bytes it stands for.
 
     data       the bytes; where `problem` is set, those in front of it
@@ -42,8 +41,7 @@ class Pasted:
     unread: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Found:
+class Found(NamedTuple):
     """Bytes in line[start:end]; with `is_marked` they stand where only a frame can, however short they are."""
 
     start: int

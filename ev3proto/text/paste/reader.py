@@ -9,10 +9,8 @@ from ev3proto.text.paste.familiar import Familiar
 from ev3proto.text.paste.fitting import bare_reason, reason
 from ev3proto.text.paste.forms import Forms
 from ev3proto.text.paste.labelled import Labelled
-from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, Pasted, Wants, short
+from ev3proto.text.paste.pieces import LEAST, MAX_LINE, MAX_TEXT, Pasted, Wants, short
 from ev3proto.text.paste.scanner import Row, Scanner
-
-MAX_LINE = 1 << 20
 
 _ADDRESS = late_pattern(r"(?:[0-9a-fA-F]{2}([:-]))(?:[0-9a-fA-F]{2}\1){4}[0-9a-fA-F]{2}")
 _UUID = late_pattern(r"[{(\"']*[0-9a-fA-F]{8}-(?:[0-9a-fA-F]{4}-){3}[0-9a-fA-F]{12}[})\"'.,;]*")

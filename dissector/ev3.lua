@@ -4792,6 +4792,8 @@ do
 
     -- Rows, files and bytes that are kept at most: names in a capture may be of anybody's making.
     local MOST_ROWS, MOST_FILES, MOST_BYTES = 1000, 256, 64 * 1024 * 1024
+    -- Characters to which a column is widened for a long name.
+    local MOST_WIDTH = 60
 
     -- By name: how many messages, bytes of them, answers, and the seconds until these.
     local operations, bricks
@@ -4892,6 +4894,26 @@ do
         transfer.pieces[#transfer.pieces + 1] = data
     end
 
+    -- Lines of columns, each as wide as what stands in it: a window of Wireshark breaks lines after some 70 characters.
+    -- The first column begins on the left, all others end on the right.
+    local function columns_text(lines)
+        local widths, out = {}, {}
+        for _, line in ipairs(lines) do
+            for number, word in ipairs(line) do
+                widths[number] = math.min(math.max(widths[number] or 0, #word), MOST_WIDTH)
+            end
+        end
+        for _, line in ipairs(lines) do
+            local words = {}
+            for number, word in ipairs(line) do
+                local blanks = (" "):rep(widths[number] - #word)
+                words[number] = number == 1 and word .. blanks or blanks .. word
+            end
+            out[#out + 1] = gsub(concat(words, " "), " +$", "")
+        end
+        return concat(out, "\n")
+    end
+
     local function table_text(heading, rows, has_uses)
         local names, lines = {}, {}
         for name in pairs(rows) do
@@ -4901,26 +4923,25 @@ do
             if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
             return one < other
         end)
-        lines[1] = format("%-40s %9s %9s %11s %9s %10s %10s", heading, has_uses and "uses" or "", "messages", "bytes",
-            "answers", "mean ms", "most ms")
+        lines[1] = { heading, has_uses and "uses" or "", "messages", "bytes", "answers", "mean ms", "most ms" }
         for _, name in ipairs(names) do
             local row = rows[name]
             local mean = row.answers > 0 and format("%.2f", 1000 * row.total / row.answers) or ""
             local most = row.answers > 0 and format("%.2f", 1000 * row.most) or ""
             local uses = has_uses and format("%d", row.uses) or ""
-            lines[#lines + 1] = format("%-40s %9s %9d %11d %9d %10s %10s", name, uses, row.messages, row.bytes,
-                row.answers, mean, most)
+            lines[#lines + 1] = { on_one_line(name), uses, format("%d", row.messages), format("%d", row.bytes),
+                format("%d", row.answers), mean, most }
         end
-        return concat(lines, "\n")
+        return columns_text(lines)
     end
 
     local function files_text()
-        local lines = { format("%-60s %10s %10s", "File", "moved", "size") }
+        local lines = { { "File", "moved", "size" } }
         for _, transfer in ipairs(files) do
             local size = transfer.size and format("%d", transfer.size) or ""
-            lines[#lines + 1] = format("%-60s %10d %10s", on_one_line(transfer.path), transfer.done, size)
+            lines[#lines + 1] = { on_one_line(transfer.path), format("%d", transfer.done), size }
         end
-        return concat(lines, "\n")
+        return columns_text(lines)
     end
 
     local function all_text()
@@ -4949,6 +4970,7 @@ do
 
     -- Writes the files into a folder that exists. Files that are there stay as they are. Returns a line on each.
     local function export_files(folder)
+        if not folder:find("%S") then return "Nothing was written: name a folder that exists" end
         local taken, lines = {}, {}
         for _, transfer in ipairs(files) do
             local path = folder .. "/" .. safe_name(transfer.path, taken)
@@ -4980,13 +5002,14 @@ do
         ev3.prefs.statistics = Pref.bool("Statistics of tshark", false, "Print statistics at the end of a run")
         ev3.prefs.export = Pref.string("Export folder of tshark", "", "Write the files that were moved to this folder")
         if gui_enabled() then
-            register_menu("EV3/Operations, bricks and files", function()
+            -- Wireshark makes submenus of names with a slash under Tools only.
+            register_menu("EV3: Operations, Bricks and Files", function()
                 show_window("EV3: statistics", all_text())
             end, MENU_STAT_UNSORTED)
-            register_menu("EV3/Export files", function()
+            register_menu("EV3: Export Files...", function()
                 new_dialog("EV3: export files", function(folder)
                     show_window("EV3: exported files", export_files(folder))
-                end, "Folder")
+                end, "Into a folder that exists")
             end, MENU_STAT_UNSORTED)
         end
     end

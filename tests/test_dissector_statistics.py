@@ -21,13 +21,21 @@ def tone(counter: int) -> bytes:
 
 def test_statistics_at_the_end_of_a_run(tshark: Tshark) -> None:
     said = tshark.run(CAPTURES / "wifi.pcapng", "-q", "-o", "ev3.statistics:TRUE")
-    rows = {re.sub(r"  +.*", "", line): line[50:].split() for line in said.splitlines() if line}
-    assert rows["CONTINUE_UPLOAD"] == ["3", "1861", "3", "4.50", "4.60"]
-    assert rows["UI_READ GET_VBATT"] == ["4", "97", "3", "4.30", "4.30"]
-    assert rows["OUTPUT_START"] == ["1", "15", "0"]  # the second operation of its command
-    assert rows["192.0.2.10:5555"][0] == "42"
-    assert rows["../prjs/log/first.rbf"] == ["2500", "2500"]
+    rows = {re.sub(r" +\d.*", "", line): line.split() for line in said.splitlines() if line}
+    assert rows["CONTINUE_UPLOAD"][1:] == ["3", "3", "1861", "3", "4.50", "4.60"]
+    assert rows["UI_READ GET_VBATT"][2:] == ["4", "4", "97", "3", "4.30", "4.30"]
+    assert rows["OUTPUT_START"][1:] == ["1", "1", "15", "0"]  # the second operation of its command
+    assert rows["192.0.2.10:5555"][1] == "42"
+    assert rows["../prjs/log/first.rbf"][1:] == ["2500", "2500"]
     assert "1 of 19 commands that want a reply have none" in said
+
+
+def test_statistics_fit_in_a_window(tshark: Tshark) -> None:
+    """Wireshark's window for text breaks lines after some 70 characters: columns are as wide as what stands in them."""
+    said = tshark.run(CAPTURES / "wifi.pcapng", "-q", "-o", "ev3.statistics:TRUE").splitlines()
+    assert "Operation             uses messages bytes answers mean ms most ms" in said
+    assert "CONTINUE_DOWNLOAD        3        3  2545       3    5.97    8.80" in said
+    assert max(map(len, said)) <= 70
 
 
 def test_without_the_preference_nothing_is_printed(tshark: Tshark) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import pty
 import re
+import select
+import signal
 import subprocess
 import sys
 import threading
@@ -16,6 +18,10 @@ from ev3proto.cli.main import SUBCOMMANDS, main
 
 for _name in (*(f"ev3proto.cli.{name}" for name in SUBCOMMANDS), "ev3proto.capture", "rich.console", "rich.table"):
     import_module(_name)  # once for all, and not in every process
+
+_DRAWING = {"timeline", "--plot"}
+_PATIENCE = 60
+"""Seconds without any output."""
 
 OURS = re.compile("\x1b\\[(0|[12]|(3|9)[0-7])(;(0|[12]|(3|9)[0-7]))*m")
 """The sequences for the colours that the command line uses."""
@@ -35,7 +41,13 @@ def on_a_terminal(*words: str | bytes | Path) -> tuple[int, str]:
     child, terminal = _started([os.fsdecode(word) for word in words])
     shown = b""
     try:
-        while part := os.read(terminal, 1 << 16):
+        while True:
+            if not select.select([terminal], [], [], _PATIENCE)[0]:
+                os.kill(child, signal.SIGKILL)
+                raise AssertionError(f"nothing came for {_PATIENCE} s: {words}, {shown[-500:]!r}")
+            part = os.read(terminal, 1 << 16)
+            if not part:
+                break
             shown += part
     except OSError:
         pass  # the other end is closed
@@ -47,12 +59,13 @@ def on_a_terminal(*words: str | bytes | Path) -> tuple[int, str]:
 
 def _started(words: list[str]) -> tuple[int, int]:
     """The number of the process, and the terminal's other end."""
-    if threading.active_count() == 1:
+    if threading.active_count() == 1 and not _DRAWING & set(words):
         child, terminal = pty.fork()
         if child == 0:
             _become_ev3proto(words)
         return child, terminal
-    # A process with threads cannot be forked safely, and starting one from the beginning takes longer.
+    # A process with threads cannot be forked safely, and starting one from the beginning takes longer. What draws
+    # pictures has threads of its own, which Python does not know of.
     terminal, end = pty.openpty()
     call = [sys.executable, "-m", "ev3proto", *words]
     child = subprocess.Popen(call, stdin=end, stdout=end, stderr=end, start_new_session=True).pid

@@ -68,6 +68,16 @@ def test_the_instruction_sets_of_other_dialects_are_not_made() -> None:
     assert done.stdout == "1\n"
 
 
+def test_the_schemas_of_other_opcodes_are_not_made() -> None:
+    program = (
+        "import ev3proto; from ev3proto.schema import operation;"
+        f"ev3proto.parse(bytes.fromhex('{TONE}')).operations;"
+        "print(*{schema.declaration.opcode.name for schema in operation._SCHEMAS.values()})"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert done.stdout == "SOUND\n"
+
+
 @pytest.mark.parametrize(
     ("module", "name"), [("ev3proto.text.paste.reader", "_DENSE"), ("ev3proto.text.visible", "_HARMFUL")]
 )

@@ -52,27 +52,62 @@ class InstructionSet(Bytewise):
     def __init__(self, dialect: str) -> None:
         super().__init__()
         self.dialect = check_dialect(dialect)
-        self.opcodes: list[OperationSchema | None] = [None] * 256
-        self.families: list[FamilySchema | None] = [None] * 256
-        self.by_name: dict[str, OperationSchema] = {}
+        self._entries = {opcode.number: opcode for opcode in OPCODES if dialect in opcode.dialects}
+        self._families: dict[int, FamilySchema] = {}
+        # What the loop of `scan` knows of an opcode is made when the opcode is first read: there are hundreds of
+        # schemas, and a frame has few.
+        self._not_laid_out = set(self._entries)
         self._by_opcode: list[_Layout | None] = [_UNUSUAL] * 256
         self._by_command: list[tuple[_Layout, ...]] = [()] * 256
-        for opcode in OPCODES:
-            if dialect not in opcode.dialects:
-                continue
-            if opcode.is_family:
-                family = self.families[opcode.number] = FamilySchema(opcode, dialect)
-                self.by_name.update((schema.declaration.name, schema) for schema in family.commands.values())
-                layouts: list[_Layout] = [_UNUSUAL] * 256
-                for schema in family.commands.values():
-                    if len(schema.head) == _SHORT_HEAD:
-                        layouts[schema.head[1]] = _layout(schema)
-                self._by_opcode[opcode.number] = None
-                self._by_command[opcode.number] = tuple(layouts)
-            else:
-                schema = self.opcodes[opcode.number] = operation_schema(opcode)
-                self.by_name[opcode.name] = schema
-                self._by_opcode[opcode.number] = _layout(schema)
+
+    @cached_property
+    def opcodes(self) -> list[OperationSchema | None]:
+        """The schema of each opcode that has no CMD, None for all others."""
+        return [self._plain(code) for code in range(256)]
+
+    @cached_property
+    def families(self) -> list[FamilySchema | None]:
+        """The schema of each opcode that has a CMD, None for all others."""
+        return [self._family(code) for code in range(256)]
+
+    @cached_property
+    def by_name(self) -> dict[str, OperationSchema]:
+        """The schema of each operation: of `SOUND.TONE`, `UI_FLUSH`, ..."""
+        found: dict[str, OperationSchema] = {}
+        for code in self._entries:
+            family, plain = self._family(code), self._plain(code)
+            schemas = [] if family is None else family.commands.values()
+            found.update((schema.declaration.name, schema) for schema in ([plain] if plain else schemas))
+        return found
+
+    def _plain(self, code: int) -> OperationSchema | None:
+        entry = self._entries.get(code)
+        return None if entry is None or entry.is_family else operation_schema(entry)
+
+    def _family(self, code: int) -> FamilySchema | None:
+        entry = self._entries.get(code)
+        if entry is None or not entry.is_family:
+            return None
+        if code not in self._families:
+            self._families[code] = FamilySchema(entry, self.dialect)
+        return self._families[code]
+
+    def _lay_out(self, code: int) -> bool:
+        """Makes the layouts of an opcode; whether there were none yet."""
+        if code not in self._not_laid_out:
+            return False
+        self._not_laid_out.discard(code)
+        family, plain = self._family(code), self._plain(code)
+        if family is not None:
+            layouts: list[_Layout] = [_UNUSUAL] * 256
+            for schema in family.commands.values():
+                if len(schema.head) == _SHORT_HEAD:
+                    layouts[schema.head[1]] = _layout(schema)
+            self._by_command[code] = tuple(layouts)
+            self._by_opcode[code] = None
+        if plain is not None:
+            self._by_opcode[code] = _layout(plain)
+        return True
 
     def __getitem__(self, name: str) -> OperationSchema:
         """Finds the schema of one operation.
@@ -142,8 +177,9 @@ class InstructionSet(Bytewise):
     def _is_unknown(self, data: bytes, at: int, end: int) -> bool:
         """Whether nothing has that opcode, or that CMD in a form of one byte."""
         code = data[at]
-        if self.families[code] is None:
-            return self.opcodes[code] is None
+        self._lay_out(code)
+        if self._by_opcode[code] is not None:
+            return self._by_opcode[code] is _UNUSUAL
         return at + 1 < end and data[at + 1] < len(SHORT) and self._by_command[code][data[at + 1]] is _UNUSUAL
 
     def operations(self, data: bytes, at: int) -> tuple[Operation, ...]:
@@ -201,6 +237,9 @@ class InstructionSet(Bytewise):
             if at <= end and (not has_list or schema.has_whole_list(arguments)):
                 operations.append(Operation((schema, data, start, at, tuple(arguments))))
                 continue
+            if self._lay_out(data[start]):
+                at = start
+                continue
             operation, fault = self._scan_one(data, start, end)
             if operation is not None:
                 operations.append(operation)
@@ -225,10 +264,10 @@ class InstructionSet(Bytewise):
     def _select(self, data: bytes, at: int, end: int) -> tuple[OperationSchema, int]:
         """The schema for the opcode (and CMD) at an offset, and where its arguments start. Raises DecodeError."""
         code = data[at]
-        plain = self.opcodes[code]
+        plain = self._plain(code)
         if plain is not None:
             return plain, at + 1
-        family = self.families[code]
+        family = self._family(code)
         if family is None:
             raise DecodeError(at, f"0x{code:02X} is no opcode of the {self.dialect} firmware")
         stop = CMD.measure(data, at + 1, end)

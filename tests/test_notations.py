@@ -222,3 +222,28 @@ def test_bytes_that_are_only_said_to_repeat(name: str) -> None:
 def test_a_frame_that_a_line_shows_twice_is_one() -> None:
     text = f'<field showname="Data: {TONE.hex()}" show="{TONE.hex(":")}" value="{TONE.hex()}"/>'
     assert [piece.data for piece in pieces(text)] == [TONE]
+
+
+@pytest.mark.parametrize("counter", ["xxxx", "XX XX", "MMMM", "mmmm", "MM MM"])
+def test_letters_for_a_counter(counter: str) -> None:
+    marks = f"0f 00 {counter} 80 00 00 94 01 81 02 82 e8 03 82 e8 03"
+    for text in (marks, marks.replace(" ", ""), marks.replace(" ", ":")):
+        if ":" not in text or len(counter) == 5:
+            assert [piece.data for piece in pieces(text)] == [TONE], text
+
+
+def test_a_dump_of_strace_is_only_dropped_where_its_string_is() -> None:
+    dump = " | 00000  06 00 2a 00 00 00 00 01                           ..*..... |"
+    string = r'write(3, "\6\0*\0\0\0\0\1", 8) = 8'
+    assert [piece.line for piece in pieces(f"{string}\n{dump}\n{string}\n{dump}\n")] == [1, 3]
+    assert [piece.data for piece in pieces(f"write(3, ...) = 8\n{dump}\n")] == [NOTHING]
+
+
+def test_records_of_intel_hex_have_an_address_of_their_own() -> None:
+    text = ":020000040800F2\n:0801000006002A0000000001C6\n:00000001FF\n"
+    assert [(piece.data, piece.problem) for piece in pieces(text)] == [(NOTHING, None)]
+
+
+def test_decimal_escapes_where_octal_ones_give_no_frame() -> None:
+    assert [piece.data for piece in pieces(r"'\015\000\000\000\128\0\0\148\1\129\2\130\232\3\130\232\3'")] == [TONE]
+    assert [piece.data for piece in pieces(r"'\017\000\000\000\200\0\0\224\1\201\2\202\350\3\202\350\3'")] == [TONE]

@@ -107,6 +107,12 @@ def _rfcomm(data: bytes) -> bytes:
     return b"\x02\x2a\x20" + len(l2cap).to_bytes(2, "little") + l2cap
 
 
+def _record(offset: int, row: bytes) -> str:
+    """A record of Intel HEX with data."""
+    record = bytes((len(row), offset >> 8, offset & 0xFF, 0)) + row
+    return f":{record.hex().upper()}{-sum(record) & 0xFF:02X}"
+
+
 def _hcidump(data: bytes) -> str:
     rows = [row.hex(" ").upper() for _, row in _rows(_rfcomm(data), 20)]
     return "< " + " \n  ".join(rows)
@@ -259,6 +265,7 @@ LINE: dict[str, Notation] = {
     "non-breaking blanks": lambda data: data.hex(" ").replace(" ", "\u00a0"),
     "entities": lambda data: _list(data, "{:02x}", "&nbsp;"),
     "quoted-printable, all": lambda data: "".join(f"={byte:02X}" for byte in data),
+    "groups with full stops": lambda data: ".".join(row.hex() for _, row in _rows(data, 2)),
     "Pascal characters": lambda data: "".join(f"#{byte}" for byte in data),
     "Pascal characters, hex": lambda data: "".join(f"#${byte:02X}" for byte in data),
     "Verilog": lambda data: f"{{{_list(data, chr(39).join(('8', 'h{:02x}')))}}}",
@@ -447,6 +454,17 @@ LINES: dict[str, Notation] = {
         "      RFCOMM: Unnumbered Info with Header Check (UIH) (0xef)\n"
         f"         Length: {len(data)}\n         FCS: 0x9a\n"
         + "\n".join(f"        {row.hex(' '):<47}  {_shown(row)}" for _, row in _rows(data + b"\x9a", 16))
+    ),
+    "Intel HEX": lambda data: "\n".join([*(_record(at, row) for at, row in _rows(data, 16)), ":00000001FF"]),
+    "quoted-printable, wrapped": lambda data: "=\n".join(
+        "".join(f"={byte:02X}" for byte in row) for _, row in _rows(data, 10)
+    ),
+    "strace -e write": lambda data: (
+        f"write(3, {_c_string(data)}, {len(data)}) = {len(data)}\n"
+        + "\n".join(
+            f" | {at:05x}  {row[:8].hex(' '):<23}  {row[8:].hex(' '):<23}  {_shown(row):<16} |"
+            for at, row in _rows(data, 16)
+        )
     ),
     "explained": lambda data: (
         f"{data[:2].hex()} length\n{data[2:4].hex()} counter\n{data[4]:02x} type\n{data[5:].hex()} all the rest"

@@ -21,7 +21,8 @@ _FOREIGN = late_pattern(
     r"|(?<![\w.:|-])[0-3]\d[./][01]\d[./](?:19|20)\d\d(?![\w:|-])"
     rf"|(?<![\w.:|-]){_CLOCK}(?:Z|\s?[+-]\d\d:?\d\d)?(?=[\])>:;,-]?(?:\s|$))"
     # A number with a unit or decimal places; an address on the internet.
-    r"|(?<![\w.-])[-+]?\d+(?:\.\d+)+(?:e[-+]?\d+)?(?![\w.])",
+    # Groups of four digits are bytes, where there are more than in a hardware address.
+    r"|(?<![\w.-])(?!\d{4}(?:\.\d{4}){2}\.\d\d)[-+]?\d+(?:\.\d+)+(?:e[-+]?\d+)?(?![\w.])",
     re.ASCII,
 )
 _CAST = late_pattern(
@@ -41,6 +42,11 @@ _ENTITY = late_pattern(r"&(?:quot|apos|nbsp|lt|gt|#3[49]|#x2[27]|#160);")
 _COLUMNS = late_pattern(r"^\s*Columns? \d{1,5} (?:through|and) \d{1,5}:?\s*$")
 _MIDDLE = late_pattern(r"(?<=\s[0-9a-fA-F]{2}\s[0-9a-fA-F]{2})-(?=[0-9a-fA-F]{2}(?:\s|$))")
 """The mark in the middle of a row, as in `80 00 00 94-01 81 02 82`."""
+_RECORD = late_pattern(r":(?P<record>(?:[0-9a-fA-F]{2}){5,260})\s*")
+_BEFORE_DATA = 4
+"""Bytes in front of the data of a record: its size, two of its address, its type."""
+_AROUND_DATA = _BEFORE_DATA + 1
+_RECORD_TYPE = 3
 _FRAMES_OF_TABLES = str.maketrans("\u2502\u2503\u250a\u00a0\u202f", "||   ")
 _DIRECTIVE = late_pattern(
     r"^(?P<before>[\s\w.$@:]{0,40}?)(?P<word>(?:\.byte|\.db|\bdb|\bDB|\bdc\.b|\bDC\.B|\bdefb|\bDEFB|\bfcb|\bFCB"
@@ -86,9 +92,27 @@ def clean(line: str) -> str:
         line = blank(line, _ENTITY)
     if "-" in line:
         line = blank(line, _MIDDLE)
+    line = without_record(line)
     if line.lstrip().startswith("Column"):
         line = blank(line, _COLUMNS)
     return blank(line, _CAST) if "(" in line or " as " in line or "'" in line else line
+
+
+def without_record(line: str) -> str:
+    """A record of Intel HEX without what is around its data: size, address, type and check sum.
+
+    Nothing is left of a record that has no data. A line that is no such record, by its size or its check sum, stays.
+    """
+    found = _RECORD.fullmatch(line) if line.startswith(":") else None
+    if found is None:
+        return line
+    record = bytes.fromhex(found["record"])
+    if len(record) != record[0] + _AROUND_DATA or sum(record) & 0xFF:
+        return line
+    if record[_RECORD_TYPE]:
+        return " " * len(line)
+    start, end = found.start("record") + 2 * _BEFORE_DATA, found.end("record") - 2
+    return " " * start + line[start:end] + " " * (len(line) - end)
 
 
 def without_marks(line: str) -> str:

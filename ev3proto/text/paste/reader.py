@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ev3proto.text.late_pattern import late_pattern
+from ev3proto.text.paste.blanking import without_record
 from ev3proto.text.paste.familiar import Familiar
 from ev3proto.text.paste.fitting import bare_reason, reason
 from ev3proto.text.paste.forms import Forms
@@ -14,6 +15,8 @@ from ev3proto.text.paste.scanner import Row, Scanner
 
 _ADDRESS = late_pattern(r"(?:[0-9a-fA-F]{2}([:-]))(?:[0-9a-fA-F]{2}\1){4}[0-9a-fA-F]{2}")
 _UUID = late_pattern(r"[{(\"']*[0-9a-fA-F]{8}-(?:[0-9a-fA-F]{4}-){3}[0-9a-fA-F]{12}[})\"'.,;]*")
+_STRACE_DUMP = late_pattern(r" \| 00000  ")
+"""The first row of what `strace -e write` prints below a call which has the same bytes as a string."""
 _DENSE = late_pattern(r"[\"'<(]*(?:[0-9a-fA-F]{2}[:-]?)+[\"'>),;.]*")
 
 
@@ -26,11 +29,26 @@ class Reader:
         self._familiar = Familiar()
         self._labelled = Labelled()
         self._held: list[Pasted] = []
+        # The lines in which the last two dumps of strace began, and the line of the last frames, with their bytes.
+        self._dumps = (0, 0)
+        self._shown: tuple[int, list[bytes]] = (0, [])
 
     def read(self, lines: Iterable[str]) -> Iterator[Pasted]:
         """All pieces in the lines, in their order."""
+        for piece in self._read(lines):
+            line, shown = self._shown
+            if piece.line in self._dumps and piece.line == line + 1 and piece.data in shown:
+                continue
+            if piece.data:
+                self._shown = piece.line, [*(shown if piece.line == line else []), piece.data]
+            yield piece
+
+    def _read(self, lines: Iterable[str]) -> Iterator[Pasted]:
+        """All pieces, those of dumps that repeat a string among them."""
         number = 0
         for number, line in enumerate(lines, 1):
+            if line.startswith(" |") and _STRACE_DUMP.match(line):
+                self._dumps = self._dumps[1], number
             if len(line) > MAX_LINE:
                 yield from self._all(self._scanner.close())
                 yield from self._kept(self._forms.close())
@@ -61,7 +79,7 @@ class Reader:
                 continue
             if one.looks is not None:
                 self._held.append(one.looks)
-            yield from self._kept(self._forms.feed(one.line, one.number))
+            yield from self._kept(self._forms.feed(without_record(one.line), one.number))
 
     def _kept(self, pieces: Iterator[Pasted]) -> Iterator[Pasted]:
         """The pieces that are worth reporting, and what looks like a frame where there is none of them."""

@@ -28,7 +28,7 @@ class Style(StrEnum):
     LONG     many hex digits with one mark in front: 0x0f000000
     STRING   a string literal, or the escapes of one
     NAME     a name of the tables
-    UNKNOWN  `xx`, which stands for any byte
+    UNKNOWN  `xx` or `MM`, which stands for any byte
     BASE64   a word that may be base64
     """
 
@@ -126,9 +126,11 @@ _TOKEN = late_pattern(
         (?:_?(?:u8|i8|u32|i32|usize|uy|y|UL|ul|u|U|L|l))?&?(?!\w))
     | (?P<suffixed>(?<![\w.])(?P<digits>0?[{_HEX}]{{2}}|\d)[hH](?!\w))
     | (?P<percent>%(?P<code>[{_HEX}]{{2}}))
-    | (?P<unknown>(?<![\w.])(?P<placeholder>[xX]{{4}}|[xX]{{2}})(?!\w))
-    | (?P<templated>(?<![\w.])[{_HEX}]{{4}}[xX]{{4}}[{_HEX}]{{2,}}(?!\w))
+    | (?P<unknown>(?<![\w.])(?P<placeholder>[xX]{{4}}|[xX]{{2}}|[mM]{{4}}|MM)(?!\w))
+    | (?P<templated>(?<![\w.])[{_HEX}]{{4}}(?:[xX]{{4}}|[mM]{{4}})[{_HEX}]{{2,}}(?!\w))
     | (?P<joined>(?<![\w.])[{_HEX}]{{2}}(?:[_.][{_HEX}]{{2}}){{4,}}(?![\w]))
+    | (?P<fours>(?<![\w.])[{_HEX}]{{4}}(?:\.[{_HEX}]{{4}}){{2}}(?:(?:\.[{_HEX}]{{4}})+(?:\.[{_HEX}]{{2}})?|\.[{_HEX}]{{2}})(?![\w.]))
+    | (?P<printable>(?:=[0-9A-F]{{2}}){{2,}}+=?(?!\w))
     | (?P<base64>(?<![\w+/=.-])(?=[\w+/-]*[G-Zg-z+/])(?=[\w+/-]*[A-Z])[A-Za-z0-9+/_-]{{8,}}+={{0,2}}+(?![\w+/=.]))
     | (?P<negative>(?<![\w)\]<>=-])[-\u2212](?P<number>\d{{1,3}})(?![\w.]))
     | (?P<typed>(?<![\w.])(?P<decimal>\d{{1,3}})['_]?(?:u8|i8|uy|u|U|UL|L)(?!\w))
@@ -327,6 +329,15 @@ def values(line: str, *, is_text: bool = False) -> Iterator[Value]:
             case "joined":
                 for offset in range(start, position, 3):
                     yield Value(offset, offset + 2, Style.BARE, line[offset : offset + 2])
+            case "fours":
+                for offset in range(start, position, 5):
+                    end = min(offset + 4, position)
+                    yield Value(offset, end, Style.BARE, line[offset:end])
+            case "printable":
+                for offset in range(start, position - 1, 3):
+                    end = offset + 3 if offset + 6 <= position else position
+                    digits = line[offset + 1 : offset + 3]
+                    yield Value(offset, end, Style.MARKED, digits, bytes.fromhex(digits))
             case "negative":
                 number = int(token["number"])
                 if number <= 128:

@@ -21,6 +21,8 @@ from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Role, Type
 from ev3proto.tables.encoding import RANGES
 from ev3proto.testing import direct_commands, frames, mutated_frames, system_commands
+from ev3proto.text.diagnostics import diagnostics, diagnostics_texts
+from ev3proto.text.spans import plain_text
 
 many = settings(max_examples=effort(80, 1000))
 
@@ -105,6 +107,14 @@ def test_a_check_never_raises_and_points_into_the_frame(frame: bytes, dialect: s
         assert finding.help
     assert [it.offset for it in report.findings] == sorted(it.offset for it in report.findings)
     assert len(set(report.findings)) == len(report.findings)
+
+
+@many
+@given(ANYTHING, st.sampled_from(DIALECTS))
+def test_it_says_the_same_with_and_without_colour(frame: bytes, dialect: str) -> None:
+    report = check(frame, dialect=dialect)
+    lines = diagnostics(report, place="frame 3", dialect=dialect)
+    assert diagnostics_texts(report, place="frame 3", dialect=dialect) == [plain_text(line) for line in lines]
 
 
 @many

@@ -18,7 +18,7 @@ from ev3proto.checking.rules.values import check_values
 from ev3proto.checking.verdict import verdict
 from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
-from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
@@ -77,7 +77,7 @@ def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
         if stated != size:
             end = min(max(stated, HEADER_SIZE), size)
             content = with_length(frame[LENGTH_FIELD:end])
-    message = frame_schema(dialect).read_frame(content, strict=False)
+    message = read_last(content, dialect)
     operations = checked_operations(message.operations) if isinstance(message, DirectCommand) else ()
     effects = frozenset([effect for operation in operations for effect in operation.facts.effects])
     return CheckContext(frame, end, message, verdict(frame, dialect), operations, effects, dialect, carrier)

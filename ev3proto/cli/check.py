@@ -240,12 +240,17 @@ class Checking(SourceReader):
         self.at_fault |= not report.accepted or bool(report.errors or (self._options.strict and report.warnings))
 
     def _show(self, report: Report, place: Place) -> None:
-        from ev3proto.text.diagnostics import diagnostics
+        from ev3proto.text.diagnostics import diagnostics, diagnostics_texts
 
         if self._is_shown_otherwise(report, place, report.as_dict):
             return
         shown = self._options.shown(report)
-        self._paragraph(diagnostics(report, shown, place=place.label, dialect=self.reading.dialect), len(shown) > 0)
+        label, dialect = place.label, self.reading.dialect
+        self._stand_apart(len(shown) > 0)
+        if self._printer.is_plain:
+            self._printer.texts(diagnostics_texts(report, shown, place=label, dialect=dialect))
+        else:
+            self._printer.lines(diagnostics(report, shown, place=label, dialect=dialect))
 
     def _show_fix(self, fix: Fix, place: Place) -> None:
         from ev3proto.text.diagnostics import fixed
@@ -272,11 +277,15 @@ class Checking(SourceReader):
         self._printer.text(json.dumps(place.facts | entry, ensure_ascii=False))
 
     def _paragraph(self, lines: Iterable[Line], is_long: bool) -> None:
-        """Lines that belong together; several of them stand apart from what is around them."""
+        """Lines that belong together."""
+        self._stand_apart(is_long)
+        self._printer.lines(lines)
+
+    def _stand_apart(self, is_long: bool) -> None:
+        """Sets what is printed next apart from what is around it, where either has several lines."""
         if self._was_long or (is_long and self._was_long is not None):
             self._printer.text("")
         self._was_long = is_long
-        self._printer.lines(lines)
 
 
 def _annotations(style: str, printer: Printer) -> Annotations | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import TypeVar, overload
 
 from construct import Bytes, GreedyBytes, Int8ul, Struct
@@ -454,6 +454,24 @@ def frame_schema(dialect: str = "official") -> FrameSchema:
     if dialect not in _SCHEMAS:
         _SCHEMAS[dialect] = FrameSchema(dialect)
     return _SCHEMAS[dialect]
+
+
+# What checks a frame and what shows it afterwards read the same one; one more is for the frame that becomes of a fix.
+@lru_cache(2)
+def read_last(frame: bytes, dialect: str) -> Message:
+    """Reads a frame, or gives the message again where it is one of the last that were read here.
+
+    Args:
+        frame: From its length field to its last byte. Nothing in it raises.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
+
+    Returns:
+        The message.
+
+    Raises:
+        ValueError: There is no such dialect.
+    """
+    return frame_schema(dialect).read_frame(frame, strict=False)
 
 
 M = TypeVar("M", bound=Message)

@@ -9,7 +9,7 @@ from bisect import bisect_right
 
 from ev3proto.checking.report import Finding
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Operation
-from ev3proto.schema.frame import parse
+from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD
 from ev3proto.text.assembly import operation_line
@@ -35,7 +35,7 @@ class Excerpt:
     def __init__(self, frame: bytes, dialect: str) -> None:
         self._size = len(frame)
         self._hex = f" {spaced_hex(frame)}"
-        self._message = message = parse(frame, strict=False, dialect=dialect)
+        self._message = message = read_last(frame, dialect)
         self._operations = message.operations if isinstance(message, DirectCommand | DaisyCommand) else ()
         self._starts = [operation.offset for operation in self._operations]
         self._lines: dict[int, str] = {}
@@ -44,6 +44,7 @@ class Excerpt:
         self._width = width
         self.margin = " " * width
         self._bar: Span = (f"{self.margin} |", Role.ASIDE)
+        self._row_texts: dict[int, str] = {}
         self._equals: Span = (f"{self.margin} = ", Role.ASIDE)
 
     def show(self, finding: Finding, role: Role, lines: list[Line]) -> None:
@@ -55,7 +56,17 @@ class Excerpt:
         if text:
             lines.append([self._equals, (_cut(text, _MOST_OPERATION), Role.ASIDE)])
 
-    def _rows(self, finding: Finding, role: Role, lines: list[Line]) -> None:
+    def show_texts(self, finding: Finding, texts: list[str]) -> None:
+        """Adds the same lines as texts."""
+        if self._size:
+            texts.append(self._bar[0])
+            self._add_row_texts(finding, texts)
+        text = self._decoded(finding)
+        if text:
+            texts.append(f"{self.margin} = {_cut(text, _MOST_OPERATION)}".rstrip())
+
+    def _span(self, finding: Finding) -> tuple[int, int, int, int]:
+        """Where the bytes that are shown start and end, and their first and last row."""
         size, start = self._size, finding.offset
         if start > size:
             start = size
@@ -64,15 +75,12 @@ class Excerpt:
         if end > size:
             end = size if size > start else start + 1
         last_row = (end - 1) // ROW if end - 1 < size or start % ROW else (start - 1) // ROW
-        first_row = min(start // ROW, last_row)
+        return start, end, min(start // ROW, last_row), last_row
+
+    def _rows(self, finding: Finding, role: Role, lines: list[Line]) -> None:
+        start, end, first_row, last_row = self._span(finding)
         label = self._label(finding)
-        if first_row == last_row:
-            self._row(first_row * ROW, start, end, role, label, lines)
-            return
-        numbers: list[int | None] = list(range(first_row, last_row + 1))
-        if len(numbers) > MOST_ROWS:
-            numbers[MOST_ROWS - 1 : -1] = [None]
-        for number in numbers:
+        for number in _shown_rows(first_row, last_row):
             if number is None:
                 lines.append([("...".rjust(self._width) + " |", Role.ASIDE), (" ...", Role.ASIDE)])
             else:
@@ -98,6 +106,29 @@ class Excerpt:
         if label:
             under.append((f" {label}", Role.PLAIN))
         lines.append(under)
+
+    def _add_row_texts(self, finding: Finding, texts: list[str]) -> None:
+        start, end, first_row, last_row = self._span(finding)
+        label = self._label(finding)
+        if first_row == last_row:
+            self._add_row_text(first_row * ROW, start, end, label, texts)
+            return
+        for number in _shown_rows(first_row, last_row):
+            if number is None:
+                texts.append("...".rjust(self._width) + " | ...")
+            else:
+                self._add_row_text(number * ROW, start, end, label if number == last_row else "", texts)
+
+    def _add_row_text(self, row: int, start: int, end: int, label: str, texts: list[str]) -> None:
+        stop = row + ROW
+        text = self._row_texts.get(row)
+        if text is None:
+            text = f"{f'+{row}'.rjust(self._width)} |{self._hex[_BYTE * row : _BYTE * stop]}"
+            self._row_texts[row] = text
+        texts.append(text)
+        first = start if start > row else row
+        marked = _BYTE * max((end if end < stop else stop) - first, 1) - 1
+        texts.append(f"{self._bar[0]}{' ' * (_BYTE * (first - row) + 1)}{'^' * marked} {label}".rstrip())
 
     def _label(self, finding: Finding) -> str:
         """What the bytes of a span say: `VOLUME = 200 %`."""
@@ -165,6 +196,14 @@ class Excerpt:
         # Of an operation that is cut short, what could not be read belongs to it, too.
         is_there = offset < operation.offset + operation.length or not operation.is_complete
         return operation if is_there else None
+
+
+def _shown_rows(first: int, last: int) -> list[int | None]:
+    """The numbers of the rows of a span that are shown; None stands for those that are not."""
+    numbers: list[int | None] = list(range(first, last + 1))
+    if len(numbers) > MOST_ROWS:
+        numbers[MOST_ROWS - 1 : -1] = [None]
+    return numbers
 
 
 def _cut(text: str, most: int) -> str:

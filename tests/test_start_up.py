@@ -25,7 +25,9 @@ PARTS_NOT_NEEDED = (
     "scapy",
     "testing",
     "text.diagnostics",
-    "text.json_format.reading",
+    "text.assembly",
+    "text.dialogues",
+    "text.json_format",
     "text.paste.fitting",
     "text.paste.forms",
     "text.paste.reader",
@@ -33,7 +35,7 @@ PARTS_NOT_NEEDED = (
     "text.table",
     "whole_files",
 )
-OTHERS_NOT_NEEDED = ("asyncio", "hypothesis", "pyshark", "rich", "scapy", "secrets", "tempfile")
+OTHERS_NOT_NEEDED = ("asyncio", "hypothesis", "json", "pyshark", "rich", "scapy", "secrets", "tempfile")
 
 PROGRAM = """
 import sys

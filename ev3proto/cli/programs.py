@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +11,7 @@ import click
 from ev3proto.cli.output import Printer, binary_output, complain, is_terminal
 from ev3proto.errors import counted
 from ev3proto.tables.program import SIGN
-from ev3proto.text.assembly.writing import NOTATIONS
+from ev3proto.text.notations import NOTATIONS
 from ev3proto.text.spans import Line, Role
 
 if TYPE_CHECKING:
@@ -60,6 +59,8 @@ def show_program(
     origin  where it comes from, None where people named it themselves
     """
     if style == "json":
+        import json
+
         from ev3proto.program.json_format import program_record
 
         entry = program_record(program, len(image))

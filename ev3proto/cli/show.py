@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING, Any
 
 from ev3proto.cli.output import Printer
 from ev3proto.dialogue import Exchange
-from ev3proto.text.assembly.writing import NOTATIONS, assembly
-from ev3proto.text.dialogues import dialogue_line
 from ev3proto.text.heading import Seen, heading, origin
-from ev3proto.text.json_format.writing import record as json_record
-from ev3proto.text.json_format.writing import record_text as json_record_text
+from ev3proto.text.notations import NOTATIONS
 from ev3proto.text.spans import Line, Role, plain_text
 from ev3proto.text.tree import tree, tree_texts
 
@@ -40,8 +36,12 @@ class Show:
         """A message, and how many bytes of padding followed it."""
         self._count()
         if self._style == "json":
-            self._printer.text(json_record_text(exchange, seen))
+            from ev3proto.text.json_format.writing import record_text
+
+            self._printer.text(record_text(exchange, seen))
         elif self._style in NOTATIONS:
+            from ev3proto.text.assembly.writing import assembly
+
             self._printer.texts(list(assembly(exchange, plain_text(heading(exchange, seen)), self._style)))
         else:
             if self._style == "table":
@@ -67,9 +67,11 @@ class Show:
     def record(self, record: Record, start_ns: int) -> None:
         """A frame of a capture that began then."""
         if self._style == "json":
+            from ev3proto.text.json_format.writing import record_text
+
             self._count()
             seen = Seen(direction=record.direction, frame=record.frame)
-            self._printer.text(json_record_text(record.exchange, seen, _of_capture(record)))
+            self._printer.text(record_text(record.exchange, seen, _of_capture(record)))
             return
         answers = None if record.request is None else record.request.number
         self.exchange(record.exchange, _seen(record, start_ns, answers))
@@ -89,7 +91,7 @@ class Show:
                 "text": facts,
                 "hex": announcement.data.hex(),
             }
-            self._printer.text(json.dumps(entry, ensure_ascii=False))
+            self._printer.text(_json_text(entry))
             return
         line = origin(_seen(announcement, start_ns))
         line.append((str(announcement.said), Role.HEADING))
@@ -99,6 +101,7 @@ class Show:
     def dialogue(self, pair: RequestReply, start_ns: int) -> None:
         """A command with its reply, on one line."""
         from ev3proto.capture.record import NANOSECONDS
+        from ev3proto.text.dialogues import dialogue_line
 
         self.count += 1
         if self._style == "json":
@@ -106,7 +109,7 @@ class Show:
                 name: _json(record) for name, record in pair._asdict().items() if record is not None
             }
             entry["latency"] = None if pair.reply is None else pair.reply.latency
-            self._printer.text(json.dumps(entry, ensure_ascii=False))
+            self._printer.text(_json_text(entry))
             return
         first = pair.command or pair.last
         reply = pair.reply
@@ -167,7 +170,15 @@ def _place(event: Record | Announcement) -> dict[str, Any]:
     }
 
 
+def _json_text(entry: dict[str, Any]) -> str:
+    import json
+
+    return json.dumps(entry, ensure_ascii=False)
+
+
 def _json(record: Record) -> dict[str, Any]:
+    from ev3proto.text.json_format.writing import record as json_record
+
     return json_record(record.exchange, Seen(direction=record.direction, frame=record.frame)) | _of_capture(record)
 
 

@@ -8,9 +8,8 @@ import sys
 import zlib
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
@@ -28,8 +27,7 @@ if TYPE_CHECKING:
 _GROUP = late_pattern(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
-class Source:
+class Source(NamedTuple):
     """One thing that was named on the command line: a file, standard input, or a frame itself."""
 
     name: str

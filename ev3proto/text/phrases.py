@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import math
 import struct
-from collections.abc import Callable
 from functools import cache
+from typing import TYPE_CHECKING
 
 from ev3proto.dialogue import Value, ValueType
 from ev3proto.messages import Argument
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT, Encoding
+
+if TYPE_CHECKING:
+    from json import JSONEncoder
 
 _LETTERS = {LOCAL: "L", GLOBAL: "G"}
 _SINGLE = struct.Struct("<f")
@@ -33,8 +35,16 @@ def short_float(value: float) -> str:
     return repr(int(number)) + ".0" if number.is_integer() and abs(number) < 1e7 else repr(number)
 
 
-quoted: Callable[[str], str] = json.JSONEncoder(ensure_ascii=False).encode
-"""A text in double quotes, control characters escaped, letters of every language as they are."""
+@cache
+def _encoder() -> JSONEncoder:
+    import json  # it takes long to load, and most frames have no texts
+
+    return json.JSONEncoder(ensure_ascii=False)
+
+
+def quoted(text: str) -> str:
+    """A text in double quotes, control characters escaped, letters of every language as they are."""
+    return _encoder().encode(text)
 
 
 def spaced_hex(data: bytes) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -11,8 +11,7 @@ from ev3proto.schema.header import frame_size, is_frame_size
 from ev3proto.tables.frame import LENGTH_FIELD, REPORT_SIZES
 
 
-@dataclass(frozen=True, slots=True)
-class Piece:
+class Piece(NamedTuple):
     """A message out of pasted bytes; `padding` bytes without meaning followed it."""
 
     message: Message

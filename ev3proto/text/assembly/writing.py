@@ -21,6 +21,7 @@ from ev3proto.tables.system import SYSTEM_BY_NUMBER
 from ev3proto.text.assembly.lego_notation import lego_lines
 from ev3proto.text.assembly.macro_notation import operation_line
 from ev3proto.text.assembly.words import BYTES, CUT, FRAME, MESSAGE, STATUS, command_name
+from ev3proto.text.notations import LEGO, MACROS
 from ev3proto.text.phrases import quoted, spaced_hex
 
 _BYTES_A_LINE = 32
@@ -29,11 +30,10 @@ _BYTES_A_LINE = 32
 Notation = Callable[[Sequence[Operation]], Iterator[str]]
 """The operations of a message as lines."""
 
-NOTATIONS: dict[str, Notation] = {"asm": lambda operations: map(operation_line, operations), "lego": lego_lines}
-"""How operations can be written: with the macro of every encoding, or as LEGO's sources have them."""
+_WRITERS: dict[str, Notation] = {MACROS: lambda operations: map(operation_line, operations), LEGO: lego_lines}
 
 
-def assembly(exchange: Exchange, heading: str, notation: str = "asm") -> Iterator[str]:
+def assembly(exchange: Exchange, heading: str, notation: str = MACROS) -> Iterator[str]:
     """Writes a message so that `ev3proto.text.assembly.assemble` makes the same frame of it, faulty or not.
 
     Args:
@@ -51,7 +51,7 @@ def assembly(exchange: Exchange, heading: str, notation: str = "asm") -> Iterato
         yield from _bytes(message.build())
     else:
         yield _header(message)
-        yield from _body(message, NOTATIONS[notation])
+        yield from _body(message, _WRITERS[notation])
         yield from _bytes(message.rest)
     if message.fault is not None:
         yield f"// fault at {message.fault}"

@@ -162,3 +162,12 @@ def test_commands_of_a_text_wait_within_the_memory_that_is_given(tmp_path: Path)
     path.write_text("".join(wide.format(number & 255, number >> 8) + "\n" for number in range(1200)))
     done = run("stats", "--memory", "1", str(path))
     assert b"commands without a reply were given up: what waits may take 1 MiB" in done.stderr
+
+
+@pytest.mark.parametrize("command", ["stats", "values", "decode", "check"])
+def test_what_is_neither_text_nor_capture_is_named_by_its_first_bytes(command: str, tmp_path: Path) -> None:
+    path = tmp_path / "junk.bin"
+    path.write_bytes(b"abc\x01\x02 that is none of them")
+    done = run(command, str(path))
+    assert done.returncode == 1
+    assert b"it starts with 61 62 63 01 02 20 74 68;" in done.stderr

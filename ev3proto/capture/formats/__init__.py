@@ -47,15 +47,19 @@ class _Source(io.RawIOBase):
     def __init__(self, read: Callable[[int], bytes]) -> None:
         self._read = read
         self._head = b""
+        self._first: bytes | None = None
 
     def start(self) -> bytes:
-        """As many of the first bytes as show what it is. Only before anything was read."""
+        """As many of the first bytes as show what it is. First asked before anything was read."""
+        if self._first is not None:
+            return self._first
         while len(self._head) < _MOST_MAGIC and any(magic.startswith(self._head) for magic in _STARTS):
             more = self._read(_MOST_MAGIC - len(self._head))
             if not more:
                 break
             self._head += more
-        return self._head
+        self._first = self._head
+        return self._first
 
     def readable(self) -> bool:
         return True

@@ -46,20 +46,27 @@ def test_every_notation_among_prose(name: str) -> None:
 
 PREFIXES = {
     "robot send: {}": "sent",
-    "EV3 <- {}": "received",
+    "EV3 <- {}": "by type",
     "D/EV3 ( 1234): send {}": "sent",
     "Value: {}": None,
     "[EV3] {}": None,
     "msg={}": None,
-    "brick >> {}": "sent",
+    "brick >> {}": "by type",
     "DEBUG:ev3: {}": None,
     "frame 12: {}": None,
     "Sent to EV3: {}": "sent",
-    "<- {}": "received",
+    "<- {}": "by type",
+    "=> {}": "by type",
+    "<= {}": "by type",
+    ">>> {}": "by type",
+    "<<< {}": "by type",
+    "> {}": "by type",
+    "< {}": "by type",
+    "12:30:45 PC => {}": "by type",
     "{}.": None,
     "{},": None,
     "It was {}, I think.": None,
-    "12:30:45.123 -> {}": "sent",
+    "12:30:45.123 -> {}": "by type",
     "2024-01-31T12:30:45 ev3[1234]: recv {}": "received",
     "to 00:16:53:42:2B:99: {}": None,
     "({})": None,
@@ -94,8 +101,10 @@ def test_whatever_stands_around_a_frame(prefix: str, name: str) -> None:
         text = prefix.format(LINE[name](frame))
         found = pieces(f"once\n{text}\nagain\n")
         assert [(piece.data, piece.problem, piece.line) for piece in found] == [(frame, None, 2)], text
-        if PREFIXES[prefix] is not None:
-            assert found[0].direction == PREFIXES[prefix], text
+        said = PREFIXES[prefix]
+        if said == "by type":
+            said = "received" if frame is REPLY else "sent"
+        assert found[0].direction == said, text
 
 
 @pytest.mark.parametrize("name", LINE)

@@ -14,6 +14,7 @@ from ev3proto.tables.frame import MessageType
 from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.blanking import clean
 from ev3proto.text.paste.constants import constant_bytes
+from ev3proto.text.paste.direction import is_command
 from ev3proto.text.paste.head import Direction, time_before
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, Pasted, short
 
@@ -74,7 +75,10 @@ class Familiar:
         start = found.start()
         before = line[:start]
         separator = found["mark"] or found["comma"]
-        shape = f"{_shape(before)}{_END}{found.lastgroup}{separator}{_END}{line[found.end() :].rstrip()}"
+        # After an arrow, the direction depends on the type.
+        shape = (
+            f"{is_command(data)}{_shape(before)}{_END}{found.lastgroup}{separator}{_END}{line[found.end() :].rstrip()}"
+        )
         if shape in self._directions:
             return _pasted(found, data, number, self._directions[shape], time_before(line, start))
         if shape not in self._strange and _ends_in_word(before):

@@ -47,6 +47,7 @@ class Head(NamedTuple):
     end       the column (from 0) where the time and the words about the direction end
     said      the column where the last of these words ends; only brackets, quotes and the like follow up to `end`
     is_clean  True when nothing else stands in front of the bytes
+    is_arrow  the direction is that of an arrow; people draw arrows either way
     """
 
     direction: Direction | None
@@ -54,6 +55,7 @@ class Head(NamedTuple):
     end: int
     said: int
     is_clean: bool
+    is_arrow: bool = False
 
     @property
     def is_log(self) -> bool:
@@ -74,6 +76,7 @@ def clean_head(line: str, start: int = 0) -> Head:
     """The time and the direction at the start, as far as there is nothing else."""
     direction: Direction | None = None
     time: str | None = None
+    is_arrow = False
     position = said = start
     while match := _PART.match(line, position):
         position = match.end()
@@ -81,8 +84,9 @@ def clean_head(line: str, start: int = 0) -> Head:
             continue
         said = position
         time = time or match["time"]
-        direction = direction or _direction(match)
-    return Head(direction, time, position, said, is_clean=True)
+        if direction is None:
+            direction, is_arrow = _direction(match), _is_arrow(match)
+    return Head(direction, time, position, said, is_clean=True, is_arrow=is_arrow)
 
 
 def head_before(line: str, start: int, end: int) -> Head:
@@ -92,7 +96,8 @@ def head_before(line: str, start: int, end: int) -> Head:
         return clean
     time = _TIME_SEARCH.search(line, start, end)
     word = _DIRECTION_SEARCH.search(line, start, end)
-    return Head(word and _direction(word), time and time[0], clean.end, clean.said, is_clean=False)
+    direction, is_arrow = (None, False) if word is None else (_direction(word), _is_arrow(word))
+    return Head(direction, time and time[0], clean.end, clean.said, is_clean=False, is_arrow=is_arrow)
 
 
 def way(line: str) -> Direction | None:
@@ -134,3 +139,8 @@ def _direction(match: re.Match[str]) -> Direction | None:
     if match["sent"]:
         return "sent"
     return "received" if match["received"] else None
+
+
+def _is_arrow(match: re.Match[str]) -> bool:
+    """Whether what tells the direction has no letters."""
+    return not match[0][:1].isalpha()

@@ -20,8 +20,9 @@ from ev3proto.text.paste.blanking import (
     without_remarks,
 )
 from ev3proto.text.paste.columns import repeated_rows, without_columns
+from ev3proto.text.paste.direction import direction_of
 from ev3proto.text.paste.fitting import HASHES, bare_reason, is_flawless, is_something, reason
-from ev3proto.text.paste.head import NO_HEAD, Direction, Head, announced, head_before, way
+from ev3proto.text.paste.head import NO_HEAD, Direction, Head, announced, head_before
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_TEXT, Pasted, short
 from ev3proto.text.paste.readings import (
     Stretch,
@@ -199,7 +200,8 @@ class Scanner:
             if is_frame and None not in parts and is_flawless(data):
                 first, last = found[index].start, found[-1].end
                 head = head_before(line, 0, first)
-                direction, time = head.direction or self._said.direction, head.time or self._said.time
+                direction = direction_of(data, line, first, head, self._said)
+                time = head.time or self._said.time
                 return [Pasted(data, number, short(line[first:last], MAX_TEXT), direction, time, column=first + 1)]
         return []
 
@@ -437,14 +439,14 @@ class Scanner:
                 value, last = run.values[stretch.places[start]], run.values[stretch.places[end - 1]]
                 row = _row_of(rows, run, stretch.places[start])
                 head = heads.get(row.number)
+                until = row.run.start if len(rows) > 1 and row.run is not None else value.start
                 if head is None:
-                    until = row.run.start if len(rows) > 1 and row.run is not None else value.start
                     head = heads[row.number] = head_before(row.line, position, until)
                 yield Pasted(
                     stretch.data[start:] if is_padded else stretch.data[start:end],
                     row.number,
                     short(row.line[value.start : last.end] if len(rows) == 1 else shown, MAX_TEXT),
-                    head.direction or way(row.line) or row.said.direction,
+                    direction_of(stretch.data[start:end], row.line, until, head, row.said),
                     head.time or row.said.time,
                     column=value.start + 1,
                 )

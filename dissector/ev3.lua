@@ -6743,7 +6743,11 @@ do
         local talk, stream, text, may_be_whole
         if is_first then
             talk, stream = channel_of(pinfo)
-            if not talk.is_claimed then talk.is_claimed = claim(talk, stream, piece, number) end
+            if not talk.is_claimed then
+                talk.is_claimed = claim(talk, stream, piece, number)
+                -- It is claimed by a command, so this packet goes to the brick.
+                talk.name = talk.is_claimed and tostring(pinfo.dl_dst) or nil
+            end
             if not talk.is_claimed then return 0 end
             is_ours[number] = true
             text, may_be_whole = join(stream, piece, number)

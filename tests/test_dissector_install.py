@@ -299,7 +299,7 @@ def test_the_colours_of_the_profile(home: Home) -> None:
     home.install("--profile")
     form = ["-C", "EV3", "--color", "-2", "-T", "fields", "-e", "frame.number", "-e", "frame.coloring_rule.name"]
     rules: dict[tuple[str, int], str] = {}
-    for capture in ("wifi.pcapng", "wifi-reordered.pcap", "usb-bootloader.pcapng", "daisy.pcap"):
+    for capture in ("wifi.pcapng", "wifi-reordered.pcap", "usb-bootloader.pcapng", "daisy.pcap", "bluetooth.pcapng"):
         for line in home.read(capture, *form).splitlines():
             number, _, rule = line.partition("\t")
             rules[capture, int(number)] = rule
@@ -307,6 +307,7 @@ def test_the_colours_of_the_profile(home: Home) -> None:
     assert rules["wifi.pcapng", 1] == "EV3: beacon and unlocking"
     assert rules["wifi.pcapng", 11] == "EV3: direct command"
     assert rules["wifi.pcapng", 14] == "EV3: reply"
+    assert rules["bluetooth.pcapng", 20] == "EV3: part of a frame"
     assert rules["wifi.pcapng", 29] == "EV3: refused or failed"
     assert rules["wifi.pcapng", 36] == "EV3: file transfer"
     assert rules["wifi.pcapng", 51] == "EV3: refused or failed"

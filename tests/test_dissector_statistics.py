@@ -38,6 +38,11 @@ def test_statistics_fit_in_a_window(tshark: Tshark) -> None:
     assert max(map(len, said)) <= 70
 
 
+def test_a_brick_is_named_by_its_address_alone(tshark: Tshark) -> None:
+    said = tshark.run(CAPTURES / "bluetooth.log", "-q", "-o", "ev3.statistics:TRUE")
+    assert re.search(r"^06:16:53:00:00:0a +24 +2257 +10 ", said, re.MULTILINE)
+
+
 def test_without_the_preference_nothing_is_printed(tshark: Tshark) -> None:
     assert tshark.run(CAPTURES / "wifi.pcapng", "-q") == ""
 

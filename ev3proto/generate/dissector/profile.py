@@ -74,6 +74,7 @@ RULES = (
     Rule("EV3: reply", f"ev3.cmd_type == {MessageType.DIRECT_REPLY:d}", "dcf0d9"),
     Rule("EV3: direct command", f"ev3.cmd_type in {{{_DIRECT_COMMANDS}}}", "d8eef6"),
     Rule("EV3: beacon and unlocking", "ev3.beacon.serial || ev3.beacon.answer || ev3.unlock || ev3.accept", "f3eef8"),
+    Rule("EV3: part of a frame", "ev3.fragment", "ffffff"),
     Rule("Not EV3", "frame", "ffffff", "6b7072"),
 )
 """The first rule that matches gives the colours."""

@@ -95,7 +95,7 @@ def diagnostics_texts(
 ) -> list[str]:
     """The same lines as texts.
 
-    They are written as texts from the start, which takes half the time of joining spans.
+    They are written as texts from the start, which takes a third less time than joining spans.
     """
     shown = report.findings if findings is None else tuple(findings)
     texts = [plain_text(_summary(report, len(shown), place))]

@@ -6126,7 +6126,10 @@ do
         while at < stop do
             local operation, behind, _, reason, kind = read_operation(text, at, stop)
             -- Of a list that goes on in the next packet the dissector says that it is too long.
-            if reason then return is_part and (kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil) end
+            if reason then
+                local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
+                return is_part and (kind == "cut_off" or is_list)
+            end
             at = behind
         end
         return true

@@ -346,10 +346,12 @@ class _Reading:
 
 
 def _said(item: Tree) -> tuple[str, str | None]:
-    """The name in front of a line, and what stands after it where that is a whole number."""
+    """The firmware's name in front of a line, and what stands after it where that is a whole number."""
     name, _, said = item.line.partition(": ")
     for mark in (" [truncated]", " […]"):
         name = name.removesuffix(mark)
+    for label in ("Daisy chain ", "Port ", "Ports "):
+        name = name.removeprefix(label)
     return name, said if kinds()[item.name] is int else None
 
 

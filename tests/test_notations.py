@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from support.notations import EVERY, LINE
+from support import notations_page
+from support.notations import EVERY, LINE, LINES
 
 from ev3proto.text.paste import Pasted, read_text
 
@@ -256,3 +257,12 @@ def test_records_of_intel_hex_have_an_address_of_their_own() -> None:
 def test_decimal_escapes_where_octal_ones_give_no_frame() -> None:
     assert [piece.data for piece in pieces(r"'\015\000\000\000\128\0\0\148\1\129\2\130\232\3\130\232\3'")] == [TONE]
     assert [piece.data for piece in pieces(r"'\017\000\000\000\200\0\0\224\1\201\2\202\350\3\202\350\3'")] == [TONE]
+
+
+def test_the_page_of_notations_is_as_it_is_read() -> None:
+    text = notations_page.PAGE.read_text(encoding="utf-8")
+    assert text == notations_page.page(), "python tests/support/notations_page.py writes it anew"
+    examples = [*notations_page.examples(text)]
+    assert len(examples) == len(LINE) + len(LINES)
+    for example in examples:
+        assert [frame_of(piece) for piece in pieces(example)] == [notations_page.FRAME], example

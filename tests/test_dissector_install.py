@@ -327,6 +327,21 @@ def older(text: str) -> str:
     return profile._signed(body)
 
 
+def test_the_button_for_trouble_shows_what_is_wrong_with_ev3_alone(home: Home) -> None:
+    """Wireshark complains of every packet of a Bluetooth connection whose beginning the capture lacks."""
+    home.install("--profile")
+    trouble = {label: text for label, text, _ in profile.BUTTONS}["Trouble"]
+
+    def found(capture: str, text: str) -> list[int]:
+        return [
+            int(number) for number in home.read(capture, "-2", "-Y", text, "-T", "fields", "-e", "frame.number").split()
+        ]
+
+    assert len(found("bluetooth.pcapng", "ev3 && _ws.expert")) == 13
+    assert found("bluetooth.pcapng", trouble) == [28, 29]
+    assert found("wifi.pcapng", trouble) == found("wifi.pcapng", "ev3 && _ws.expert") != []
+
+
 @pytest.mark.parametrize(
     ("change", "words", "said", "stays"),
     [

@@ -6157,7 +6157,9 @@ do
         if stop <= at then return false end
         while at < stop do
             if NEVER_SENT[byte(text, at + 1)] then return false end
-            local _, behind = read_operation(text, at, stop)
+            local _, behind, _, reason = read_operation(text, at, stop)
+            -- Operations of another firmware.
+            if reason then return true end
             at = behind
         end
         return true

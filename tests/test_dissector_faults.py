@@ -421,6 +421,14 @@ def test_a_frame_with_faults_inside_hides_none_of_those_beside_it(tshark: Tshark
     assert tshark.run(tshark.folder / "boundaries.pcap", "-Y", "ev3.expert.no_boundary") == ""
 
 
+def test_a_channel_that_begins_with_another_firmwares_operation(tshark: Tshark) -> None:
+    capture = Capture(HCI_WITH_DIRECTION)
+    # DYNLOAD_VMEXIT, which LEGO's firmware does not have.
+    SerialPort(capture).send(command("F1", counter=7, kind=0x80))
+    path = tshark.place(capture.data(), "foreign.pcap")
+    assert tshark.run(path, "-Y", "ev3", "-T", "fields", "-e", "ev3.msg_num") == "7\n"
+
+
 @pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
 def test_few_are_hidden_where_they_are_cut(tshark: Tshark, carrier: str) -> None:
     # A packet may come after a gap in the capture: where it begins with a faulty frame in the middle of which others

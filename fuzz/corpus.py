@@ -18,7 +18,7 @@ _INTERESTING = (0, 1, 0x7F, 0x80, 0x81, 0xFE, 0xFF)
 
 def inputs(target: str) -> list[bytes]:
     """The seeds of a target and its regressions."""
-    found = [path.read_bytes() for path in sorted((HERE / "seeds" / target).iterdir())]
+    found = [path.read_bytes() for path in sorted((HERE / "seeds" / target).glob("*"))]
     found += [path.read_bytes() for path in sorted((REGRESSIONS / target).glob("[!.]*"))]
     if target in ("codec", "text"):
         # Each line of a file of seeds is one, so that they can be read.

@@ -86,7 +86,9 @@ def test_every_way_to_write_a_frame(way: str) -> None:
     assert pasted.data == TONE
     assert pasted.problem is None
     assert not pasted.cut
-    assert pasted.direction is pasted.time is None
+    assert pasted.time is None
+    # A prompt is read as an arrow; a command is sent whichever way it points.
+    assert pasted.direction == ("sent" if way.startswith(">>> ") else None)
     assert pasted.line == 1 + (way.partition("\n")[0].strip()[-1:] in "{[")
     assert pasted.text
     assert len(pasted.text) <= 200
@@ -108,14 +110,15 @@ LOG = {
     "bytes_read = {3, 0, 42, 0, 2};": ("received", None),
     "TX: 03:00:2a:00:02": ("sent", None),
     "rx 03-00-2a-00-02": ("received", None),
-    ">> 03 00 2a 00 02": ("sent", None),
+    # An arrow may point either way, but only bricks reply.
+    ">> 03 00 2a 00 02": ("received", None),
     "<< 03 00 2a 00 02": ("received", None),
-    "-> 03 00 2a 00 02": ("sent", None),
+    "-> 03 00 2a 00 02": ("received", None),
     "<- 03 00 2a 00 02": ("received", None),
     "Write 0x03, 0x00, 0x2a, 0x00, 0x02": ("sent", None),
     r"read \x03\x00*\x00\x02": ("received", None),
     "09:12:31 03002a0002": (None, "09:12:31"),
-    "> 03002a0002": (None, None),
+    "> 03002a0002": ("received", None),
 }
 
 

@@ -148,10 +148,10 @@ def test_no_frame_takes_long(name: str) -> None:
 
     for work in (lambda: check(frame), lambda: fix(frame), show):
         work()
-        started = time.process_time()
+        started = time.thread_time()
         work()
         # Ten times what it takes where nothing else runs.
-        assert time.process_time() - started < 0.3
+        assert time.thread_time() - started < 0.3
 
 
 def test_a_frame_longer_than_any_is_not_looked_into() -> None:

@@ -337,8 +337,9 @@ def test_what_a_brick_answers(tmp_path: Path, capture: bytes) -> None:
         harmless("send", f"wifi:127.0.0.1:{port}", ASKS.hex(), status=1)
 
 
-def test_what_tshark_says(tmp_path: Path, tshark: Tshark, capture: bytes) -> None:
+def test_what_tshark_says(tmp_path: Path, tshark: Tshark, capture: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
     """A tshark that reads a file in place of an interface, and one that only complains."""
+    monkeypatch.setenv("TMPDIR", str(tshark.folder))  # where this tshark finds the dissector
     copy = tshark.folder / "steering.pcap"
     copy.write_bytes(Path(os.fsdecode(capture)).read_bytes())
     reading, complaining = tmp_path / "reading", tmp_path / "complaining"

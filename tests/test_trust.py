@@ -7,6 +7,7 @@ import json
 import struct
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -223,7 +224,8 @@ def test_memory_has_a_limit(kind: str, tmp_path: Path) -> None:
     assert peaks[1] < 100 << 10
 
 
-def test_tshark_shares_the_limit(tshark: Tshark) -> None:
+def test_tshark_shares_the_limit(tshark: Tshark, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tshark.folder))  # where this tshark finds the dissector
     path = tshark.folder / "pending.pcap"
     path.write_bytes(commands(3000))
     capture = read(path, engine="wireshark", tshark=str(tshark.path), memory=1 << 20)

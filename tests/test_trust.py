@@ -149,10 +149,13 @@ def test_no_frame_takes_long(name: str) -> None:
 
     for work in (lambda: check(frame), lambda: fix(frame), show):
         work()
-        started = time.thread_time()
-        work()
+        took = []
+        for _ in range(3):  # Python may look through all objects of the tests meanwhile, which takes as long
+            started = time.thread_time()
+            work()
+            took.append(time.thread_time() - started)
         # Ten times what it takes where nothing else runs.
-        assert time.thread_time() - started < 0.3
+        assert min(took) < 0.3
 
 
 def test_a_frame_longer_than_any_is_not_looked_into() -> None:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from ev3proto.checking.report import Finding, Severity
 from ev3proto.schema.header import with_length
+from ev3proto.tables import operations
 
 
 class Code(NamedTuple):
@@ -67,6 +68,11 @@ def _frame(text: str) -> bytes:
 def _sized(text: str) -> bytes:
     """The same from the counter on; the length field is worked out."""
     return with_length(_frame(text))
+
+
+def opcode(name: str) -> str:
+    """How texts name an operation without a CMD, so that its byte can be found in a frame: `NOP (0x01)`."""
+    return f"{name} (0x{operations()[name].opcode.number:02X})"
 
 
 TONE = _sized("2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03")
@@ -130,8 +136,9 @@ UNKNOWN_TYPE = _code(
 EMPTY = _code(
     "E106",
     "a command without operations",
-    """
-    The firmware refuses a direct command that ends with its header. To see whether the brick answers, send NOP (0x01).
+    f"""
+    The firmware refuses a direct command that ends with its header. To see whether the brick answers, send
+    {opcode("NOP")}.
     """,
     _frame("05:00|2A:00|00|00:00"),
     _frame("06:00|2A:00|00|00:00|01"),
@@ -619,9 +626,9 @@ NEEDLESS_END = _code(
 SOUND_INTERRUPTED = _code(
     "W701",
     "a sound that the next one cuts off",
-    """
+    f"""
     SOUND starts a sound and returns at once; the next one ends it. Of several in a row, only the last is heard.
-    Put SOUND_READY (0x96), which waits until the sound has ended, or a timer between them.
+    Put {opcode("SOUND_READY")}, which waits until the sound has ended, or a timer between them.
     """,
     _sized("2A:00|80|00:00|94:01:01:82:06:01:82:F4:01|94:01:01:82:4A:01:82:F4:01"),
     _sized("2A:00|80|00:00|94:01:01:82:06:01:82:F4:01|96|94:01:01:82:4A:01:82:F4:01"),
@@ -650,9 +657,9 @@ PICTURE_REPLACED = _code(
 MOVE_INTERRUPTED = _code(
     "W704",
     "a move that the next one ends",
-    """
+    f"""
     A move of motors starts and returns at once, and the next operation that moves or stops the same motors ends
-    it. Put OUTPUT_READY (0xAA), which waits until the move has ended, or a timer between them.
+    it. Put {opcode("OUTPUT_READY")}, which waits until the move has ended, or a timer between them.
     """,
     _sized("2A:00|80|00:00|AE:00:01:1E:00:82:68:01:00:01|AE:00:01:22:00:82:68:01:00:01"),
     _sized("2A:00|80|00:00|AE:00:01:1E:00:82:68:01:00:01|AA:00:01|AE:00:01:22:00:82:68:01:00:01"),

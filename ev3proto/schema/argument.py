@@ -16,8 +16,10 @@ from ev3proto.tables.encoding import (
     ADDRESS_BIT,
     BITS,
     CONSTANT,
+    CONSTANT_RANGES,
     GLOBAL,
     HANDLE_BIT,
+    INDEX_RANGES,
     LOCAL,
     NAN_FLOAT,
     RANGES,
@@ -255,15 +257,16 @@ _BY_NAME = {
 _NAN_ENCODING = {1: "LC1", 2: "LC2", 4: "LC4"}
 """By the bytes of a type: the encoding in which its lowest number means "not a number"."""
 
-_INDEX_STEPS = (("0", 0x1F, None), ("1", 0xFF, "<B"), ("2", 0xFFFF, "<H"), ("4", 0xFFFFFFFF, "<I"))
+_INDEX_LAYOUTS = {0: None, 1: "<B", 2: "<H", 4: "<I"}
 
 
 _BYTES = tuple(
-    bytes((value & 0x3F,)) if -32 <= value <= 31 else struct.pack("<Bb", _BY_NAME["LC1", False, False], value)
-    for value in range(-0x7F, 0x80)
+    bytes((value & 0x3F,)) if value in CONSTANT_RANGES[0] else struct.pack("<Bb", _BY_NAME["LC1", False, False], value)
+    for value in CONSTANT_RANGES[1]
 )
 """LC0 and LC1 for every number from -127 to 127."""
 
+_LC1_MOST, _LC2_MOST = CONSTANT_RANGES[1][-1], CONSTANT_RANGES[2][-1]
 _LC2, _LC4 = (struct.pack("<B", _BY_NAME[name, False, False]) for name in ("LC2", "LC4"))
 _pack_2, _pack_4 = struct.Struct("<h").pack, struct.Struct("<i").pack
 
@@ -282,9 +285,9 @@ def encode_integer(value: int) -> bytes:
         BuildError: The number needs more than 32 bits.
 
     """
-    if -0x7F <= value <= 0x7F:
-        return _BYTES[value + 0x7F]
-    if -0x7FFF <= value <= 0x7FFF:
+    if -_LC1_MOST <= value <= _LC1_MOST:
+        return _BYTES[value + _LC1_MOST]
+    if -_LC2_MOST <= value <= _LC2_MOST:
         return _LC2 + _pack_2(value)
     if -0x80000000 <= value <= 0x7FFFFFFF:
         return _LC4 + _pack_4(value)
@@ -318,11 +321,11 @@ def encode_string(value: str, name: str = "the string") -> bytes:
 def encode_variable(variable: Variable, name: str = "the variable") -> bytes:
     """The shortest form of a local or global variable. BuildError for an index below 0 or beyond 32 bits."""
     letter = "G" if variable.scope == GLOBAL else "L"
-    for step, limit, layout in _INDEX_STEPS:
-        key = (f"{letter}V{step}", variable.handle, variable.address)
-        if not isinstance(variable.index, int) or not 0 <= variable.index <= limit or key not in _BY_NAME:
+    for width, indexes in INDEX_RANGES.items():
+        key = (f"{letter}V{width}", variable.handle, variable.address)
+        if not isinstance(variable.index, int) or variable.index not in indexes or key not in _BY_NAME:
             continue
-        head = _BY_NAME[key]
+        head, layout = _BY_NAME[key], _INDEX_LAYOUTS[width]
         return (
             bytes((head | variable.index,)) if layout is None else bytes((head,)) + struct.pack(layout, variable.index)
         )
@@ -360,9 +363,9 @@ def encode_as(name: str, value: int | float | str) -> bytes:
         raise BuildError(f"{name} holds a whole number, not {value!r}")
     is_variable = encoding.kind in (LOCAL, GLOBAL)
     if encoding.width == 0:
-        low, high = (0, 31) if is_variable else (-32, 31)
-        if not low <= value <= high:
-            raise BuildError(f"{name} cannot hold {value}: it reaches from {low} to {high}")
+        numbers = (INDEX_RANGES if is_variable else CONSTANT_RANGES)[0]
+        if value not in numbers:
+            raise BuildError(f"{name} cannot hold {value}: it reaches from {numbers[0]} to {numbers[-1]}")
         return bytes((head | value & 0x3F,))
     layout = (_UNSIGNED if is_variable else _SIGNED)[encoding.width or 1]
     try:

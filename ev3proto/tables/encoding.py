@@ -65,6 +65,17 @@ BITS = {
 }
 """What a constant may be where only its bits count: each number with a sign, and the same bits read without one."""
 
+CONSTANT_RANGES = {
+    0: range(-32, 32),
+    1: range(-0x7F, 0x80),
+    2: range(-0x7FFF, 0x8000),
+    4: range(-0x7FFFFFFF, 0x80000000),
+}
+"""By the bytes that follow the identification byte: the numbers that a constant of that width can hold."""
+
+INDEX_RANGES = {0: range(32), 1: range(0x100), 2: range(0x10000), 4: range(0x100000000)}
+"""By the bytes that follow the identification byte: the indexes that a variable of that width can have."""
+
 NAN_FLOAT = b"\x00\x00\xc0\x7f"
 """The bytes of the float that means "not a number" (0x7FC00000)."""
 

@@ -11,7 +11,7 @@ from ev3proto.checking.rules.header import plural
 from ev3proto.messages import Argument, Variable
 from ev3proto.schema.argument import SHORT, encode_integer, encode_variable
 from ev3proto.tables.declaration import Role
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
+from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, GLOBAL, INDEX_RANGES, LOCAL
 
 
 def check_encodings(frame: bytes, operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
@@ -31,25 +31,20 @@ def check_encodings(frame: bytes, operations: tuple[CheckedOperation, ...]) -> I
 _SHORT_FORMS = len(SHORT)
 """Identification bytes below this one are whole arguments."""
 
-_CONSTANTS = ((-32, 31), (-0x7F, 0x7F), (-0x7FFF, 0x7FFF))
-_INDEXES = ((0, 31), (0, 0xFF), (0, 0xFFFF))
-_WIDTHS = (0, 1, 2)
-"""What a form holds whose value takes no byte, one byte or two bytes after the identification byte."""
-
 
 def _longer(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Iterator[Finding]:
     _, form, value, *_ = argument
     if form.kind == CONSTANT:
         if not isinstance(value, int):
             return
-        spans = _CONSTANTS
+        spans = CONSTANT_RANGES
     elif form.kind in (LOCAL, GLOBAL):
-        spans = _INDEXES
+        spans = INDEX_RANGES
     else:
         return
     assert isinstance(value, int)
-    for width, (low, high) in zip(_WIDTHS, spans, strict=True):
-        if low <= value <= high:
+    for width, numbers in spans.items():
+        if value in numbers:
             if width < form.width:  # type: ignore[operator]
                 yield _finding(operation, argument, value, has_jumps)
             return

@@ -13,7 +13,7 @@ from ev3proto.messages import Argument
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables.declaration import Effect, Role
-from ev3proto.tables.encoding import CONSTANT, JUMP
+from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, JUMP
 from ev3proto.tables.validation import LABELS
 
 _OWN_OBJECT = 1
@@ -212,9 +212,10 @@ def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
     stands there now.
     """
     kept = jump.length if jump.form.kind == CONSTANT else 0
-    for width, (low, high) in _ROOM.items():
-        number = target - (operation.end - jump.length + width) if target < operation.end else target - operation.end
-        if width >= kept and low <= number <= high:
+    for width, numbers in CONSTANT_RANGES.items():
+        length = 1 + width
+        number = target - (operation.end - jump.length + length) if target < operation.end else target - operation.end
+        if length >= kept and number in numbers:
             return number
     return target - operation.end
 
@@ -222,10 +223,6 @@ def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
 def _form(jump: Argument) -> str:
     """What has to be said of a jump that is written as a label and is none."""
     return ", and write it as a constant" if jump.form.kind == JUMP else ""
-
-
-_ROOM = {1: (-32, 31), 2: (-0x7F, 0x7F), 3: (-0x7FFF, 0x7FFF), 5: (-0x7FFFFFFF, 0x7FFFFFFF)}
-"""The numbers that a constant of so many bytes can hold."""
 
 
 def _is_label(jump: Argument) -> bool:

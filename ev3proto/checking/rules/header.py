@@ -131,10 +131,10 @@ def check_command_header(context: CheckContext, command: DirectCommand) -> Itera
                 "the command has no operation"
                 if context.end == COMMAND_HEADER_SIZE
                 else "the command ends before the two bytes that ask for memory",
-                "give at least one operation; NOP (0x01) does nothing"
+                f"give at least one operation; {codes.opcode('NOP')} does nothing"
                 if context.end == COMMAND_HEADER_SIZE
-                else "give two bytes that ask for memory, 0 for none, and then at least one operation; NOP (0x01) does"
-                " nothing",
+                else "give two bytes that ask for memory, 0 for none, and then at least one operation;"
+                f" {codes.opcode('NOP')} does nothing",
             )
         return
     asked = command.global_size

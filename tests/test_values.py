@@ -110,3 +110,38 @@ def test_a_picture_without_times_is_in_their_order(tmp_path: Path) -> None:
     svg = path.read_text()
     assert ">order<" in svg
     assert "time (s)" not in svg
+
+
+def log_of_columns(count: int) -> str:
+    """A log of replies to INPUT_READ, each asked with another NO and TYPE: a column each, the last with two."""
+    lines = []
+    for number in [*range(count), count - 1]:
+        counter = number.to_bytes(2, "little").hex()
+        lines.append(f"sent 0b00{counter}0001009a00{number % 32:02x}{number // 32:02x}0060")
+        lines.append(f"received 0400{counter}0205")
+    return "\n".join(lines)
+
+
+def test_a_table_has_no_more_columns_than_people_read(tmp_path: Path) -> None:
+    log = tmp_path / "robot.log"
+    log.write_text(log_of_columns(60))
+    done = run("values", str(log))
+    assert done.returncode == 0
+    titles = done.stdout.splitlines()[0].split("  ")
+    assert len([title for title in titles if "INPUT_READ" in title]) == 50
+    # The one with two values is among them, and so are those that came first.
+    assert "INPUT_READ(0,27,1,0).PCT [%]" in done.stdout
+    assert "INPUT_READ(0,0,0,0).PCT [%]" in done.stdout
+    assert "INPUT_READ(0,26,1,0).PCT [%]" not in done.stdout
+    assert "there are 60 columns: the 50 with the most values are shown; --filter chooses" in done.stderr
+
+
+def test_comma_separated_values_have_a_thousand_columns_at_most(tmp_path: Path) -> None:
+    log = tmp_path / "robot.log"
+    log.write_text(log_of_columns(1_010))
+    done = run("values", str(log), "--csv")
+    rows = list(csv.reader(io.StringIO(done.stdout)))
+    assert {len(row) for row in rows} == {3 + 1_000}
+    assert "there are 1,010 columns: the 1,000 with the most values are shown" in done.stderr
+    everything = run("values", str(log), "--json")
+    assert (len(everything.stdout.splitlines()), everything.stderr) == (1_011, "")

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 from ev3proto.capture.record import Event, Record, utc
@@ -57,6 +58,22 @@ class Series:
         """Adds the rows of another capture after these, and the columns that are only there."""
         self.units = {**self.units, **other.units}
         self.rows += other.rows
+
+    def narrowed(self, most: int) -> Series:
+        """At most so many columns: those with the most values, in their order, and the rows that have some of them.
+
+        A brick that is asked for something else each time has a column for each reply, and a table of all of them has
+        the square of the replies.
+        """
+        if len(self.units) <= most:
+            return self
+        counts = Counter(name for row in self.rows for name in row.cells)
+        chosen = {name for name, _ in counts.most_common(most)}
+        units = {name: unit for name, unit in self.units.items() if name in chosen}
+        kept = (
+            replace(row, cells={name: row.cells[name] for name in row.cells if name in chosen}) for row in self.rows
+        )
+        return Series(units, [row for row in kept if row.cells])
 
 
 def series_of(events: Iterable[Event], file: str | None = None) -> Series:

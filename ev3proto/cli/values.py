@@ -21,6 +21,12 @@ from ev3proto.whole_files import write_whole
 if TYPE_CHECKING:
     from ev3proto.capture.series import Cell, Row, Series
 
+MOST_SHOWN = 50
+"""Columns of a table, lines of a picture: nobody reads more."""
+
+MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
+"""Columns by form. JSON has only the values that there are, so it needs no limit."""
+
 
 @click.command()
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
@@ -56,6 +62,13 @@ def values(files: tuple[str, ...], reading: CaptureOptions, form: str | None, pl
         if not status:
             complain(f"{', '.join(source.label for source in sources)}: no reply with its command was found")
         sys.exit(1)
+    most = MOST_COLUMNS[form] if plot is None else MOST_SHOWN
+    if most is not None and len(found.units) > most:
+        complain(
+            f"there are {len(found.units):,} columns: the {most:,} with the most values are shown; --filter chooses"
+            " replies, and --json prints all values"
+        )
+        found = found.narrowed(most)
     if plot is not None:
         _draw(found, plot, ", ".join(Path(source.label).name for source in sources))
     else:
@@ -97,14 +110,17 @@ def _seconds(row: Row, start_ns: int) -> str:
 
 
 def _print_csv(found: Series, _unit: str) -> None:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
     for number, record in enumerate(_records(found)):
         cells = record.pop("values")
         if number == 0:
-            writer.writerow([*record, *_titles(found)])
-        writer.writerow([*record.values(), *(_text(cells.get(name)) for name in found.units)])
-    say(text.getvalue().removesuffix("\n"))
+            say(_csv_line([*record, *_titles(found)]))
+        say(_csv_line([*record.values(), *(_text(cells.get(name)) for name in found.units)]))
+
+
+def _csv_line(cells: list[Any]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="").writerow(cells)
+    return text.getvalue()
 
 
 def _print_json(found: Series, _unit: str) -> None:

@@ -1,29 +1,23 @@
-"""Captures made to take long: twice as much of one takes twice as long, whatever is in it and whoever shows it.
-
-What is measured is CPU time. A long and a short one take turns, and the best times count: they change little where the
-machine is busy.
-"""
+"""Captures made to take long: twice as much of one takes twice as long, whatever is in it and whoever shows it."""
 
 from __future__ import annotations
 
 import io
 import random
-import time
 from collections.abc import Callable, Iterable, Iterator
 from itertools import cycle, islice
 from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto
+from support.cpu_time import Work, assert_linear, seconds
 from support.effort import effort
 from support.files import RAW_IP, pcap, timed
 from support.packets import SYN, segment
 
 from ev3proto.capture import read
 
-PACKETS = effort(1_000, 10_000)
-MOST_RATIO = 2.2
-ROUNDS = 12
+PACKETS = effort(250, 10_000)
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 """SOUND.TONE at volume 1, 440 Hz, 1000 ms."""
@@ -114,20 +108,6 @@ HOSTILE = (
 )
 
 
-def seconds(work: Callable[[], object]) -> float:
-    begin = time.process_time()
-    work()
-    return time.process_time() - begin
-
-
-def assert_linear(short: Callable[[], object], long: Callable[[], object]) -> None:
-    """Twice as much takes at most 2.2 times as long."""
-    times = [(seconds(short), seconds(long)) for _ in range(3)]
-    while (ratio := min(b for _, b in times) / min(a for a, _ in times)) > MOST_RATIO and len(times) < ROUNDS:
-        times.append((seconds(short), seconds(long)))
-    assert ratio <= MOST_RATIO
-
-
 def messages(data: bytes) -> int:
     """Reads a capture and all messages in it, and counts what there is."""
     return sum(getattr(event, "message", event) is not None for event in read(io.BytesIO(data)).events())
@@ -135,8 +115,11 @@ def messages(data: bytes) -> int:
 
 @pytest.mark.parametrize("packets", HOSTILE, ids=lambda made: made.__name__)
 def test_reading(packets: Callable[[int], Iterator[bytes]]) -> None:
-    short, long = (pcap(RAW_IP, timed(list(packets(count)))) for count in (PACKETS, 2 * PACKETS))
-    assert_linear(lambda: messages(short), lambda: messages(long))
+    def reading(count: int) -> Work:
+        data = pcap(RAW_IP, timed(list(packets(count))))
+        return lambda: messages(data)
+
+    assert_linear(reading, PACKETS)
 
 
 def test_a_stream_out_of_step_takes_hardly_longer_than_one_in_step() -> None:
@@ -153,15 +136,16 @@ def test_a_stream_out_of_step_takes_hardly_longer_than_one_in_step() -> None:
 )
 def test_showing(words: tuple[str, ...], tmp_path: Path) -> None:
     """All of that in one capture, in every face."""
-    paths = []
-    for count in (PACKETS // 20, PACKETS // 10):
-        data = timed([packet for made in HOSTILE for packet in made(count)])
-        paths.append(tmp_path / f"{count}.pcap")
-        paths[-1].write_bytes(pcap(RAW_IP, data))
     rest = {"timeline": ("-o", tmp_path / "page.html"), "files": ("-o", tmp_path / "files")}.get(words[0], ())
 
-    def show(path: Path) -> None:
-        done = run_ev3proto(*words, path, *rest)
-        assert done.returncode in (0, 1), done.stderr
+    def showing(count: int) -> Work:
+        path = tmp_path / f"{count}.pcap"
+        path.write_bytes(pcap(RAW_IP, timed([packet for made in HOSTILE for packet in made(count)])))
 
-    assert_linear(lambda: show(paths[0]), lambda: show(paths[1]))
+        def show() -> None:
+            done = run_ev3proto(*words, path, *rest)
+            assert done.returncode in (0, 1), done.stderr
+
+        return show
+
+    assert_linear(showing, PACKETS // 5)

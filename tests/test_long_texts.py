@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import time
 import tracemalloc
 
 import pytest
+from support.cpu_time import Work, assert_linear
 from support.effort import effort
 
 from ev3proto.text.paste import read_text
@@ -31,37 +31,20 @@ HOSTILE = {
     "labels": ("ff03 x\n", 10),
     "announcements": ("sent:\n", 10),
 }
-SIZE = effort(1 << 13, 1 << 19)
-
-
-LEAST_SECONDS = 0.06
-"""Time of a text that is long enough for noise not to count."""
-MOST_SIZE = 1 << 18
-"""Characters beyond which texts are not made longer: a line of more than four times that is not read."""
-
-
-def seconds(text: str) -> float:
-    """CPU time for a text."""
-    lines = text.splitlines(keepends=True)
-    begin = time.process_time()
-    for _ in read_text(lines):
-        pass
-    return time.process_time() - begin
+SIZE = effort(1 << 12, 1 << 17)
+MOST_SIZE = 1 << 17
+"""Characters beyond which texts are not made longer: a line of more than eight times that is not read."""
 
 
 @pytest.mark.parametrize("name", HOSTILE)
 def test_twice_the_text_takes_twice_the_time(name: str) -> None:
     unit, share = HOSTILE[name]
-    count = SIZE // share // len(unit)
-    while seconds(unit * count) < LEAST_SECONDS and count * len(unit) < MOST_SIZE:
-        count *= 2
-    once = twice = float("inf")
-    for _ in range(12):
-        # In turns, so that whatever else the machine does is as likely to slow down the one as the other.
-        once, twice = min(once, seconds(unit * count)), min(twice, seconds(unit * (2 * count)))
-        if twice < 2.2 * once:
-            return
-    raise AssertionError((name, count, once, twice, twice / once))
+
+    def reading(size: int) -> Work:
+        lines = (unit * (size // share // len(unit))).splitlines(keepends=True)
+        return lambda: [None for _ in read_text(lines)]
+
+    assert_linear(reading, SIZE, MOST_SIZE)
 
 
 def test_memory_does_not_grow_with_the_text() -> None:

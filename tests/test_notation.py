@@ -1,11 +1,11 @@
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
+from support.cpu_time import seconds
 from support.effort import effort
 
 from ev3proto.text.paste import Pasted, read_argument, read_text
@@ -457,16 +457,13 @@ def test_no_text_raises(text: str) -> None:
     ],
 )
 def test_a_long_line_takes_no_more_than_its_length(unit: str) -> None:
-    def seconds(size: int) -> float:
+    def taken(size: int) -> float:
         line = (unit * size)[:size]
-        start = time.process_time()
-        list(read_text(["{" + line, line]))
-        read_argument(line)
-        return time.process_time() - start
+        return seconds(lambda: (list(read_text(["{" + line, line])), read_argument(line)))
 
     # Eight times the length is eight times the work, or 64 times if it were quadratic.
     most = effort(12_000, 160_000)
-    assert seconds(most) < 25 * seconds(most // 8) + 0.2
+    assert taken(most) < 25 * taken(most // 8) + 0.2
 
 
 def test_what_is_collected_is_bounded() -> None:

@@ -1,16 +1,12 @@
-"""What the worst frames cost: no frame of at most 1,024 bytes keeps any face busy for long.
-
-A millisecond of CPU time on the machine that this was written for is some rounds of a loop here. Measured against that
-loop a slow or busy machine makes no difference.
-"""
+"""What the worst frames cost: no frame of at most 1,024 bytes keeps any face busy for long."""
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from functools import partial
 
 import pytest
+from support.cpu_time import milliseconds
 
 import ev3proto
 from ev3proto.checking.checking import check
@@ -25,9 +21,8 @@ from ev3proto.text.table import table
 from ev3proto.text.tree import tree, tree_texts
 
 BODY = 1017
-ROUNDS_OF_A_MILLISECOND = 5_700
 MOST = 40
-"""Milliseconds that a face may take. On a machine in peace none takes half of that."""
+"""Milliseconds that a face may take. Where nothing else runs none takes half of that."""
 
 
 def _frame(*operations: str, kind: int = 0, memory: int = 0) -> bytes:
@@ -81,30 +76,10 @@ def _exchange(frame: bytes) -> Exchange:
     return Exchange(ev3proto.parse(frame, strict=False))
 
 
-def _yardstick() -> None:
-    texts = {}
-    for number in range(ROUNDS_OF_A_MILLISECOND):
-        texts[number & 0xFF] = f"{number} {number}"
-
-
-def _spent(work: Callable[[], object]) -> float:
-    start = time.process_time()
-    work()
-    return time.process_time() - start
-
-
-def _milliseconds(face: str, frame: bytes, rounds: int) -> float:
-    """What a face takes for a frame in the best of some rounds. The others may have been interrupted."""
-    work = partial(FACES[face], frame)
-    return min(_spent(work) / _spent(_yardstick) for _ in range(rounds))
-
-
 @pytest.mark.parametrize("name", FRAMES)
 def test_no_face_takes_long(name: str) -> None:
     frame = FRAMES[name]
     assert len(frame) <= 1024
-    for face in FACES:
-        taken = _milliseconds(face, frame, 2)
-        if taken > MOST:
-            taken = _milliseconds(face, frame, 10)
+    for face, show in FACES.items():
+        taken = milliseconds(partial(show, frame), MOST)
         assert taken <= MOST, f"{face} takes {taken:.0f} ms"

@@ -16,6 +16,7 @@ import click
 from ev3proto.cli.ending import ended_by_signals
 from ev3proto.cli.groups import Group
 from ev3proto.cli.output import OutputError, complain, flush
+from ev3proto.starting import keep_what_is_loaded
 from ev3proto.text.visible import visible_lines
 from ev3proto.version import VERSION
 
@@ -61,6 +62,7 @@ class Commands(Group):
         if name not in SUBCOMMANDS:
             return None
         command: click.Command = getattr(import_module(f"ev3proto.cli.{name}"), name)
+        keep_what_is_loaded()
         return command
 
     def make_context(self, *args: Any, **extra: Any) -> click.Context:

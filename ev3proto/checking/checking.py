@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from operator import attrgetter
 
 from ev3proto.checking.context import CheckContext, checked_operations
 from ev3proto.checking.report import Finding, Report, Severity
@@ -21,6 +22,7 @@ from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemComman
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
 from ev3proto.tables.carriers import CARRIERS
+from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
 
@@ -48,24 +50,26 @@ def check(
     elif type(frame) is not bytes:
         frame = as_bytes(frame, "a frame")
     context = _context(frame, dialect, carrier)
-    findings = sorted(_without_echoes(list(_findings(context))), key=_order)
+    findings = _in_order(list(_findings(context)))
     accepted, rejected_at = _answer(context, findings)
     return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier)
 
 
-def _without_echoes(findings: list[Finding]) -> list[Finding]:
-    """The findings without hints on bytes that must be changed in any case."""
-    wrong = {finding.offset for finding in findings if finding.severity is Severity.ERROR}
-    if not wrong:
-        return findings
-    return [it for it in findings if it.severity is not Severity.HINT or it.offset not in wrong]
+_OFFSET = attrgetter("offset")
 
 
-_RANKS = {severity: rank for rank, severity in enumerate(Severity)}
+def _in_order(findings: list[Finding]) -> list[Finding]:
+    """The findings by offset, on the same bytes the worst first, without hints on what must be changed in any case."""
+    errors = [finding for finding in findings if finding.severity is Severity.ERROR]
+    warnings = [finding for finding in findings if finding.severity is Severity.WARNING]
+    hints = [finding for finding in findings if finding.severity is Severity.HINT]
+    if errors and hints:
+        wrong = {error.offset for error in errors}
+        hints = [hint for hint in hints if hint.offset not in wrong]
+    return sorted([*errors, *warnings, *hints], key=_OFFSET)
 
 
-def _order(finding: Finding) -> tuple[int, int]:
-    return finding.offset, _RANKS[finding.severity]
+_NO_EFFECTS: frozenset[Effect] = frozenset()
 
 
 def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
@@ -79,8 +83,9 @@ def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
             content = with_length(frame[LENGTH_FIELD:end])
     message = read_last(content, dialect)
     operations = checked_operations(message.operations) if isinstance(message, DirectCommand) else ()
-    effects = frozenset([effect for operation in operations for effect in operation.facts.effects])
-    return CheckContext(frame, end, message, verdict(frame, dialect), operations, effects, dialect, carrier)
+    effects = _NO_EFFECTS.union(*[operation.facts.effects for operation in operations])
+    has_jumps = True in [operation.facts.is_jump for operation in operations]
+    return CheckContext(frame, end, message, verdict(frame, dialect), operations, effects, has_jumps, dialect, carrier)
 
 
 def _findings(context: CheckContext) -> Iterator[Finding]:
@@ -92,7 +97,7 @@ def _findings(context: CheckContext) -> Iterator[Finding]:
         if context.end > MAX_FRAME:
             return  # nothing in it matters
         yield from check_values(context.operations)
-        yield from check_encodings(context.frame, context.operations)
+        yield from check_encodings(context)
         yield from check_lists(context.operations)
         yield from check_memory(context, message)
         yield from check_flow(context)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ev3proto.checking.codes import Code
 from ev3proto.checking.facts import OperationFacts, operation_facts
-from ev3proto.checking.report import Finding
+from ev3proto.checking.report import Finding, new_finding
 from ev3proto.checking.verdict import Verdict
 from ev3proto.errors import Fault
 from ev3proto.messages import Argument, Message, Operation
@@ -35,7 +35,7 @@ class CheckedOperation(NamedTuple):
 
     def has(self, effect: Effect) -> bool:
         """Whether it has an effect."""
-        return effect in self.facts.effects
+        return effect in self.facts.declaration.effects
 
     def finding(self, code: Code, message: str, help_: str) -> Finding:
         """A finding about the operation as a whole."""
@@ -43,23 +43,19 @@ class CheckedOperation(NamedTuple):
 
     def finding_at(self, code: Code, argument: Argument, message: str, help_: str) -> Finding:
         """A finding about one of its arguments."""
-        return code.finding(argument.offset, argument.length, message, help_, self.name, argument.name)
-
-
-def checked_operation(parsed: Operation) -> CheckedOperation:
-    """An operation as the rules look at it."""
-    schema, _, start, end = parsed[:4]
-    facts = operation_facts(schema)
-    return CheckedOperation(parsed, facts, facts.name, parsed.arguments, start, end)
+        parameter, form, _, offset, _ = argument
+        length = argument.length if form.width is None else 1 + form.width
+        return new_finding(code.severity, code.code, offset, length, message, help_, self.name, parameter.name)
 
 
 def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperation, ...]:
     """Operations as the rules look at them, as far as the firmware reads them."""
     found: list[CheckedOperation] = []
     for parsed in operations:
-        operation = checked_operation(parsed)
-        found.append(operation)
-        if operation.facts.ends_code:
+        schema, _, start, end, *_ = parsed
+        facts = operation_facts(schema)
+        found.append(CheckedOperation(parsed, facts, facts.name, parsed.arguments, start, end))
+        if facts.ends_code:
             break
     return tuple(found)
 
@@ -73,6 +69,7 @@ class CheckContext(NamedTuple):
     verdict     what the brick says to it
     operations  the operations of a direct command, as far as the firmware reads them: up to an OBJECT_END
     effects     what any of them does besides what its parameters say
+    has_jumps   any of them says where to go on
     dialect     the firmware whose instruction set it is read by
     carrier     what is to carry it, None for any
     """
@@ -83,6 +80,7 @@ class CheckContext(NamedTuple):
     verdict: Verdict
     operations: tuple[CheckedOperation, ...]
     effects: frozenset[Effect]
+    has_jumps: bool
     dialect: str
     carrier: str | None
 

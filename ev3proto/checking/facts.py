@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ev3proto.messages import OperationReader
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.tables.declaration import Declaration, Direction, Effect, Parameter, Type
-from ev3proto.tables.encoding import RANGES
+from ev3proto.tables.encoding import RANGES, Range
 
 
 class ParameterFacts(NamedTuple):
@@ -17,11 +17,17 @@ class ParameterFacts(NamedTuple):
     parameter  the parameter
     numbers    whole numbers about which there is nothing to say; there may be more
     domain     the numbers that the tables tell, None where the type alone limits them
+    limits     the numbers that its bytes hold, None where it is no number of so many bytes
+    outside    what follows a number that is none of the domain: ` Hz, outside of 250 to 10000 Hz`
+    advice     what to give instead
     """
 
     parameter: Parameter
     numbers: range | frozenset[int]
     domain: Domain | None
+    limits: Range | None
+    outside: str
+    advice: str
 
 
 class OperationFacts(NamedTuple):
@@ -41,7 +47,7 @@ class OperationFacts(NamedTuple):
     declaration: Declaration
     name: str
     parameters: tuple[ParameterFacts, ...]
-    effects: tuple[Effect, ...]
+    effects: frozenset[Effect]
     has_cmd: bool
     is_jump: bool
     has_lists: bool
@@ -59,7 +65,7 @@ def operation_facts(schema: OperationReader) -> OperationFacts:
         declaration,
         declaration.name,
         tuple(parameter_facts(parameter) for parameter in fixed),
-        declaration.effects,
+        frozenset(declaration.effects),
         declaration.command is not None,
         is_jump=declaration.is_jump,
         has_lists=any(parameter.length is not None or parameter.most is not None for parameter in parameters),
@@ -74,7 +80,22 @@ def parameter_facts(parameter: Parameter) -> ParameterFacts:
     domain = domain_of(parameter)
     if domain is not None and not domain.is_documented:
         domain = None
-    return ParameterFacts(parameter, _numbers(parameter, domain), domain)
+    limits = RANGES[parameter.type] if parameter.type in _NUMBERS else None
+    return ParameterFacts(parameter, _numbers(parameter, domain), domain, limits, *_sentences(parameter, domain))
+
+
+_NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)
+
+
+def _sentences(parameter: Parameter, domain: Domain | None) -> tuple[str, str]:
+    """What is said of a number that is none of the domain: what is wrong, after the number, and what to give."""
+    if domain is None:
+        return "", ""
+    if domain.has_names:
+        assert parameter.enum is not None
+        return f", which {parameter.enum.name} has no name for", f"give {domain.choice}"
+    unit = f" {parameter.unit}" if parameter.unit else ""
+    return f"{unit}, outside of {domain.text}", f"give {domain.text}"
 
 
 def _numbers(parameter: Parameter, domain: Domain | None) -> range | frozenset[int]:

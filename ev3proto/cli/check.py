@@ -7,7 +7,7 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
@@ -40,6 +40,8 @@ FORMATS = ("text", "json", "sarif", "github")
 SEVERITIES = ("error", "warning", "hint")
 """What is counted, the worst first."""
 
+_BUT_ERRORS = frozenset(SEVERITIES[1:])
+
 ALL_CODES = "all"
 """What --explain takes instead of a code."""
 
@@ -70,24 +72,28 @@ class CheckOptions:
 
     def leaves_out(self, report: Report, *, is_alone: bool) -> bool:
         """Whether nothing is printed of a frame: among many, one without an error when only these were asked for."""
-        only_errors = self.hidden >= {"hint", "warning"} and report.accepted and not report.errors
-        return self.quiet or (only_errors and not is_alone)
+        if not self.hidden >= _BUT_ERRORS or is_alone:
+            return self.quiet
+        return self.quiet or (report.accepted and not report.errors)
 
     def shown(self, report: Report) -> tuple[Finding, ...]:
         """The findings to show."""
+        if not self.hidden:
+            return report.findings
         return tuple(finding for finding in report.findings if finding.severity not in self.hidden)
 
 
-@dataclass(frozen=True, slots=True)
-class Place:
+class Place(NamedTuple):
     """Where a frame comes from.
 
-    label  in front of every offset, such as `robot.log, line 3`; empty where there is but one frame
-    facts  the same for other tools
+    label     in front of every offset, such as `robot.log, line 3`; empty where there is but one frame
+    facts     the same for other tools
+    is_among  it is one frame of the many that a text or a capture has
     """
 
     label: str
     facts: dict[str, Any]
+    is_among: bool = False
 
 
 class Checking(SourceReader):
@@ -96,7 +102,13 @@ class Checking(SourceReader):
     wanted = "command"
 
     def __init__(self, reading: CaptureOptions, options: CheckOptions, *, is_single: bool) -> None:
+        # Here and not for each frame: even of a module that is loaded already, an import takes longer than some rules.
+        from ev3proto.checking.checking import check
+        from ev3proto.text.diagnostics import diagnostics, diagnostics_texts
+
         super().__init__(reading)
+        self._check = check
+        self._diagnostics, self._diagnostics_texts = diagnostics, diagnostics_texts
         self._options = options
         self._is_single = is_single
         self._printer = Printer()
@@ -121,7 +133,7 @@ class Checking(SourceReader):
             place = Place("" if self._is_single else f"frame {self.frames + 1}", {})
         else:
             facts = {"source": source.label, "line": pasted.line, "column": pasted.column}
-            place = Place(source.where(pasted), facts)
+            place = Place(source.where(pasted), facts, is_among=True)
         self._frame(frame, place, self._options.carrier)
 
     def capture(self, capture: CaptureSource) -> int:
@@ -138,6 +150,7 @@ class Checking(SourceReader):
             place = Place(
                 f"{capture.label}, {capture.unit} {event.number}",
                 {"source": capture.label, capture.unit: event.number},
+                is_among=True,
             )
             self._frame(event.frame, place, self._options.carrier or capture.carrier(event))
         return self.frames - before
@@ -222,35 +235,35 @@ class Checking(SourceReader):
         return " and ".join([*([_frames(self.frames)] if self.frames or not programs else []), *programs])
 
     def _frame(self, frame: bytes, place: Place, carrier: str | None) -> None:
-        from ev3proto.checking.checking import check
-        from ev3proto.checking.fixing import fix
-
         self.frames += 1
         if self._options.fixes:
+            from ev3proto.checking.fixing import fix
+
             found = fix(frame, dialect=self.reading.dialect, carrier=carrier)
             report = found.report
             self._show_fix(found, place)
         else:
-            report = check(frame, dialect=self.reading.dialect, carrier=carrier)
+            report = self._check(frame, dialect=self.reading.dialect, carrier=carrier)
             self._show(report, place)
         self._count(report)
 
     def _count(self, report: Report) -> None:
-        self.counts.update(str(finding.severity) for finding in report.findings)
-        self.at_fault |= not report.accepted or bool(report.errors or (self._options.strict and report.warnings))
+        severities = [finding.severity for finding in report.findings]
+        for severity in SEVERITIES:
+            self.counts[severity] += severities.count(severity)  # type: ignore[arg-type]
+        if not report.accepted or "error" in severities or (self._options.strict and "warning" in severities):
+            self.at_fault = True
 
     def _show(self, report: Report, place: Place) -> None:
-        from ev3proto.text.diagnostics import diagnostics, diagnostics_texts
-
         if self._is_shown_otherwise(report, place, report.as_dict):
             return
         shown = self._options.shown(report)
-        label, dialect = place.label, self.reading.dialect
         self._stand_apart(len(shown) > 0)
+        label, dialect = place.label, self.reading.dialect
         if self._printer.is_plain:
-            self._printer.texts(diagnostics_texts(report, shown, place=label, dialect=dialect))
+            self._printer.texts(self._diagnostics_texts(report, shown, place=label, dialect=dialect))
         else:
-            self._printer.lines(diagnostics(report, shown, place=label, dialect=dialect))
+            self._printer.lines(self._diagnostics(report, shown, place=label, dialect=dialect))
 
     def _show_fix(self, fix: Fix, place: Place) -> None:
         from ev3proto.text.diagnostics import fixed
@@ -264,7 +277,7 @@ class Checking(SourceReader):
         self, report: Report, place: Place, entry: Callable[[], dict[str, Any]], *, is_file: bool = False
     ) -> bool:
         """Shows what was found in any form but as text; says whether nothing is left to be shown."""
-        if self._options.leaves_out(report, is_alone=self._is_single and not place.facts.keys() - {"source"}):
+        if self._options.leaves_out(report, is_alone=self._is_single and not place.is_among):
             return True
         if self._annotations is not None:
             self._annotations.report(report, self._options.shown(report), place.facts, is_file=is_file)

@@ -66,8 +66,11 @@ class Domain:
 
     def covers(self, value: float) -> bool:
         """Whether a number is legal."""
-        if value in self.singles or any(low <= value <= high for low, high in self.spans):
+        if value in self.singles:
             return True
+        for low, high in self.spans:
+            if low <= value <= high:
+                return True
         return bool(self.mask) and math.isfinite(value) and not int(value) & ~self.mask
 
 

@@ -163,6 +163,9 @@ def results(operation: Operation) -> list[Footprint]:
     return found
 
 
+_new_tuple = tuple.__new__
+
+
 def _footprint(
     operation: Operation, number: int, argument: Argument, known: MemoryFacts, arguments: Sequence[Argument]
 ) -> Footprint:
@@ -180,7 +183,8 @@ def _footprint(
             most = None if most is None else most * count
             room = None if room is None else room * count
         is_array = count is None or size > known.size or known.indexed_by is not None
-    return Footprint(
+    # Made of one tuple: the class's own function takes twice as long, and long programs have a great many variables.
+    fields = (
         operation,
         number,
         argument,
@@ -196,6 +200,7 @@ def _footprint(
         known.cpu_alignment,
         known.alignment,
     )
+    return _new_tuple(Footprint, fields)
 
 
 def _marked(operation: Operation, number: int, argument: Argument, known: MemoryFacts) -> Footprint:

@@ -13,8 +13,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import groupby, pairwise
-from operator import attrgetter
+from functools import lru_cache
+from itertools import pairwise
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
@@ -34,10 +34,9 @@ MOST_ALIKE = 4
 """Findings with the same code that are shown of one frame; of the others, only the offsets are listed."""
 
 _MOST_OFFSETS = 12
+_MOST_COUNTS = 256
 _TEXT_WIDTH = 100
 _SEVERITIES = tuple(Severity)
-
-_SPAN = attrgetter("offset", "length")
 
 ROLES = {Severity.ERROR: Role.FAULT, Severity.WARNING: Role.VALUE, Severity.HINT: Role.MEANING}
 """How each severity looks."""
@@ -55,9 +54,14 @@ def verdict_spans(report: Report) -> Line:
 def tally(findings: Iterable[Finding]) -> str:
     """`2 errors, 1 hint`, or `no findings`."""
     severities = [finding.severity for finding in findings]
-    present = [(severity, severities.count(severity)) for severity in _SEVERITIES if severity in severities]
-    counts = [f"{count} {severity}{'s' * (count != 1)}" for severity, count in present]
-    return ", ".join(counts) or "no findings"
+    return _counts(*[severities.count(severity) for severity in _SEVERITIES])
+
+
+@lru_cache(_MOST_COUNTS)
+def _counts(*numbers: int) -> str:
+    """The numbers of findings of each severity in words. Most frames have few, so that they are like one another."""
+    counts = [f"{count} {severity}{'s' * (count != 1)}" for count, severity in zip(numbers, _SEVERITIES, strict=True)]
+    return ", ".join(text for count, text in zip(numbers, counts, strict=True) if count) or "no findings"
 
 
 def diagnostics(
@@ -81,9 +85,9 @@ def diagnostics(
         return lines
     excerpt = Excerpt(report.frame, dialect)
     kept, left = _without_repetitions(shown)
-    for _, together in groupby(kept, key=_SPAN):
+    for together in _together(kept):
         lines.append([])
-        _add_together(list(together), excerpt, place, lines)
+        _add_together(together, excerpt, place, lines)
     if left:
         lines.append([])
         lines += map(_repetitions, left)
@@ -103,9 +107,10 @@ def diagnostics_texts(
         return texts
     excerpt = Excerpt(report.frame, dialect)
     kept, left = _without_repetitions(shown)
-    for _, together in groupby(kept, key=_SPAN):
+    before = f"{excerpt.margin}--> {place}, " if place else f"{excerpt.margin}--> "
+    for together in _together(kept):
         texts.append("")
-        _add_together_texts(list(together), excerpt, place, texts)
+        _add_together_texts(together, excerpt, before, texts)
     if left:
         texts.append("")
         texts += [plain_text(_repetitions(alike)) for alike in left]
@@ -196,7 +201,11 @@ def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], li
     """The findings to show, and by code those that repeat what was shown often enough."""
     if len(findings) <= MOST_ALIKE:
         return list(findings), []
-    totals = Counter([finding.code for finding in findings])
+    codes = [finding.code for finding in findings]
+    if len(codes) - len(set(codes)) <= MOST_ALIKE:
+        # However they are shared out, no code has more findings than one and all those that are left over.
+        return list(findings), []
+    totals = Counter(codes)
     if max(totals.values()) <= MOST_ALIKE + 1:
         return list(findings), []
     seen: Counter[str] = Counter()
@@ -210,6 +219,20 @@ def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], li
         else:
             left.setdefault(finding.code, []).append(finding)
     return kept, list(left.values())
+
+
+def _together(findings: list[Finding]) -> Iterator[list[Finding]]:
+    """The findings on the same bytes together."""
+    together: list[Finding] = []
+    offset = length = -1
+    for finding in findings:
+        if finding.offset != offset or finding.length != length:
+            if together:
+                yield together
+            together, offset, length = [], finding.offset, finding.length
+        together.append(finding)
+    if together:
+        yield together
 
 
 def _repetitions(alike: list[Finding]) -> Line:
@@ -235,14 +258,19 @@ def _add_together(findings: list[Finding], excerpt: Excerpt, place: str, lines: 
         lines.append([(f"{excerpt.margin} = ", Role.ASIDE), (word, Role.OPERATION), (help_, Role.PLAIN)])
 
 
-def _add_together_texts(findings: list[Finding], excerpt: Excerpt, place: str, texts: list[str]) -> None:
-    """Adds the same lines as texts."""
+def _add_together_texts(findings: list[Finding], excerpt: Excerpt, before: str, texts: list[str]) -> None:
+    """Adds the same lines as texts.
+
+    before  what stands in front of where they are
+    """
     first = findings[0]
     for finding in findings:
         texts.append(f"{finding.severity}[{finding.code}]: {finding.message}".rstrip())
-    where = _where(first)
-    texts.append(f"{excerpt.margin}--> {place}, {where}".rstrip() if place else f"{excerpt.margin}--> {where}".rstrip())
+    texts.append(f"{before}{_where(first)}".rstrip())
     excerpt.show_texts(first, texts)
+    if len(findings) == 1:
+        texts.append(f"{excerpt.margin} = help: {first.help}".rstrip())
+        return
     for word, help_ in _helps(findings):
         texts.append(f"{excerpt.margin} = {word}{help_}".rstrip())
 
@@ -264,8 +292,9 @@ def _mark(finding: Finding) -> Span:
 
 def _where(finding: Finding) -> str:
     """`offset 9, VOLUME of SOUND.TONE`."""
-    if finding.operation is None and finding.parameter is None:
+    operation, parameter = finding.operation, finding.parameter
+    if operation is None and parameter is None:
         return f"offset {finding.offset}"
-    if finding.operation is None or finding.parameter is None:
-        return f"offset {finding.offset}, {finding.operation or finding.parameter}"
-    return f"offset {finding.offset}, {finding.parameter} of {finding.operation}"
+    if operation is None or parameter is None:
+        return f"offset {finding.offset}, {operation or parameter}"
+    return f"offset {finding.offset}, {parameter} of {operation}"

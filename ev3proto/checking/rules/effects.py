@@ -15,6 +15,8 @@ _AWAITS_SOUND = with_effect(Effect.AWAITS_SOUND)
 _AWAITS_MOVE = with_effect(Effect.AWAITS_MOVE)
 _SHOWS = with_effect(Effect.SHOWS)
 
+_LOOKED_AT = frozenset((Effect.STARTS_SOUND, Effect.SHOWS, Effect.STARTS_MOVE, Effect.DRAWS))
+
 _PORTS = 4
 """Motor ports of a brick."""
 
@@ -23,6 +25,8 @@ def check_effects(context: CheckContext) -> Iterator[Finding]:
     """The operations of a command in their order."""
     operations = context.operations
     present = context.effects
+    if present.isdisjoint(_LOOKED_AT):
+        return
     if Effect.STARTS_SOUND in present:
         yield from _sounds(operations)
     if Effect.SHOWS in present:

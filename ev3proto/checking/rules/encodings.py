@@ -5,53 +5,61 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
-from ev3proto.checking.context import CheckedOperation
+from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
 from ev3proto.messages import Argument, Variable
 from ev3proto.schema.argument import SHORT, encode_integer, encode_variable
+from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables.declaration import Role
-from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, GLOBAL, INDEX_RANGES, LOCAL
+from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, GLOBAL, INDEX_RANGES, LOCAL, Encoding
 
 
-def check_encodings(frame: bytes, operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+def check_encodings(context: CheckContext) -> Iterator[Finding]:
     """The arguments of all operations, CMD included."""
-    has_jumps = any(operation.facts.is_jump for operation in operations)
-    for operation in operations:
+    frame, has_jumps = context.frame, context.has_jumps
+    for operation in context.operations:
         if operation.facts.has_cmd and frame[operation.start + 1] >= _SHORT_FORMS:
             cmd = operation.parsed.cmd
             assert cmd is not None
-            yield from _longer(operation, cmd, has_jumps)
+            if _is_longer(cmd):
+                yield _finding(operation, cmd, has_jumps)
         for argument in operation.arguments:
-            form = argument.form
-            if form.width and not form.handle and not form.address:
-                yield from _longer(operation, argument, has_jumps)
+            # What `_is_longer` asks, without a call: arguments are many, and hardly any is too long.
+            _, form, value, _, _ = argument
+            shorter = _SHORTER.get(id(form))
+            if shorter is not None and type(value) is int and value in shorter:
+                yield _finding(operation, argument, has_jumps)
 
 
 _SHORT_FORMS = len(SHORT)
 """Identification bytes below this one are whole arguments."""
 
+_RANGES = {CONSTANT: CONSTANT_RANGES, LOCAL: INDEX_RANGES, GLOBAL: INDEX_RANGES}
 
-def _longer(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Iterator[Finding]:
-    _, form, value, *_ = argument
-    if form.kind == CONSTANT:
-        if not isinstance(value, int):
-            return
-        spans = CONSTANT_RANGES
-    elif form.kind in (LOCAL, GLOBAL):
-        spans = INDEX_RANGES
-    else:
-        return
+
+def _shorter(form: Encoding) -> range | None:
+    """The values that a shorter form than this one can hold; None where there is none."""
+    if not form.width or form.handle or form.address:
+        return None
+    # Wider ones hold all that narrower ones do.
+    narrower = [numbers for width, numbers in _RANGES.get(form.kind, {}).items() if width < form.width]
+    return narrower[-1] if narrower else None
+
+
+_SHORTER = {id(form): _shorter(form) for form in ENCODINGS if form is not None}
+"""The same by the id of the encoding: there is one object for each, and to hash one takes long."""
+
+
+def _is_longer(argument: Argument) -> bool:
+    """Whether its value fits a shorter form."""
+    shorter = _SHORTER.get(id(argument.form))
+    return shorter is not None and type(argument.value) is int and argument.value in shorter
+
+
+def _finding(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Finding:
+    kind, value = argument.form.kind, argument.value
     assert isinstance(value, int)
-    for width, numbers in spans.items():
-        if value in numbers:
-            if width < form.width:  # type: ignore[operator]
-                yield _finding(operation, argument, value, has_jumps)
-            return
-
-
-def _finding(operation: CheckedOperation, argument: Argument, value: int, has_jumps: bool) -> Finding:
-    kind = argument.form.kind
     shortest = encode_integer(value) if kind == CONSTANT else encode_variable(Variable(kind, value))
     if argument.parameter.role is Role.JUMP and kind == CONSTANT and value < 0:
         shortest = _shorter_way_back(argument, value)

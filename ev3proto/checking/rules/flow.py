@@ -16,6 +16,9 @@ from ev3proto.tables.declaration import Effect, Role
 from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, JUMP
 from ev3proto.tables.validation import LABELS
 
+_OF_PROGRAMS = frozenset((Effect.OF_PROGRAMS,))
+_ENDS = frozenset((Effect.ENDS,))
+
 _OWN_OBJECT = 1
 """The number of the only object that a direct command has."""
 
@@ -25,11 +28,11 @@ def check_flow(context: CheckContext) -> Iterator[Finding]:
     operations = context.operations
     if operations and operations[-1].facts.ends_code:
         yield _object_end(operations[-1], context.end)
-    if Effect.OF_PROGRAMS in context.effects:
+    if not context.effects.isdisjoint(_OF_PROGRAMS):
         for operation in operations:
             if operation.has(Effect.OF_PROGRAMS) and not operation.facts.ends_code:
                 yield from _of_programs(operation)
-    if Effect.ENDS not in context.effects and not any(operation.facts.is_jump for operation in operations):
+    if not context.has_jumps and context.effects.isdisjoint(_ENDS):
         return
     way = _Way(context)
     yield from way.wrong_jumps()

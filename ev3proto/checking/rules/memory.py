@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache
-from itertools import groupby, pairwise
+from itertools import groupby
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext
@@ -25,30 +25,41 @@ _LARGEST = 4
 
 def check_memory(context: CheckContext, command: DirectCommand) -> Iterator[Finding]:
     """All variables of a command."""
-    operations = context.operations
-    used = [found for operation in operations for found in footprints(operation.parsed, operation.arguments)]
-    local = [found for found in used if not found.is_global]
-    shared = [found for found in used if found.is_global]
-    for asked, together in ((command.local_size, local), (command.global_size, shared)):
-        for found in together:
-            start = found.start
-            if start % found.validator_alignment or start % found.cpu_alignment:
-                yield _misaligned(found, asked)
-            if start + found.size > asked:
-                yield _beyond(found, asked)
+    local: list[Footprint] = []
+    shared: list[Footprint] = []
+    for operation in context.operations:
+        for found in footprints(operation.parsed, operation.arguments):
+            (shared if found.is_global else local).append(found)
+    yield from _places(local, command.local_size)
+    yield from _places(shared, command.global_size)
     if not context.is_whole:
         # Of what is not read nobody knows which memory it uses.
         return
-    if len(used) > 1 and not any(operation.facts.is_jump for operation in operations):
+    if not context.has_jumps:
         # With jumps nobody knows what comes first.
-        yield from _overlaps(local, is_kept=False)
-        yield from _overlaps(shared, is_kept=command.wants_reply)
+        if len(local) > 1:
+            yield from _overlaps(local, is_kept=False)
+        if len(shared) > 1:
+            yield from _overlaps(shared, is_kept=command.wants_reply)
     yield from _asked_for(command, local, shared)
 
 
+def _places(used: list[Footprint], asked: int) -> Iterator[Finding]:
+    """Variables that are misaligned, or beyond the bytes of memory that are asked for."""
+    for found in used:
+        start = found.start
+        if start % found.validator_alignment or start % found.cpu_alignment:
+            yield _misaligned(found, asked)
+        if start + found.size > asked:
+            yield _beyond(found, asked)
+
+
 def _about(found: Footprint, code: codes.Code, message: str, help_: str) -> Finding:
-    argument = found.argument
-    return code.finding(argument.offset, argument.length, message, help_, found.operation.full_name, argument.name)
+    argument, schema = found.argument, found.operation[0]
+    parameter, form, _, offset, _ = argument
+    width = form.width
+    assert width is not None  # a variable is no text
+    return code.finding(offset, 1 + width, message, help_, schema.declaration.name, parameter.name)
 
 
 def _misaligned(found: Footprint, asked: int) -> Finding:
@@ -149,7 +160,12 @@ def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
 def _have_results_in_common(used: list[Footprint]) -> bool:
     """Whether there are two results at least that have a byte in common. Most commands have none."""
     taken = sorted([(found.start, found.start + found.size) for found in used if found.is_written])
-    return any(after[0] < before[1] for before, after in pairwise(taken))
+    last = 0
+    for start, end in taken:
+        if start < last:
+            return True
+        last = end
+    return False
 
 
 def _destroyed(before: Footprint, found: Footprint, is_kept: bool) -> Iterator[Finding]:
@@ -220,9 +236,16 @@ def _have_common(found: Footprint, other: Footprint) -> bool:
 
 
 def _unused(scope: str, asked: int, used: list[Footprint]) -> Iterator[Finding]:
-    if not asked or asked > MOST_IN_REPLY or any(found.is_open for found in used):
+    if not asked or asked > MOST_IN_REPLY:
         return
-    needed = max((found.start + (found.most or 0) for found in used), default=0)
+    needed = 0
+    for found in used:
+        if found.most is None:
+            # Nobody knows how many bytes it takes.
+            return
+        end = found.start + found.most
+        if end > needed:
+            needed = end
     left = asked - needed
     if left <= 0 or (left < _LARGEST and needed and asked % _LARGEST == 0):
         return

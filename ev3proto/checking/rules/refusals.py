@@ -21,13 +21,8 @@ from ev3proto.tables.encoding import CONSTANT
 
 def check_refusals(context: CheckContext) -> Iterator[Finding]:
     """What stops the reader of the operations, or the validator where the reader goes on."""
-    for operation in context.operations:
-        if operation.has(Effect.NEVER_RUNS):
-            yield operation.finding(
-                codes.UNKNOWN_OPCODE,
-                f"0x{operation.parsed.opcode:02X} is {operation.name}, which the firmware never runs",
-                _out_of_step(operation.start),
-            )
+    if not context.effects.isdisjoint(_NEVER_RUNS):
+        yield from _never_run(context)
     if context.dialect == "official":
         yield from _newer(context)
     fault = context.fault
@@ -38,6 +33,19 @@ def check_refusals(context: CheckContext) -> Iterator[Finding]:
     # That the frame ends too early, or that its length is wrong, has been said already.
     if fault is not None and context.end > COMMAND_HEADER_SIZE and not (context.is_length_wrong and fault.truncated):
         yield _fault(context, fault)
+
+
+_NEVER_RUNS = frozenset((Effect.NEVER_RUNS,))
+
+
+def _never_run(context: CheckContext) -> Iterator[Finding]:
+    for operation in context.operations:
+        if operation.has(Effect.NEVER_RUNS):
+            yield operation.finding(
+                codes.UNKNOWN_OPCODE,
+                f"0x{operation.parsed.opcode:02X} is {operation.name}, which the firmware never runs",
+                _out_of_step(operation.start),
+            )
 
 
 def _faulty_start(context: CheckContext) -> int:

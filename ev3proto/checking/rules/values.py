@@ -10,137 +10,117 @@ from ev3proto.checking.context import CheckedOperation
 from ev3proto.checking.facts import ParameterFacts, parameter_facts
 from ev3proto.checking.report import Finding
 from ev3proto.messages import Argument
-from ev3proto.semantics.domain import Domain
 from ev3proto.tables.declaration import Direction, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES, TEXT
 from ev3proto.tables.validation import LABELS
 
-_BYTES_OF_NUMBERS = {Type.DATA8: 1, Type.DATA16: 2, Type.DATA32: 4, Type.HANDLE: 2}
+_VARIABLES = (LOCAL, GLOBAL)
 
 
 def check_values(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
     """The constants of all operations."""
     for operation in operations:
-        yield from _values(operation)
+        known_parameters = operation.facts.parameters
+        for number, argument in enumerate(operation.arguments):
+            parameter, form, value, _, _ = argument
+            kind = form.kind
+            if kind in _VARIABLES:
+                continue
+            known = known_parameters[number] if number < len(known_parameters) else parameter_facts(parameter)
+            # A range looks at all of its numbers, one by one, for what is no whole number.
+            if type(value) is int and value in known.numbers:
+                continue
+            found = _value(operation, argument, known, is_first=not number and not operation.facts.has_cmd)
+            if found is not None:
+                yield found
 
 
-def _values(operation: CheckedOperation) -> Iterator[Finding]:
-    known_parameters = operation.facts.parameters
-    for number, argument in enumerate(operation.arguments):
-        parameter, form, value, *_ = argument
-        kind = form.kind
-        if kind in (LOCAL, GLOBAL):
-            continue
-        known = known_parameters[number] if number < len(known_parameters) else parameter_facts(parameter)
-        # A range looks at all of its numbers, one by one, for what is no whole number.
-        if type(value) is int and value in known.numbers:
-            continue
-        is_first = not number and not operation.facts.has_cmd
-        if form.handle or form.address:
-            # Only the brick knows what is there. Its validator takes the handle or address itself for the value.
-            if is_first and isinstance(value, int):
-                yield from _refused(operation, argument, value, known)
-            continue
-        if parameter.direction is not Direction.IN:
-            yield _constant_output(operation, argument)
-        elif kind == TEXT:
-            if parameter.type is not Type.STRING and parameter.length is None and parameter.type is not _UNTYPED:
-                yield _text_for_number(operation, argument)
-        elif isinstance(value, float):
-            if math.isnan(value):
-                yield _not_a_number(operation, argument)
-        elif parameter.type is Type.STRING:
-            yield _number_for_text(operation, argument)
-        elif parameter.type is Type.DATAF:
-            if value and parameter.length is None:
-                yield _integer_for_float(operation, argument)
-        else:
-            assert isinstance(value, int)
-            yield from _number(operation, argument, value, known, is_first=is_first)
-
-
-_UNTYPED = Type.ARRAY_TYPED
+def _value(operation: CheckedOperation, argument: Argument, known: ParameterFacts, *, is_first: bool) -> Finding | None:
+    """What is wrong with a constant."""
+    parameter, form, value, _, _ = argument
+    kind, type_ = form.kind, parameter.type
+    if form.handle or form.address:
+        # Only the brick knows what is there. Its validator takes the handle or address itself for the value.
+        return _refused(operation, argument, value, known) if is_first and isinstance(value, int) else None
+    if parameter.direction is not Direction.IN:
+        return _constant_output(operation, argument)
+    if kind == TEXT:
+        is_text = type_ is Type.STRING or parameter.length is not None or type_ is Type.ARRAY_TYPED
+        return None if is_text else _text_for_number(operation, argument)
+    if isinstance(value, float):
+        return _not_a_number(operation, argument) if math.isnan(value) else None
+    if type_ is Type.STRING:
+        return _number_for_text(operation, argument)
+    if type_ is Type.DATAF:
+        return _integer_for_float(operation, argument) if value and parameter.length is None else None
+    assert isinstance(value, int)
+    return _number(operation, argument, value, known, is_first=is_first)
 
 
 def _number(
     operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts, *, is_first: bool
-) -> Iterator[Finding]:
+) -> Finding | None:
     """What is wrong with a whole number."""
-    parameter, domain = known.parameter, known.domain
-    refused = list(_refused(operation, argument, value, known)) if is_first else []
-    if refused or parameter.type is Type.LABEL:
-        yield from refused
-        return
-    size = _BYTES_OF_NUMBERS.get(parameter.type)
-    if size is not None:
-        limits = RANGES[parameter.type]
-        if not limits.low <= value <= limits.high:
-            yield _cut_down(operation, argument, value, size, known)
-            return
+    _, _, domain, limits, _, _ = known
+    refused = _refused(operation, argument, value, known) if is_first else None
+    if refused is not None or known.parameter.type is Type.LABEL:
+        return refused
+    if limits is not None and not limits.low <= value <= limits.high:
+        return _cut_down(operation, argument, value, known)
     if domain is None or domain.covers(value):
-        return
-    yield _illegal(operation, argument, value, domain)
+        return None
+    return _illegal(operation, argument, value, known)
 
 
-def _illegal(operation: CheckedOperation, argument: Argument, value: int, domain: Domain, aside: str = "") -> Finding:
+def _illegal(
+    operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts, aside: str = ""
+) -> Finding:
     """A number that the tables do not provide for."""
-    parameter = argument.parameter
-    if domain.has_names:
-        assert parameter.enum is not None
-        return operation.finding_at(
-            codes.NO_MEMBER,
-            argument,
-            f"{argument.name} is {value}, which {parameter.enum.name} has no name for{aside}",
-            f"give {domain.choice}",
-        )
-    unit = f" {parameter.unit}" if parameter.unit else ""
-    return operation.finding_at(
-        codes.OUT_OF_RANGE,
-        argument,
-        f"{argument.name} is {value}{unit}, outside of {domain.text}{aside}",
-        f"give {domain.text}",
-    )
+    assert known.domain is not None
+    code = codes.NO_MEMBER if known.domain.has_names else codes.OUT_OF_RANGE
+    message = f"{argument[0].name} is {value}{known.outside}{aside}"
+    return operation.finding_at(code, argument, message, known.advice)
 
 
-def _refused(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Iterator[Finding]:
+def _refused(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding | None:
     """A first parameter that the validator does not let pass."""
     parameter = known.parameter
     if parameter.role is Role.LABEL:
-        if not 0 <= value < LABELS:
-            yield operation.finding_at(
-                codes.BAD_LABEL,
-                argument,
-                f"{argument.name} is {value}, and there are labels 0 to {LABELS - 1}",
-                f"give 1 to {LABELS - 1}; jumps cannot name label 0",
-            )
-        return
+        if 0 <= value < LABELS:
+            return None
+        return operation.finding_at(
+            codes.BAD_LABEL,
+            argument,
+            f"{argument.name} is {value}, and there are labels 0 to {LABELS - 1}",
+            f"give 1 to {LABELS - 1}; jumps cannot name label 0",
+        )
     checked = parameter.validated or parameter.type
     if checked is Type.STRING:
         # Of a text, the validator sees its first character.
         checked = Type.DATA8
     limits = RANGES.get(checked)
-    if limits is not None and not limits.low <= value <= limits.high:
-        yield operation.finding_at(
-            codes.FIRST_OUT_OF_RANGE,
-            argument,
-            f"{argument.name} is {value}, and the brick takes {limits.low} to {limits.high} as {checked}"
-            " in a first parameter",
-            _value_help(known),
-        )
+    if limits is None or limits.low <= value <= limits.high:
+        return None
+    return operation.finding_at(
+        codes.FIRST_OUT_OF_RANGE,
+        argument,
+        f"{argument.name} is {value}, and the brick takes {limits.low} to {limits.high} as {checked}"
+        " in a first parameter",
+        _value_help(known),
+    )
 
 
-def _cut_down(operation: CheckedOperation, argument: Argument, value: int, size: int, known: ParameterFacts) -> Finding:
+def _cut_down(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding:
     """A number that more bytes were given than the parameter has, or the one that means that there is none."""
     parameter = argument.parameter
-    nan = RANGES[parameter.type].nan
-    bits = 8 * size
-    if value == nan:
+    bits = 8 * parameter.type.size
+    if value == RANGES[parameter.type].nan:
         return _not_a_number(operation, argument)
     kept = value & (1 << bits) - 1
     read = kept - (1 << bits) if kept >> bits - 1 else kept
     if 0 <= value < 1 << bits:
         if known.domain is not None and not known.domain.covers(read):
-            return _illegal(operation, argument, value, known.domain, f", and the brick reads it as {read}")
+            return _illegal(operation, argument, value, known, f", and the brick reads it as {read}")
         return operation.finding_at(
             codes.NEGATIVE,
             argument,

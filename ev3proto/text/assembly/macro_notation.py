@@ -10,7 +10,8 @@ from functools import cache
 
 from ev3proto.messages import Argument, Operation, OperationReader
 from ev3proto.schema.identification import LABEL_BYTE
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, Encoding
+from ev3proto.tables.declaration import Enumeration
+from ev3proto.tables.encoding import CONSTANT, JUMP, Encoding
 from ev3proto.text.assembly.words import BYTES, CUT
 from ev3proto.text.patterns import is_usual
 from ev3proto.text.phrases import quoted, short_float, spaced_hex
@@ -34,17 +35,20 @@ def operation_line(operation: Operation) -> str:
             pieces.append(in_macro(cmd, operation.command or ""))
     for argument in operation.arguments:
         parameter, form, value, _, _ = argument
-        if type(value) is int and (form.kind in _VARIABLES or (parameter.enum is None and form.kind == CONSTANT)):
-            before, after = _AROUND.get(id(form)) or _around(form)
+        kind = form.kind
+        if type(value) is not int or kind == JUMP:
+            pieces.append(_argument(argument))
+            continue
+        before, after = _AROUND.get(id(form)) or _around(form)
+        enum = parameter.enum
+        if enum is None or kind != CONSTANT:
             pieces.append(f"{before}{value}{after}")
         else:
-            pieces.append(_argument(argument))
+            pieces.append(f"{before}{_symbols(enum).get(value, value)}{after}")
     if not operation.is_complete:
         pieces.append(CUT)
     return ", ".join(pieces)
 
-
-_VARIABLES = (LOCAL, GLOBAL)
 
 _AROUND: dict[int, tuple[str, str]] = {}
 """What stands around a number, by the id of its encoding: there is one object for each."""
@@ -105,6 +109,13 @@ def _argument(argument: Argument) -> str:
             return in_macro(argument, text, "LCF")
         return in_macro(argument, float_pattern(argument))
     enum = argument.parameter.enum
-    symbol = argument.symbol
-    is_member = enum is not None and symbol is not None and enum.members.get(symbol) == value
-    return in_macro(argument, symbol if is_member and symbol is not None else str(value))
+    return in_macro(argument, str(value if enum is None else _symbols(enum).get(value, value)))
+
+
+@cache
+def _symbols(enum: Enumeration) -> dict[int, str]:
+    """The name that each number is written as."""
+    names: dict[int, str] = {}
+    for name, number in enum.members.items():
+        names.setdefault(number, name)
+    return names

@@ -6115,7 +6115,7 @@ end
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, is_sensible_command, judge_frames, find_frame
+local is_flawless, is_sensible_command, judge_frames, find_frame, find_step
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
     local MOST_TRIALS = 64
@@ -6192,6 +6192,9 @@ do
         local type = MESSAGE_TYPES[byte(part, HEADER_SIZE)]
         if not type then return true end
         if not accepts(type) then return false end
+        if type.carries == "system" and #part > HEADER_SIZE then
+            return SYSTEM_COMMANDS[byte(part, HEADER_SIZE + 1)] ~= nil
+        end
         if type.carries ~= "direct" or not type.is_command or #part <= COMMAND_HEADER_SIZE then return true end
         return can_be_read_now(part, #part, true)
     end
@@ -6258,6 +6261,46 @@ do
             hit = find(text, STARTS, hit + 1)
         end
         return nil
+    end
+
+    local function accepts_any()
+        return true
+    end
+
+    -- Where a stream goes on that is out of step, from an offset on: the place of a frame that is whole there and
+    -- without a fault, and followed by what may be the next one. If frames may go on in the next packet, this is also
+    -- the place of the first that may be one as far as it goes, and the second result is true. Where a packet starts,
+    -- at `first` and from `second` on, a frame may have faults. nil: no frame is here.
+    function find_step(text, at, accepts, may_go_on, first, second)
+        accepts = accepts or accepts_any
+        local open, is_start, single
+        local trials, hit = 0, find(text, STARTS, at + 2)
+        while hit and trials < MOST_TRIALS do
+            local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
+            local stop = place + LENGTH_FIELD + low + high * 0x100
+            if is_length(low, high) and accepts(MESSAGE_TYPES[code]) then
+                trials = trials + 1
+                if stop > #text then
+                    if not open and may_become_flawless(text, place, accepts) then
+                        open, is_start = place, place == first or place == second
+                    end
+                elseif stop == #text or may_start(text, stop) then
+                    local message = read_message(sub(text, place + 1, stop))
+                    local is_found = place == first or place == second
+                    if not is_found and is_flawless(message) then
+                        is_found = not message.type.is_command or is_sensible_command(message)
+                    end
+                    if is_found then
+                        -- Only one with which a packet starts is more likely than one that is whole.
+                        if not may_go_on or not is_start or (count_chain(text, place) or 0) > 1 then return place end
+                        single = single or place
+                    end
+                end
+            end
+            hit = find(text, STARTS, hit + 1)
+        end
+        if open and may_go_on then return open, true end
+        return single
     end
 end
 
@@ -6394,14 +6437,23 @@ do
         return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
     end
 
-    -- Where the stream goes on when no frame starts at an offset: a frame without a fault, a text, or the end.
-    local function next_step(text, at)
-        local place = find_frame(text, at + 1) or #text
-        for _, start in ipairs({ UNLOCK_REQUEST, ACCEPT }) do
-            local hit = find(text, start, at + 2, true)
-            if hit and hit - 1 < place then place = hit - 1 end
+    -- Where a stream that is out of step goes on: at a frame, a text, or the end; and whether more is needed to tell.
+    -- With `least` the last bytes may begin a header, if they are so many; without it nothing more comes.
+    local function next_step(text, at, accepts, least, first, second)
+        local place, is_open = find_step(text, at, accepts, least, first, second)
+        if not place and least then
+            place = math.max(at, #text - HEADER_SIZE + 1)
+            while place < #text and not may_start(text, place) do
+                place = place + 1
+            end
+            is_open = place <= #text - least
         end
-        return place
+        if not place or is_open == false then place = #text end
+        for _, start in ipairs({ UNLOCK_REQUEST, ACCEPT }) do
+            local hit = find(text, start, at + 1, true)
+            if hit and hit - 1 < place then place, is_open = hit - 1, false end
+        end
+        return place, is_open
     end
 
     -- Whether frames follow each other from the middle of what seems to be one: more than one, as data may look like
@@ -6426,48 +6478,90 @@ do
         local stop, captured = at + size, #text
         local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
         local is_chained = stop >= captured or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)]
-        if not type then
-            -- Gaps are TCP's, where the ports tell the way: Bluetooth loses nothing.
-            local may_be_gap = at == 0 and (accepts ~= nil or stop >= captured)
-            return not is_chained or may_be_gap and has_frame_inside(text, at, stop)
+        if not type or accepts and not accepts(type) then
+            return not is_chained or at == 0 and (stop > captured or has_frame_inside(text, at, stop))
         end
         if is_chained and at > 0 then return false end
-        if stop <= captured and (not accepts or accepts(type)) then
-            if is_flawless(read_message(sub(text, at + 1, stop))) then return false end
-        end
+        if stop <= captured and is_flawless(read_message(sub(text, at + 1, stop))) then return false end
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
     end
 
-    -- The frames and texts in a piece of a stream: the offset after the last one that is whole, how many bytes the
-    -- next one wants (nil where its length is not known yet), and whether there was anything that is ours. `reported`
-    -- is the size of the piece on the wire, of which a capture may have less; with `is_last` there is nothing more to
-    -- wait for. `types_of` tells of a packet which types go its way.
-    function dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
+    -- Whether a frame that came in several packets shows that something is missing between them: another one stands
+    -- inside it, while after it none can start, or it has faults and nothing tells what comes after it.
+    local function hides_gap(text, at, size, stream)
+        local stop = at + size
+        local may_go_on = not stream.is_last
+        if stop >= #text or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)] then
+            if #text - stop >= HEADER_SIZE then return false end
+            if is_flawless(read_message(sub(text, at + 1, stop)), true) then return false end
+            may_go_on = false
+        end
+        return find_step(text, at + 1, stream.accepts, may_go_on, stream.joint) ~= nil
+    end
+
+    -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
+    -- next one wants, nil where its length is not known yet; whether there was anything that is ours; and the step
+    -- at the end. `stream` is how it stands:
+    --   reported   the size of the piece on the wire, of which a capture may have less
+    --   is_last    there is nothing more to wait for
+    --   step       "sure" where a frame starts with the piece, "likely" where one does unless there is a gap before
+    --              it, "lost" where it must be looked for
+    --   joint      where in the piece the newest packet starts; `first` is 0 where a packet starts with the piece, too
+    --   may_gap    nothing tells of gaps between the packets
+    --   accepts    tells which types go its way, if that is known
+    function dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
         local at, captured, is_ours, start = 0, #text, false, tvb:offset()
+        local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
+        local step, joint = stream.step, stream.joint
         while at < captured do
             local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
             local said, behind
             if TEXT_STARTS[low] then
                 said, behind = dissect_text(tvb, text, at, tree, is_shown)
-                if not said and not is_last and is_part_of_text(text, at) then return at, nil, true end
+                if not said and not is_last and is_part_of_text(text, at) then return at, nil, true, step end
                 is_ours = is_ours or said ~= nil
+                if said then step = "sure" end
             end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
-                local is_frame = not size or is_length(low, high)
-                if is_frame and code and at + size ~= captured then
-                    is_frame = not is_misleading(text, at, size, types_of and types_of(pinfo))
+                local is_frame = step ~= "lost" and (not size or is_length(low, high))
+                if is_frame and code then
+                    if at < joint and stream.may_gap then
+                        is_frame = at + size > captured or not hides_gap(text, at, size, stream)
+                    elseif step == "likely" and at + size ~= captured then
+                        is_frame = not is_misleading(text, at, size, accepts)
+                    end
                 end
                 if not is_frame then
-                    behind = end_of_text(text, at)
+                    behind = step ~= "lost" and end_of_text(text, at)
                     if behind then
                         said, behind = dissect_end_of_text(tvb, at, behind, tree, is_shown)
                     else
-                        behind = next_step(text, at)
-                        said = dissect_no_frame(tvb, at, behind, size - LENGTH_FIELD, tree, is_shown)
+                        local from, is_open = at, false
+                        if step ~= "lost" then from = at + 1 end
+                        -- Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
+                        local least
+                        if step == "lost" or stream.may_gap then
+                            least = 1
+                        elseif at > 0 then
+                            least = LENGTH_FIELD
+                        end
+                        behind, is_open = next_step(text, from, accepts, not is_last and least, stream.first, joint)
+                        step = (is_open or behind == captured) and "lost" or "sure"
+                        if behind > at then
+                            local length = size and size - LENGTH_FIELD or MIN_LENGTH
+                            said = dissect_no_frame(tvb, at, behind, length, tree, is_shown)
+                        end
+                        if is_open then
+                            if said then say(said) end
+                            return behind, nil, true, step
+                        end
                     end
+                elseif not is_last and not code and step == "likely" and at == 0 then
+                    -- Its header must be right before it can ask for all of itself.
+                    return at, nil, true, step
                 elseif not is_last and (not size or at + size > reported) then
-                    return at, size and at + size - reported, true
+                    return at, size and at + size - reported, true, "sure"
                 elseif captured - at < HEADER_SIZE then
                     local reason = "the frame is cut off in its header"
                     said, behind =
@@ -6480,10 +6574,10 @@ do
                     said = dissect_message(tvb, at, read_message(frame), talk, place, pinfo, tree, is_shown)
                 end
             end
-            say(said)
+            if said then say(said) end
             at = behind
         end
-        return at, 0, is_ours
+        return at, 0, is_ours, step
     end
 end
 
@@ -6632,11 +6726,12 @@ do
     -- The packets that a frame came in are one list, which they all share; once the frame is whole, it has the packet
     -- with the last piece as `complete_in`. By packet, of those that are ours: `continued` is the list of the frame
     -- that goes on in it, of which `earlier` packets came before, `waiting` the bytes of those where the frame becomes
-    -- whole, and `begun` the list of the frame that begins in it and is not whole.
-    local streams, is_ours, continued, earlier, waiting, begun
+    -- whole, and `begun` the list of the frame that begins in it and is not whole. `is_ours` tells of a packet that is
+    -- ours which types go its way, `steps` is "lost" where the stream was out of step before it.
+    local streams, is_ours, continued, earlier, waiting, begun, steps
 
     local function forget_streams()
-        streams, is_ours, continued, earlier, waiting, begun = {}, {}, {}, {}, {}, {}
+        streams, is_ours, continued, earlier, waiting, begun, steps = {}, {}, {}, {}, {}, {}, {}
     end
     forget_streams()
 
@@ -6663,6 +6758,11 @@ do
         return type.is_command
     end
 
+    -- Bricks write into each other's mailboxes.
+    local function is_from_brick(type)
+        return not type.is_command or type.carries == "system" and not type.wants_reply
+    end
+
     local function clear(stream)
         stream.left, stream.list = "", nil
     end
@@ -6677,7 +6777,7 @@ do
         local joined = left ~= "" and judge_frames(left .. piece, 0, is_command, is_sensible_command) or nil
         if joined == OURS then
             for index, before in ipairs(stream.list) do
-                is_ours[before] = true
+                is_ours[before] = is_command
                 if index == 1 then begun[before] = stream.list end
                 if index > 1 then continued[before], earlier[before] = stream.list, index - 1 end
             end
@@ -6700,6 +6800,13 @@ do
         return not high or is_length(low, high) and LENGTH_FIELD + low + high * 0x100 > #text
     end
 
+    -- Whether all of a text waits for more.
+    local function waits(stream, text)
+        if stream.step ~= "lost" then return is_part(text) end
+        local place, is_open = find_step(text, 0, stream.accepts, true, 0)
+        return is_open and place == 0
+    end
+
     -- The first time that a packet is seen: joins it with what waits for it. Returns all of that, and whether some of
     -- it may be whole.
     local function join(stream, piece, number)
@@ -6712,7 +6819,7 @@ do
         local text = left .. piece
         if left == "" then return text, true end
         continued[number], earlier[number] = stream.list, #stream.list
-        if is_part(text) then
+        if waits(stream, text) then
             stream.left = text
             table.insert(stream.list, number)
             return text, false
@@ -6752,10 +6859,13 @@ do
                 talk.is_claimed = claim(talk, stream, piece, number)
                 -- It is claimed by a command, so this packet goes to the brick.
                 talk.name = talk.is_claimed and tostring(pinfo.dl_dst) or nil
+                talk.to_brick = stream
             end
             if not talk.is_claimed then return 0 end
-            is_ours[number] = true
+            stream.accepts = stream == talk.to_brick and is_command or is_from_brick
+            is_ours[number] = stream.accepts
             text, may_be_whole = join(stream, piece, number)
+            if stream.step == "lost" then steps[number] = "lost" end
         elseif is_ours[number] then
             text = (waiting[number] or "") .. piece
             may_be_whole = waiting[number] or not continued[number]
@@ -6770,15 +6880,23 @@ do
                 whole = ByteArray.new(text, true):tvb("EV3 frames")
                 if is_shown then add_joined(tree, tvb, before, number) end
             end
-            local is_cut = #piece < tvb:reported_len()
-            local behind, _, has_ours =
-                dissect_stream(whole, text, #text, talk, number, pinfo, tree, is_shown, is_cut)
+            local state = {
+                reported = #text,
+                is_last = #piece < tvb:reported_len(),
+                step = steps[number] or "likely",
+                joint = before and #before or 0,
+                first = not before and 0,
+                may_gap = true,
+                accepts = is_ours[number],
+            }
+            local behind, _, has_ours, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
             size = #text - behind
             if is_first and size > 0 then
                 stream.left, stream.list = sub(text, behind + 1), { number }
                 begun[number] = stream.list
             end
             if is_first then
+                stream.step = step
                 talk.faults = has_ours and 0 or (talk.faults or 0) + 1
                 if talk.faults >= FAULTS_IN_A_ROW then
                     talk.is_claimed, talk.faults = false, 0
@@ -6818,8 +6936,13 @@ do
     -- beacons say; the buffers that were left to others; whether connections on other ports were found to be ours.
     local bricks, answers, announced, declined, has_found
 
-    -- The last connection between two ports.
+    -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
+    -- bytes that wait for the next segment; the `step` with them; the packet `number` that came last, and
+    -- at which `offset` its data began.
     local connections
+
+    -- By buffer: how the stream stands with it, where that is not what one sees.
+    local steps
 
     -- The ports on which connections are looked at, those that beacons named, and who was there before us.
     local ports, named_ports, is_named, others = {}, {}, {}, {}
@@ -6837,7 +6960,7 @@ do
 
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        connections = {}
+        connections, steps = {}, {}
         for _, port in ipairs(named_ports) do
             give_port_back(port)
         end
@@ -6850,10 +6973,10 @@ do
         local numbers = pinfo.src_port * 0x10000 + pinfo.dst_port
         local from, to = pinfo.src, pinfo.dst
         local known = connections[numbers]
-        if known and known.from == from and known.to == to then return known.talk end
+        if known and known.from == from and known.to == to then return known.talk, known end
         known = { from = from, to = to, talk = talk_of(conversation_key(pinfo)) }
         connections[numbers] = known
-        return known.talk
+        return known.talk, known
     end
 
     local function is_command(type)
@@ -6901,21 +7024,79 @@ do
         return ports[pinfo.src_port] and is_reply or nil
     end
 
-    local function dissect_claimed(tvb, text, pinfo, tree, number, talk)
-        local captured, start, is_shown = #text, tvb:offset(), has_tree(tree)
-        start_line(number, start)
+    local step_of
+    do
+        -- Whether data may begin with a frame that goes the right way, or with a text.
+        local function may_go(text, accepts)
+            local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
+            if type and accepts and not accepts(type) then return false end
+            return may_start(text, 0) or TEXT_STARTS[byte(text, 1)] ~= nil
+        end
+
+        -- TCP puts segments together where that was asked for: such a buffer begins anew, others after their headers.
+        local function usual_step(offset)
+            return offset == 0 and "sure" or "likely"
+        end
+
+        -- The step of a buffer that is seen for the first time, and how many bytes of it were there before.
+        local function first_step(known, text, offset, pinfo)
+            local pending, is_lost, number = known.pending, known.step == "lost", pinfo.number
+            local is_further, usual = number == known.number, known.offset
+            known.pending, known.number = nil, number
+            if offset == 0 then
+                if pending and sub(text, 1, #pending) == pending then return known.step, #pending end
+                return "likely", 0
+            end
+            if is_further then return is_lost and "lost" or "sure", 0 end
+            known.offset = offset
+            if not pending and not is_lost then
+                -- The capture may begin inside a frame.
+                return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0
+            end
+            -- What was asked for did not come. The rest of a segment follows the frame that was asked for all the same.
+            local is_rest = pending and not is_lost and offset > usual and may_go(text, types_of(pinfo))
+            return is_rest and "likely" or "lost", 0
+        end
+
+        -- How a stream stands with a buffer, and how many bytes of it were there before; `known` is what is known of
+        -- the stream, when the buffer is seen for the first time.
+        function step_of(known, text, offset, pinfo)
+            local usual = usual_step(offset)
+            if not known then return next(steps) and steps[place_of(pinfo.number, offset)] or usual, 0 end
+            local step, joint = first_step(known, text, offset, pinfo)
+            if step ~= usual then steps[place_of(pinfo.number, offset)] = step end
+            return step, joint
+        end
+    end
+
+    local function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
+        local captured, offset, is_shown = #text, tvb:offset(), has_tree(tree)
+        local step, joint = step_of(known, text, offset, pinfo)
+        start_line(number, offset)
         -- Nearly always one frame is all there is.
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        if code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high) and MESSAGE_TYPES[code] then
-            say(dissect_message(tvb, 0, read_message(text), talk, place_of(number, start), pinfo, tree, is_shown))
+        if step ~= "lost" and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
+            and MESSAGE_TYPES[code] then
+            say(dissect_message(tvb, 0, read_message(text), talk, place_of(number, offset), pinfo, tree, is_shown))
         else
             local reported = tvb:reported_len()
-            local is_last = captured < reported or pinfo.can_desegment == 0
-            local behind, wanted =
-                dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
+            local stream = {
+                reported = reported,
+                is_last = captured < reported or pinfo.can_desegment == 0,
+                step = step,
+                joint = joint,
+                first = 0,
+                accepts = types_of(pinfo),
+            }
+            local behind, wanted, _, step_after =
+                dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
             if behind < captured then
                 pinfo.desegment_offset = behind
                 pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
+            end
+            if known then
+                known.pending = behind < captured and sub(text, behind + 1) or nil
+                known.step = step_after
             end
         end
         show(pinfo)
@@ -6940,7 +7121,7 @@ do
     end
 
     local function dissect_first(tvb, text, pinfo, tree, number, port)
-        local talk = connection_of(pinfo)
+        local talk, known = connection_of(pinfo)
         local is_forced = not ports[port] and not is_named[port] and not talk.is_claimed
         local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
         local reported = verdict == PART and tvb:reported_len()
@@ -6956,7 +7137,7 @@ do
             declined[place_of(number, tvb:offset())] = true
             return 0
         end
-        return dissect_claimed(tvb, text, pinfo, tree, number, talk)
+        return dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
     end
 
     local function dissect_tcp(tvb, pinfo, tree)
@@ -6977,11 +7158,11 @@ do
         if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK_REQUEST then return false end
         local text = tvb:raw()
         if judge_text(text) ~= OURS then return false end
-        local talk = connection_of(pinfo)
+        local talk, known = connection_of(pinfo)
         talk.is_claimed, talk.is_found, talk.claimed_in = true, true, pinfo.number
         has_found = true
         pinfo.conversation = ev3
-        dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk)
+        dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk, known)
         return true
     end
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import itertools
 import random
 import struct
 import time
@@ -273,6 +274,15 @@ def test_a_segment_that_was_not_captured() -> None:
         (b"", 16, 5, "16 bytes are missing in the stream: not in the capture"),
     ]
     assert [type(event) for event in events] == [Record, Skipped, Skipped, Record, Record]
+
+
+def test_the_frame_after_one_that_lacks_its_middle_is_found_wherever_it_begins() -> None:
+    # It has no fault that would tell it from others: any data may be those of a file.
+    data = b"".join(struct.pack("<HHBBB", 60, number, 0x81, 0x93, 0) + bytes(55) for number in range(3))
+    cuts = [0, 20, 40, 90, 150, len(data)]
+    pieces = [(at, data[at:stop]) for at, stop in itertools.pairwise(cuts) if at != 20]
+    events, _ = of([*connected(voltage(9)), *(segment(True, 1010 + at, piece) for at, piece in pieces)])
+    assert [frame[2] for frame, _ in frames(events)] == [9, 1, 2]
 
 
 def test_a_segment_that_comes_after_it_was_given_up() -> None:

@@ -78,7 +78,7 @@ class Cutter:
     is_claimed  the stream is known to be ours; else it is once something like a frame starts with a chunk
     """
 
-    __slots__ = ("_after_text", "_buffer", "_in_step", "_is_claimed", "_marks", "_reason", "_schema")
+    __slots__ = ("_after_text", "_buffer", "_in_step", "_is_claimed", "_marks", "_reason", "_rest", "_schema")
 
     def __init__(self, schema: FrameSchema, *, in_step: bool, is_claimed: bool = True) -> None:
         self._schema = schema
@@ -86,6 +86,7 @@ class Cutter:
         self._marks: list[tuple[int, int]] = []  # where in the buffer each packet's bytes start
         self._in_step = in_step
         self._is_claimed = is_claimed
+        self._rest = 0  # bytes to come of a frame in which some are missing; after them the stream is in step
         self._after_text: PartKind | None = None
         self._reason = "" if in_step else _BEGUN_INSIDE
 
@@ -121,13 +122,24 @@ class Cutter:
         """Says that bytes are missing in the stream here, 0 where it is not known how many: what waits is given up."""
         what = "text" if self._is_in_text() else "frame"
         waiting = self._give_up()
+        rest = self._rest_after(missing) if what == "frame" else None
         waiting += self._take_all(f"the rest of the {what} is not in the capture")
-        self._in_step = False
+        self._in_step, self._rest = rest == 0, rest or 0
         self._after_text = None
         self._reason = (
             f"bytes of a frame whose start is missing with {counted(missing, 'byte')}" if missing else _BEGUN_INSIDE
         )
         return waiting
+
+    def _rest_after(self, missing: int) -> int | None:
+        """How many bytes of the frame that waits come after a hole; None where that cannot be known."""
+        if self._rest:
+            rest = self._rest - len(self._buffer) - missing
+        elif self._in_step and missing and len(self._buffer) >= LENGTH_FIELD:
+            rest = frame_size(self._buffer) - len(self._buffer) - missing
+        else:
+            return None
+        return rest if rest >= 0 else None
 
     def end(self) -> list[StreamPart]:
         """Says that nothing more will come."""
@@ -166,6 +178,11 @@ class Cutter:
         buffer, at = self._buffer, 0
         found: list[StreamPart] = []
         trials = MOST_TRIALS
+        if self._rest and buffer:
+            at = min(self._rest, len(buffer))
+            found.append(self._piece(PartKind.LOST, 0, at, self._reason))
+            self._rest -= at
+            self._in_step = not self._rest
         while at < len(buffer):
             kind, end = self._next(buffer, at)
             if is_last and kind is PartKind.FRAME and end > len(buffer) and not self._in_step:

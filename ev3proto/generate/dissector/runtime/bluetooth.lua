@@ -7,11 +7,12 @@ do
     -- The packets that a frame came in are one list, which they all share; once the frame is whole, it has the packet
     -- with the last piece as `complete_in`. By packet, of those that are ours: `continued` is the list of the frame
     -- that goes on in it, of which `earlier` packets came before, `waiting` the bytes of those where the frame becomes
-    -- whole, and `begun` the list of the frame that begins in it and is not whole.
-    local streams, is_ours, continued, earlier, waiting, begun
+    -- whole, and `begun` the list of the frame that begins in it and is not whole. `is_ours` tells of a packet that is
+    -- ours which types go its way, `steps` is "lost" where the stream was out of step before it.
+    local streams, is_ours, continued, earlier, waiting, begun, steps
 
     local function forget_streams()
-        streams, is_ours, continued, earlier, waiting, begun = {}, {}, {}, {}, {}, {}
+        streams, is_ours, continued, earlier, waiting, begun, steps = {}, {}, {}, {}, {}, {}, {}
     end
     forget_streams()
 
@@ -38,6 +39,11 @@ do
         return type.is_command
     end
 
+    -- Bricks write into each other's mailboxes.
+    local function is_from_brick(type)
+        return not type.is_command or type.carries == "system" and not type.wants_reply
+    end
+
     local function clear(stream)
         stream.left, stream.list = "", nil
     end
@@ -52,7 +58,7 @@ do
         local joined = left ~= "" and judge_frames(left .. piece, 0, is_command, is_sensible_command) or nil
         if joined == OURS then
             for index, before in ipairs(stream.list) do
-                is_ours[before] = true
+                is_ours[before] = is_command
                 if index == 1 then begun[before] = stream.list end
                 if index > 1 then continued[before], earlier[before] = stream.list, index - 1 end
             end
@@ -75,6 +81,13 @@ do
         return not high or is_length(low, high) and LENGTH_FIELD + low + high * 0x100 > #text
     end
 
+    -- Whether all of a text waits for more.
+    local function waits(stream, text)
+        if stream.step ~= "lost" then return is_part(text) end
+        local place, is_open = find_step(text, 0, stream.accepts, true, 0)
+        return is_open and place == 0
+    end
+
     -- The first time that a packet is seen: joins it with what waits for it. Returns all of that, and whether some of
     -- it may be whole.
     local function join(stream, piece, number)
@@ -87,7 +100,7 @@ do
         local text = left .. piece
         if left == "" then return text, true end
         continued[number], earlier[number] = stream.list, #stream.list
-        if is_part(text) then
+        if waits(stream, text) then
             stream.left = text
             table.insert(stream.list, number)
             return text, false
@@ -127,10 +140,13 @@ do
                 talk.is_claimed = claim(talk, stream, piece, number)
                 -- It is claimed by a command, so this packet goes to the brick.
                 talk.name = talk.is_claimed and tostring(pinfo.dl_dst) or nil
+                talk.to_brick = stream
             end
             if not talk.is_claimed then return 0 end
-            is_ours[number] = true
+            stream.accepts = stream == talk.to_brick and is_command or is_from_brick
+            is_ours[number] = stream.accepts
             text, may_be_whole = join(stream, piece, number)
+            if stream.step == "lost" then steps[number] = "lost" end
         elseif is_ours[number] then
             text = (waiting[number] or "") .. piece
             may_be_whole = waiting[number] or not continued[number]
@@ -145,15 +161,23 @@ do
                 whole = ByteArray.new(text, true):tvb("EV3 frames")
                 if is_shown then add_joined(tree, tvb, before, number) end
             end
-            local is_cut = #piece < tvb:reported_len()
-            local behind, _, has_ours =
-                dissect_stream(whole, text, #text, talk, number, pinfo, tree, is_shown, is_cut)
+            local state = {
+                reported = #text,
+                is_last = #piece < tvb:reported_len(),
+                step = steps[number] or "likely",
+                joint = before and #before or 0,
+                first = not before and 0,
+                may_gap = true,
+                accepts = is_ours[number],
+            }
+            local behind, _, has_ours, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
             size = #text - behind
             if is_first and size > 0 then
                 stream.left, stream.list = sub(text, behind + 1), { number }
                 begun[number] = stream.list
             end
             if is_first then
+                stream.step = step
                 talk.faults = has_ours and 0 or (talk.faults or 0) + 1
                 if talk.faults >= FAULTS_IN_A_ROW then
                     talk.is_claimed, talk.faults = false, 0

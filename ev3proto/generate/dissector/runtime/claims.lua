@@ -6,7 +6,7 @@
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, is_sensible_command, judge_frames, find_frame
+local is_flawless, is_sensible_command, judge_frames, find_frame, find_step
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
     local MOST_TRIALS = 64
@@ -83,6 +83,9 @@ do
         local type = MESSAGE_TYPES[byte(part, HEADER_SIZE)]
         if not type then return true end
         if not accepts(type) then return false end
+        if type.carries == "system" and #part > HEADER_SIZE then
+            return SYSTEM_COMMANDS[byte(part, HEADER_SIZE + 1)] ~= nil
+        end
         if type.carries ~= "direct" or not type.is_command or #part <= COMMAND_HEADER_SIZE then return true end
         return can_be_read_now(part, #part, true)
     end
@@ -149,5 +152,45 @@ do
             hit = find(text, STARTS, hit + 1)
         end
         return nil
+    end
+
+    local function accepts_any()
+        return true
+    end
+
+    -- Where a stream goes on that is out of step, from an offset on: the place of a frame that is whole there and
+    -- without a fault, and followed by what may be the next one. If frames may go on in the next packet, this is also
+    -- the place of the first that may be one as far as it goes, and the second result is true. Where a packet starts,
+    -- at `first` and from `second` on, a frame may have faults. nil: no frame is here.
+    function find_step(text, at, accepts, may_go_on, first, second)
+        accepts = accepts or accepts_any
+        local open, is_start, single
+        local trials, hit = 0, find(text, STARTS, at + 2)
+        while hit and trials < MOST_TRIALS do
+            local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
+            local stop = place + LENGTH_FIELD + low + high * 0x100
+            if is_length(low, high) and accepts(MESSAGE_TYPES[code]) then
+                trials = trials + 1
+                if stop > #text then
+                    if not open and may_become_flawless(text, place, accepts) then
+                        open, is_start = place, place == first or place == second
+                    end
+                elseif stop == #text or may_start(text, stop) then
+                    local message = read_message(sub(text, place + 1, stop))
+                    local is_found = place == first or place == second
+                    if not is_found and is_flawless(message) then
+                        is_found = not message.type.is_command or is_sensible_command(message)
+                    end
+                    if is_found then
+                        -- Only one with which a packet starts is more likely than one that is whole.
+                        if not may_go_on or not is_start or (count_chain(text, place) or 0) > 1 then return place end
+                        single = single or place
+                    end
+                end
+            end
+            hit = find(text, STARTS, hit + 1)
+        end
+        if open and may_go_on then return open, true end
+        return single
     end
 end

@@ -110,14 +110,23 @@ do
         return add_faulty(tvb, at, stop, tree, is_shown, said, "no_boundary", reason)
     end
 
-    -- Where the stream goes on when no frame starts at an offset: a frame without a fault, a text, or the end.
-    local function next_step(text, at)
-        local place = find_frame(text, at + 1) or #text
-        for _, start in ipairs({ UNLOCK_REQUEST, ACCEPT }) do
-            local hit = find(text, start, at + 2, true)
-            if hit and hit - 1 < place then place = hit - 1 end
+    -- Where a stream that is out of step goes on: at a frame, a text, or the end; and whether more is needed to tell.
+    -- With `least` the last bytes may begin a header, if they are so many; without it nothing more comes.
+    local function next_step(text, at, accepts, least, first, second)
+        local place, is_open = find_step(text, at, accepts, least, first, second)
+        if not place and least then
+            place = math.max(at, #text - HEADER_SIZE + 1)
+            while place < #text and not may_start(text, place) do
+                place = place + 1
+            end
+            is_open = place <= #text - least
         end
-        return place
+        if not place or is_open == false then place = #text end
+        for _, start in ipairs({ UNLOCK_REQUEST, ACCEPT }) do
+            local hit = find(text, start, at + 1, true)
+            if hit and hit - 1 < place then place, is_open = hit - 1, false end
+        end
+        return place, is_open
     end
 
     -- Whether frames follow each other from the middle of what seems to be one: more than one, as data may look like
@@ -142,48 +151,90 @@ do
         local stop, captured = at + size, #text
         local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
         local is_chained = stop >= captured or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)]
-        if not type then
-            -- Gaps are TCP's, where the ports tell the way: Bluetooth loses nothing.
-            local may_be_gap = at == 0 and (accepts ~= nil or stop >= captured)
-            return not is_chained or may_be_gap and has_frame_inside(text, at, stop)
+        if not type or accepts and not accepts(type) then
+            return not is_chained or at == 0 and (stop > captured or has_frame_inside(text, at, stop))
         end
         if is_chained and at > 0 then return false end
-        if stop <= captured and (not accepts or accepts(type)) then
-            if is_flawless(read_message(sub(text, at + 1, stop))) then return false end
-        end
+        if stop <= captured and is_flawless(read_message(sub(text, at + 1, stop))) then return false end
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
     end
 
-    -- The frames and texts in a piece of a stream: the offset after the last one that is whole, how many bytes the
-    -- next one wants (nil where its length is not known yet), and whether there was anything that is ours. `reported`
-    -- is the size of the piece on the wire, of which a capture may have less; with `is_last` there is nothing more to
-    -- wait for. `types_of` tells of a packet which types go its way.
-    function dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
+    -- Whether a frame that came in several packets shows that something is missing between them: another one stands
+    -- inside it, while after it none can start, or it has faults and nothing tells what comes after it.
+    local function hides_gap(text, at, size, stream)
+        local stop = at + size
+        local may_go_on = not stream.is_last
+        if stop >= #text or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)] then
+            if #text - stop >= HEADER_SIZE then return false end
+            if is_flawless(read_message(sub(text, at + 1, stop)), true) then return false end
+            may_go_on = false
+        end
+        return find_step(text, at + 1, stream.accepts, may_go_on, stream.joint) ~= nil
+    end
+
+    -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
+    -- next one wants, nil where its length is not known yet; whether there was anything that is ours; and the step
+    -- at the end. `stream` is how it stands:
+    --   reported   the size of the piece on the wire, of which a capture may have less
+    --   is_last    there is nothing more to wait for
+    --   step       "sure" where a frame starts with the piece, "likely" where one does unless there is a gap before
+    --              it, "lost" where it must be looked for
+    --   joint      where in the piece the newest packet starts; `first` is 0 where a packet starts with the piece, too
+    --   may_gap    nothing tells of gaps between the packets
+    --   accepts    tells which types go its way, if that is known
+    function dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
         local at, captured, is_ours, start = 0, #text, false, tvb:offset()
+        local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
+        local step, joint = stream.step, stream.joint
         while at < captured do
             local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
             local said, behind
             if TEXT_STARTS[low] then
                 said, behind = dissect_text(tvb, text, at, tree, is_shown)
-                if not said and not is_last and is_part_of_text(text, at) then return at, nil, true end
+                if not said and not is_last and is_part_of_text(text, at) then return at, nil, true, step end
                 is_ours = is_ours or said ~= nil
+                if said then step = "sure" end
             end
             if not said then
                 local size = high and LENGTH_FIELD + low + high * 0x100
-                local is_frame = not size or is_length(low, high)
-                if is_frame and code and at + size ~= captured then
-                    is_frame = not is_misleading(text, at, size, types_of and types_of(pinfo))
+                local is_frame = step ~= "lost" and (not size or is_length(low, high))
+                if is_frame and code then
+                    if at < joint and stream.may_gap then
+                        is_frame = at + size > captured or not hides_gap(text, at, size, stream)
+                    elseif step == "likely" and at + size ~= captured then
+                        is_frame = not is_misleading(text, at, size, accepts)
+                    end
                 end
                 if not is_frame then
-                    behind = end_of_text(text, at)
+                    behind = step ~= "lost" and end_of_text(text, at)
                     if behind then
                         said, behind = dissect_end_of_text(tvb, at, behind, tree, is_shown)
                     else
-                        behind = next_step(text, at)
-                        said = dissect_no_frame(tvb, at, behind, size - LENGTH_FIELD, tree, is_shown)
+                        local from, is_open = at, false
+                        if step ~= "lost" then from = at + 1 end
+                        -- Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
+                        local least
+                        if step == "lost" or stream.may_gap then
+                            least = 1
+                        elseif at > 0 then
+                            least = LENGTH_FIELD
+                        end
+                        behind, is_open = next_step(text, from, accepts, not is_last and least, stream.first, joint)
+                        step = (is_open or behind == captured) and "lost" or "sure"
+                        if behind > at then
+                            local length = size and size - LENGTH_FIELD or MIN_LENGTH
+                            said = dissect_no_frame(tvb, at, behind, length, tree, is_shown)
+                        end
+                        if is_open then
+                            if said then say(said) end
+                            return behind, nil, true, step
+                        end
                     end
+                elseif not is_last and not code and step == "likely" and at == 0 then
+                    -- Its header must be right before it can ask for all of itself.
+                    return at, nil, true, step
                 elseif not is_last and (not size or at + size > reported) then
-                    return at, size and at + size - reported, true
+                    return at, size and at + size - reported, true, "sure"
                 elseif captured - at < HEADER_SIZE then
                     local reason = "the frame is cut off in its header"
                     said, behind =
@@ -196,9 +247,9 @@ do
                     said = dissect_message(tvb, at, read_message(frame), talk, place, pinfo, tree, is_shown)
                 end
             end
-            say(said)
+            if said then say(said) end
             at = behind
         end
-        return at, 0, is_ours
+        return at, 0, is_ours, step
     end
 end

@@ -12,8 +12,13 @@ do
     -- beacons say; the buffers that were left to others; whether connections on other ports were found to be ours.
     local bricks, answers, announced, declined, has_found
 
-    -- The last connection between two ports.
+    -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
+    -- bytes that wait for the next segment; the `step` with them; the packet `number` that came last, and
+    -- at which `offset` its data began.
     local connections
+
+    -- By buffer: how the stream stands with it, where that is not what one sees.
+    local steps
 
     -- The ports on which connections are looked at, those that beacons named, and who was there before us.
     local ports, named_ports, is_named, others = {}, {}, {}, {}
@@ -31,7 +36,7 @@ do
 
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        connections = {}
+        connections, steps = {}, {}
         for _, port in ipairs(named_ports) do
             give_port_back(port)
         end
@@ -44,10 +49,10 @@ do
         local numbers = pinfo.src_port * 0x10000 + pinfo.dst_port
         local from, to = pinfo.src, pinfo.dst
         local known = connections[numbers]
-        if known and known.from == from and known.to == to then return known.talk end
+        if known and known.from == from and known.to == to then return known.talk, known end
         known = { from = from, to = to, talk = talk_of(conversation_key(pinfo)) }
         connections[numbers] = known
-        return known.talk
+        return known.talk, known
     end
 
     local function is_command(type)
@@ -95,21 +100,79 @@ do
         return ports[pinfo.src_port] and is_reply or nil
     end
 
-    local function dissect_claimed(tvb, text, pinfo, tree, number, talk)
-        local captured, start, is_shown = #text, tvb:offset(), has_tree(tree)
-        start_line(number, start)
+    local step_of
+    do
+        -- Whether data may begin with a frame that goes the right way, or with a text.
+        local function may_go(text, accepts)
+            local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
+            if type and accepts and not accepts(type) then return false end
+            return may_start(text, 0) or TEXT_STARTS[byte(text, 1)] ~= nil
+        end
+
+        -- TCP puts segments together where that was asked for: such a buffer begins anew, others after their headers.
+        local function usual_step(offset)
+            return offset == 0 and "sure" or "likely"
+        end
+
+        -- The step of a buffer that is seen for the first time, and how many bytes of it were there before.
+        local function first_step(known, text, offset, pinfo)
+            local pending, is_lost, number = known.pending, known.step == "lost", pinfo.number
+            local is_further, usual = number == known.number, known.offset
+            known.pending, known.number = nil, number
+            if offset == 0 then
+                if pending and sub(text, 1, #pending) == pending then return known.step, #pending end
+                return "likely", 0
+            end
+            if is_further then return is_lost and "lost" or "sure", 0 end
+            known.offset = offset
+            if not pending and not is_lost then
+                -- The capture may begin inside a frame.
+                return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0
+            end
+            -- What was asked for did not come. The rest of a segment follows the frame that was asked for all the same.
+            local is_rest = pending and not is_lost and offset > usual and may_go(text, types_of(pinfo))
+            return is_rest and "likely" or "lost", 0
+        end
+
+        -- How a stream stands with a buffer, and how many bytes of it were there before; `known` is what is known of
+        -- the stream, when the buffer is seen for the first time.
+        function step_of(known, text, offset, pinfo)
+            local usual = usual_step(offset)
+            if not known then return next(steps) and steps[place_of(pinfo.number, offset)] or usual, 0 end
+            local step, joint = first_step(known, text, offset, pinfo)
+            if step ~= usual then steps[place_of(pinfo.number, offset)] = step end
+            return step, joint
+        end
+    end
+
+    local function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
+        local captured, offset, is_shown = #text, tvb:offset(), has_tree(tree)
+        local step, joint = step_of(known, text, offset, pinfo)
+        start_line(number, offset)
         -- Nearly always one frame is all there is.
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        if code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high) and MESSAGE_TYPES[code] then
-            say(dissect_message(tvb, 0, read_message(text), talk, place_of(number, start), pinfo, tree, is_shown))
+        if step ~= "lost" and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
+            and MESSAGE_TYPES[code] then
+            say(dissect_message(tvb, 0, read_message(text), talk, place_of(number, offset), pinfo, tree, is_shown))
         else
             local reported = tvb:reported_len()
-            local is_last = captured < reported or pinfo.can_desegment == 0
-            local behind, wanted =
-                dissect_stream(tvb, text, reported, talk, number, pinfo, tree, is_shown, is_last, types_of)
+            local stream = {
+                reported = reported,
+                is_last = captured < reported or pinfo.can_desegment == 0,
+                step = step,
+                joint = joint,
+                first = 0,
+                accepts = types_of(pinfo),
+            }
+            local behind, wanted, _, step_after =
+                dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
             if behind < captured then
                 pinfo.desegment_offset = behind
                 pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
+            end
+            if known then
+                known.pending = behind < captured and sub(text, behind + 1) or nil
+                known.step = step_after
             end
         end
         show(pinfo)
@@ -134,7 +197,7 @@ do
     end
 
     local function dissect_first(tvb, text, pinfo, tree, number, port)
-        local talk = connection_of(pinfo)
+        local talk, known = connection_of(pinfo)
         local is_forced = not ports[port] and not is_named[port] and not talk.is_claimed
         local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
         local reported = verdict == PART and tvb:reported_len()
@@ -150,7 +213,7 @@ do
             declined[place_of(number, tvb:offset())] = true
             return 0
         end
-        return dissect_claimed(tvb, text, pinfo, tree, number, talk)
+        return dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
     end
 
     local function dissect_tcp(tvb, pinfo, tree)
@@ -171,11 +234,11 @@ do
         if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK_REQUEST then return false end
         local text = tvb:raw()
         if judge_text(text) ~= OURS then return false end
-        local talk = connection_of(pinfo)
+        local talk, known = connection_of(pinfo)
         talk.is_claimed, talk.is_found, talk.claimed_in = true, true, pinfo.number
         has_found = true
         pinfo.conversation = ev3
-        dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk)
+        dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk, known)
         return true
     end
 

@@ -113,6 +113,12 @@ def _record(offset: int, row: bytes) -> str:
     return f":{record.hex().upper()}{-sum(record) & 0xFF:02X}"
 
 
+def _motorola(offset: int, row: bytes, width: int) -> str:
+    """A record of Motorola's format with data, whose address has so many bytes."""
+    record = bytes((len(row) + width + 1,)) + offset.to_bytes(width, "big") + row
+    return f"S{width - 1}{record.hex().upper()}{~sum(record) & 0xFF:02X}"
+
+
 def _hcidump(data: bytes) -> str:
     rows = [row.hex(" ").upper() for _, row in _rows(_rfcomm(data), 20)]
     return "< " + " \n  ".join(rows)
@@ -126,6 +132,8 @@ def _tcpdump(data: bytes) -> str:
 
 
 LINE: dict[str, Notation] = {
+    "base32": lambda data: base64.b32encode(data).decode(),
+    "bytes and a list": lambda data: f"{data[:5]!r} + bytes({[*data[5:]]})",
     "hex": bytes.hex,
     "HEX": lambda data: data.hex().upper(),
     "blanks": lambda data: data.hex(" "),
@@ -456,6 +464,29 @@ LINES: dict[str, Notation] = {
         + "\n".join(f"        {row.hex(' '):<47}  {_shown(row)}" for _, row in _rows(data + b"\x9a", 16))
     ),
     "Intel HEX": lambda data: "\n".join([*(_record(at, row) for at, row in _rows(data, 16)), ":00000001FF"]),
+    "S-records": lambda data: "\n".join(
+        ["S0030000FC", *(_motorola(at, row, 2) for at, row in _rows(data, 16)), "S9030000FC"]
+    ),
+    "S3 records": lambda data: "\n".join(
+        [*(_motorola(0x08000000 + at, row, 4) for at, row in _rows(data, 16)), "S70500000000FA"]
+    ),
+    "interceptty": lambda data: "\n".join(
+        f">\t0x{byte:02x} ({chr(byte) if 32 <= byte < 127 else '^' + chr(byte + 64) if byte < 32 else 'M-'})"
+        for byte in data
+    ),
+    "XML, decimal": lambda data: "<frame>\n" + "\n".join(f"  <byte>{byte}</byte>" for byte in data) + "\n</frame>",
+    "XML, hex": lambda data: "<data>\n" + "\n".join(f"  <b>{byte:02X}</b>" for byte in data) + "\n</data>",
+    "ESP-IDF": lambda data: "\n".join(
+        f"I (12345) EV3: 0x{0x3FFB1234 + at:08x}   {row[:8].hex(' '):<23}  {row[8:].hex(' '):<23}  |{_shown(row):<16}|"
+        for at, row in _rows(data, 16)
+    ),
+    "objdump -s": lambda data: (
+        "Contents of section .data:\n"
+        + "\n".join(f" {at:04x} {row.hex(' ', -4):<35}  {_shown(row)}" for at, row in _rows(data, 16))
+    ),
+    "DataView": lambda data: "\n".join(f"view.setUint8({at}, 0x{byte:02x});" for at, byte in enumerate(data)),
+    "writeUInt8": lambda data: "\n".join(f"buf.writeUInt8(0x{byte:02x}, {at});" for at, byte in enumerate(data)),
+    "println(HEX)": lambda data: "\n".join(f"{byte:X}" for byte in data),
     "quoted-printable, wrapped": lambda data: "=\n".join(
         "".join(f"={byte:02X}" for byte in row) for _, row in _rows(data, 10)
     ),

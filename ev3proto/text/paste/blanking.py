@@ -28,13 +28,15 @@ _FOREIGN = late_pattern(
 _CAST = late_pattern(
     r"\(\s?(?:(?:un)?signed )?(?:byte|char|u?int8_t|u8|sbyte|Byte|SByte|UInt8|uint8|BYTE)\s?\)"
     r"|\.to(?:Byte|UByte|Char)\(\)|\bas (?:u8|i8|byte|Byte)\b"
-    r"|\b(?:byte|char|chr|Chr\$?|ord|CByte|UInt8|uint8|int8|u8|ToByte|Word8|fromIntegral|int)(?=\s?\()"
+    r"|\b(?:bytes|bytearray|bytes\.fromhex|byte|char|chr|Chr\$?|ord|CByte|UInt8|uint8|int8|u8|ToByte|Word8|fromIntegral|int)(?=\s?\()"
     r"|\bb?(?=')(?='..?')",
 )
 _BESIDE = late_pattern(
     # Characters that a debugger shows beside numbers, and types beside values.
     r"(?<=[0-9a-fA-F])\s'(?:\\(?:[0-7]{1,3}|x[0-9a-fA-F]{1,2}|[^\s\w])|\\[a-z0]|[^'\\])'"
     r"|(?<=[0-9a-fA-F])\t+(?:unsigned char|byte|uint8_t|char)\s*$"
+    # The character of a byte, as interceptty shows it.
+    r"|(?<=0x[0-9a-fA-F]{2})\s\((?:\^.|M-\^?.?|.)\)\s*$"
     # What a debugger calls an address, and the upper half of one.
     r"|(?<=[0-9a-fA-F])\s<[^<>\s]{1,120}>(?=:)|^[0-9a-fA-F]{8}`(?=[0-9a-fA-F]{8}\s)"
 )
@@ -42,11 +44,15 @@ _ENTITY = late_pattern(r"&(?:quot|apos|nbsp|lt|gt|#3[49]|#x2[27]|#160);")
 _COLUMNS = late_pattern(r"^\s*Columns? \d{1,5} (?:through|and) \d{1,5}:?\s*$")
 _MIDDLE = late_pattern(r"(?<=\s[0-9a-fA-F]{2}\s[0-9a-fA-F]{2})-(?=[0-9a-fA-F]{2}(?:\s|$))")
 """The mark in the middle of a row, as in `80 00 00 94-01 81 02 82`."""
-_RECORD = late_pattern(r":(?P<record>(?:[0-9a-fA-F]{2}){5,260})\s*")
-_BEFORE_DATA = 4
-"""Bytes in front of the data of a record: its size, two of its address, its type."""
-_AROUND_DATA = _BEFORE_DATA + 1
-_RECORD_TYPE = 3
+_INTEL = late_pattern(r":(?P<record>(?:[0-9a-fA-F]{2}){5,260})\s*")
+_INTEL_BEFORE = 4
+"""Bytes in front of the data of a record of Intel HEX: its size, two of its address, its type."""
+_INTEL_AROUND = _INTEL_BEFORE + 1
+_INTEL_TYPE = 3
+_MOTOROLA = late_pattern(r"S(?P<type>[0-35-9])(?P<record>(?:[0-9a-fA-F]{2}){4,256})\s*")
+_MOTOROLA_ADDRESS = {"1": 2, "2": 3, "3": 4}
+"""Bytes of the address in an S-record that has data, by its type."""
+_TAG = late_pattern(r"</?(?![0-9a-fA-F]{2}>)[A-Za-z_][\w:.-]{0,60}\s?/?>")
 _FRAMES_OF_TABLES = str.maketrans("\u2502\u2503\u250a\u00a0\u202f", "||   ")
 _DIRECTIVE = late_pattern(
     r"^(?P<before>[\s\w.$@:]{0,40}?)(?P<word>(?:\.byte|\.db|\bdb|\bDB|\bdc\.b|\bDC\.B|\bdefb|\bDEFB|\bfcb|\bFCB"
@@ -64,7 +70,13 @@ _NUMBERED = late_pattern(
     r"^\s*\[?(?P<index>0|[1-9]\d{0,4})\]?\s?[\t,;]\s*(?=(?:0x)?[0-9a-fA-F]{1,3}(?:[\t,; (]{1,8}\S{1,6}){0,2}\s*$)"
 )
 _TWICE = late_pattern(
-    r"(?P<hex>(?<!\w)(?:0[xX]|&[hH]|\$)[0-9a-fA-F]{1,2})(?P<again>[\s,;=(]{1,8}(?P<decimal>\d{1,3})\)?)(?!\w)"
+    r"(?P<hex>(?<![\w(])(?:0[xX]|&[hH]|\$)[0-9a-fA-F]{1,2})(?P<again>[\s,;=(]{1,8}(?P<decimal>\d{1,3})\)?)(?!\w)"
+)
+_FIRST_OF_TWO = late_pattern(
+    r"\b[A-Za-z_][\w.>-]{0,60}\(\s?(?P<index>0|[1-9]\d{0,4}),\s{0,20}(?=(?:0[xX])?[0-9a-fA-F]{1,3}\s?\))"
+)
+_SECOND_OF_TWO = late_pattern(
+    r"(?<=[(\s])(?P<value>(?:0[xX])?[0-9a-fA-F]{1,3}),\s{0,4}(?P<index>0|[1-9]\d{0,4})(?=\s?\))"
 )
 _KEY = late_pattern(
     r"(?<![\w\"'.])(?P<quote>[\"']?)(?P<index>0|[1-9]\d{0,4})(?P=quote)\s?(?:=>|:)(?:\s{1,4}|(?<=[\"']:))"
@@ -86,6 +98,8 @@ def clean(line: str) -> str:
         line = blank(line, _FOREIGN, OTHER)
     if "'" in line or "<" in line or "`" in line or "\t" in line:
         line = blank(line, _BESIDE)
+    if "<" in line and ">" in line:
+        line = blank(line, _TAG)
     if "0x" in line or "$" in line or "&" in line:
         line = _TWICE.sub(_once, line)
     if "&" in line:
@@ -99,19 +113,41 @@ def clean(line: str) -> str:
 
 
 def without_record(line: str) -> str:
-    """A record of Intel HEX without what is around its data: size, address, type and check sum.
+    """A record of Intel HEX or Motorola's S-records without what is around its data: size, address, type, check sum.
 
     Nothing is left of a record that has no data. A line that is no such record, by its size or its check sum, stays.
     """
-    found = _RECORD.fullmatch(line) if line.startswith(":") else None
+    if line.startswith(":"):
+        return _without_intel(line)
+    return _without_motorola(line) if line.startswith("S") else line
+
+
+def _without_intel(line: str) -> str:
+    found = _INTEL.fullmatch(line)
     if found is None:
         return line
     record = bytes.fromhex(found["record"])
-    if len(record) != record[0] + _AROUND_DATA or sum(record) & 0xFF:
+    if len(record) != record[0] + _INTEL_AROUND or sum(record) & 0xFF:
         return line
-    if record[_RECORD_TYPE]:
+    return _only_data(line, found, None if record[_INTEL_TYPE] else _INTEL_BEFORE)
+
+
+def _without_motorola(line: str) -> str:
+    found = _MOTOROLA.fullmatch(line)
+    if found is None:
+        return line
+    record = bytes.fromhex(found["record"])
+    if len(record) != record[0] + 1 or sum(record) & 0xFF != 0xFF:
+        return line
+    address = _MOTOROLA_ADDRESS.get(found["type"])
+    return _only_data(line, found, None if address is None else address + 1)
+
+
+def _only_data(line: str, found: re.Match[str], before: int | None) -> str:
+    """A record without so many bytes in front of its data and without its check sum; None stands for all of it."""
+    if before is None:
         return " " * len(line)
-    start, end = found.start("record") + 2 * _BEFORE_DATA, found.end("record") - 2
+    start, end = found.start("record") + 2 * before, found.end("record") - 2
     return " " * start + line[start:end] + " " * (len(line) - end)
 
 
@@ -172,7 +208,7 @@ def _once(found: re.Match[str]) -> str:
 
 
 def without_indexes(line: str, expected: int) -> tuple[str, int]:
-    """The line without the indexes of an expanded array (`0: 15, 1: 0` or `cmd[0] = 15;`), which must count up.
+    """The line without the indexes of an array (`0: 15, 1: 0`, `cmd[0] = 15;`, `setUint8(0, 15)`), which must count up.
 
     Args:
         line: A line.
@@ -181,7 +217,7 @@ def without_indexes(line: str, expected: int) -> tuple[str, int]:
     Returns:
         The line, and the index after the last.
     """
-    for pattern in (_SUBSCRIPT, _KEY):
+    for pattern in (_SUBSCRIPT, _KEY, _FIRST_OF_TWO, _SECOND_OF_TWO):
         found = pattern.search(line)
         if found is None or int(found["index"]) not in (0, expected):
             continue
@@ -192,7 +228,9 @@ def without_indexes(line: str, expected: int) -> tuple[str, int]:
             if int(found["index"]) != following:
                 break
             following += 1
-            parts += [line[position : found.start()], " " * len(found[0])]
+            # The value may stand in front of its index.
+            start = found.end("value") if pattern is _SECOND_OF_TWO else found.start()
+            parts += [line[position:start], " " * (found.end() - start)]
             position = found.end()
         return "".join(parts) + line[position:], following
     return line, expected

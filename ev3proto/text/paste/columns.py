@@ -88,7 +88,12 @@ def _is_offset(line: str, offset: re.Match[str], counts: Collection[int]) -> boo
     width = len(group["digits"]) if group is not None else 0
     is_set_off = ":" in offset["mark"] or len(offset["blanks"]) > 1 or "\t" in offset["blanks"]
     if numbers == {0}:
-        return is_set_off or len(digits) in (6, 7) or width == 2 or (len(digits) == 8 and width == 4)
+        # No frame begins with four zeros, nor with two and a report number.
+        is_in_words = (len(digits), width) in ((4, 8), (8, 4), (8, 8))
+        return is_set_off or len(digits) in (6, 7) or width == 2 or is_in_words
+    is_address = offset["offset"][:2] in ("0x", "0X") and len(digits) >= 6
+    if is_address and width == 2 and len(offset["blanks"]) > 1:
+        return True
     return not offset["before"].strip() and (
         ":" in offset["mark"] or (width == 2 and (len(offset["blanks"]) > 1 or len(digits) in (6, 7)))
     )

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from ev3proto.text.paste.fitting import Span, covered, frames_in, is_whole
+from ev3proto.text.paste.fitting import Span, covered, frames_in, is_flawless, is_whole
 from ev3proto.text.paste.pieces import LEAST
-from ev3proto.text.paste.values import Run, Style, reading, readings
+from ev3proto.text.paste.values import BASES, Run, Style, reading, readings
 
 
 @dataclass(slots=True)
@@ -42,15 +42,20 @@ class Reading:
         return sum(covered(spans) for _, spans in self.spans)
 
     @property
-    def worth(self) -> tuple[int, bool, int]:
-        """What tells the likelier of two readings: bytes of natural frames, whether it is complete, bytes of all."""
+    def worth(self) -> tuple[bool, int, bool, int]:
+        """What tells the likelier of two readings: whether its frames are all, their bytes, whether it is complete."""
         natural = sum(span.end - span.start for _, spans in self.spans for span in spans if span.is_natural)
-        return natural, self.is_complete, self.covered
+        return self.is_whole, natural, self.is_complete, self.covered
 
     @property
     def is_natural(self) -> bool:
         """Whether it has frames, all from one natural boundary to another."""
         return bool(self.spans) and all(span.is_natural for _, spans in self.spans for span in spans)
+
+    @property
+    def is_flawless(self) -> bool:
+        """Whether nothing is wrong with any of its frames."""
+        return all(is_flawless(stretch.data[span.start : span.end]) for stretch, spans in self.spans for span in spans)
 
     @property
     def is_whole(self) -> bool:
@@ -67,7 +72,7 @@ def stretches(run: Run, name: str) -> list[Stretch]:
     found: list[Stretch] = []
     data = bytearray()
     places: list[int] = []
-    if name == "base64":
+    if name in BASES:
         joined = replace(run.values[0], text="".join(value.text for value in run.values))
         content = reading(name, joined) or b""
         return [Stretch(name, content, [min(at, len(run.values) - 1) for at in range(len(content))])]
@@ -153,26 +158,28 @@ def best_reading(run: Run) -> tuple[Reading, list[Reading]]:
 
 
 def _found_best(run: Run) -> tuple[Reading, list[Reading]]:
+    """The reading that is worth most; among equals the one whose frames have no flaw, then the likelier one."""
     tried: list[Reading] = []
-    best: Reading | None = None
     for name in readings(run):
         parts = stretches(run, name)
-        one = Reading(parts, name == "base64" or sum(len({*part.places}) for part in parts) == len(run.values))
+        one = Reading(parts, name in BASES or sum(len({*part.places}) for part in parts) == len(run.values))
         for stretch in one.stretches:
             starts, ends, unknown = boundaries(run, stretch)
-            is_hid = name != "base64" and 0 in starts and stretch.data[:1] == b"\0"
+            is_hid = name not in BASES and 0 in starts and stretch.data[:1] == b"\0"
             spans = frames_in(stretch.data, starts, ends, unknown, is_hid=is_hid)
-            if name == "base64" and not is_whole(stretch.data, spans):
+            if name in BASES and not is_whole(stretch.data, spans):
                 spans = []
             if spans:
                 one.spans.append((stretch, spans))
         tried.append(one)
-        if one.is_whole:
+        if one.is_whole and (run.is_text or name == "hex" or one.is_flawless):
+            # No other reading is worth more.
             return one, tried
-        if best is None or one.worth > best.worth:
-            best = one
-    assert best is not None
-    return best, tried
+    most = max(one.worth for one in tried)
+    equals = [one for one in tried if one.worth == most]
+    if len(equals) > 1 and equals[0].spans:
+        return next((one for one in equals if one.is_flawless), equals[0]), tried
+    return equals[0], tried
 
 
 def plain_bytes(run: Run) -> bytes | None:

@@ -34,9 +34,9 @@ from ev3proto.text.paste.readings import (
     stretches,
 )
 from ev3proto.text.paste.rhythm import rhythmic_runs
-from ev3proto.text.paste.values import Run, Style, Value, character_cells, readings, runs, says_the_same
+from ev3proto.text.paste.values import BASES, Run, Style, Value, character_cells, readings, runs, says_the_same
 
-_MAY_HAVE = late_pattern(r"[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
+_MAY_HAVE = late_pattern(r"^\s*[a-fA-F]\s*$|[0-9\\]|[A-Za-z0-9+/]{8}|\b[a-fA-F]{2}\b")
 # What `check` prints under a finding: the frame itself stands above it.
 _EXCERPT = late_pattern(r"\s*\+\d+ \| ")
 _INDEX_ALONE = late_pattern(r"\s*\[\d{1,5}\]\s?=>\s*")
@@ -300,7 +300,7 @@ class Scanner:
             parts = stretches(run, name)
             if len(parts) == 1 and len({*parts[0].places}) == len(run.values):
                 pending.data[name] += parts[0].data
-            elif name == "base64":
+            elif name in BASES:
                 pending.data[name] += parts[0].data if parts else b""
             else:
                 del pending.data[name]

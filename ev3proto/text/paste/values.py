@@ -29,7 +29,7 @@ class Style(StrEnum):
     STRING   a string literal, or the escapes of one
     NAME     a name of the tables
     UNKNOWN  `xx` or `MM`, which stands for any byte
-    BASE64   a word that may be base64
+    BASE64   a word that may be base64 or base32
     """
 
     BARE = "bare"
@@ -132,7 +132,7 @@ _TOKEN = late_pattern(
     | (?P<fours>(?<![\w.])[{_HEX}]{{4}}(?:\.[{_HEX}]{{4}}){{2}}
         (?:(?:\.[{_HEX}]{{4}})+(?:\.[{_HEX}]{{2}})?|\.[{_HEX}]{{2}})(?![\w.]))
     | (?P<printable>(?:=[0-9A-F]{{2}}){{2,}}+=?(?!\w))
-    | (?P<base64>(?<![\w+/=.-])(?=[\w+/-]*[G-Zg-z+/])(?=[\w+/-]*[A-Z])[A-Za-z0-9+/_-]{{8,}}+={{0,2}}+(?![\w+/=.]))
+    | (?P<base64>(?<![\w+/=.-])(?=[\w+/-]*[G-Zg-z+/])(?=[\w+/-]*[A-Z])[A-Za-z0-9+/_-]{{8,}}+={{0,6}}+(?![\w+/=.]))
     | (?P<negative>(?<![\w)\]<>=-])[-\u2212](?P<number>\d{{1,3}})(?![\w.]))
     | (?P<typed>(?<![\w.])(?P<decimal>\d{{1,3}})['_]?(?:u8|i8|uy|u|U|UL|L)(?!\w))
     | (?P<bare>(?<![\w.])(?:[{_HEX}]+(?!\w)(?!\.\d)|[{_HEX}]{{10,}}(?=[hH](?!\w))))
@@ -147,6 +147,9 @@ _UNQUOTED = late_pattern(
 )
 _GAP = late_pattern(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013_-]*+")
 _JOINER = late_pattern(r"[\s+&()\\]*+|\s*\.\.?\s*|\s*,\s*")
+_IS_ADDED = late_pattern(r"[\"')\]\s]*\+[\"'(\[\s]*")
+_ADDENDS = frozenset((Style.NAME, Style.UNKNOWN, Style.BASE64))
+"""What is not added to a string."""
 _HEAD = late_pattern(r"[\s,;:|+&/\\\"'`<>()\[\]{}*=\u2013_-]*+")
 _TAIL = late_pattern(r"[\s,;:|+&/\\\"'`<>()\[\]{}\u2013._!?$-]*+(?:[uU]?8?[;\s]*)$")
 _REPEATS = late_pattern(r"\s*<repeats (?P<count>[1-9]\d{0,5}) times>")
@@ -175,6 +178,10 @@ def runs(line: str, *, is_text: bool = False) -> list[Run]:
         gap = line[last : value.start]
         previous = found[-1] if found else None
         if previous is not None and _joins(previous.values[-1], value, gap):
+            if previous.is_text and value.style is not Style.STRING:
+                previous.values = [_as_marked(one) for one in previous.values]
+            elif value.style is Style.STRING and not previous.is_text:
+                value = _as_marked(value)
             previous.values.append(value)
             previous.gaps.append(_gap_class(gap))
             run = previous
@@ -252,6 +259,13 @@ def says_the_same(line: str, data: bytes | None) -> bool:
     return run is not None and b"".join(value.data or b"" for value in run.values) == data
 
 
+def _as_marked(value: Value) -> Value:
+    """A string literal beside numbers, as in `b"..." + bytes([1, 2])`: its bytes are those of any reading."""
+    if value.style is not Style.STRING:
+        return value
+    return Value(value.start, value.end, Style.MARKED, value.text, literal(value.text, is_decimal=False) or b"")
+
+
 def _opening(gap: str) -> int:
     """The brackets that are opened right in front of a run."""
     return sum(gap[len(gap.rstrip("[{( \t\"'b")) :].count(mark) for mark in "[{(")
@@ -277,7 +291,7 @@ def _joins(left: Value, right: Value, gap: str) -> bool:
         return False
     if Style.STRING in (left.style, right.style):
         if left.style is not right.style:
-            return False
+            return _IS_ADDED.fullmatch(gap) is not None and _ADDENDS.isdisjoint((left.style, right.style))
         return _JOINER.fullmatch(gap) is not None or (
             len(left.text) <= 6 and _GAP.fullmatch(gap) is not None and "\n" not in gap
         )
@@ -449,6 +463,8 @@ def reading(name: str, value: Value) -> bytes | None:
             return number.to_bytes(2, "little") if number < 1 << 16 else None
         case "base64":
             return _base64(text)
+        case "base32":
+            return _base32(text)
         case "bits":
             is_bits = len(text) % 8 == 0 and set(text) <= {"0", "1"}
             return int(text, 2).to_bytes(len(text) // 8, "big") if is_bits else None
@@ -464,13 +480,24 @@ def _base64(text: str) -> bytes | None:
         return None
 
 
+def _base32(text: str) -> bytes | None:
+    """What base32 stands for, padded or not."""
+    digits = text.rstrip("=")
+    try:
+        return base64.b32decode(digits + "=" * (-len(digits) % 8))
+    except binascii.Error:
+        return None
+
+
+BASES = ("base64", "base32")
+"""The readings in which a value is no whole number of bytes."""
 _OCTAL = frozenset("01234567")
 
 
 def readings(run: Run) -> list[str]:
     """The readings that a run may have, the likeliest first."""
     if run.values[0].style is Style.BASE64:
-        return ["base64"]
+        return [*BASES]
     if run.is_text:
         has_digits = any("\\" in value.text for value in run.values)
         return ["string", "decimal string"] if has_digits else ["string"]
@@ -481,7 +508,8 @@ def readings(run: Run) -> list[str]:
         return ["bits"] if len(run.values) > 2 else ["bits", "hex"]
     has_marks = any(value.style is Style.MARKED for value in run.values)
     is_padded = widths <= {2} or (max(widths) >= 4)
-    found = ["decimal", "hex"] if has_marks or not is_padded else ["hex", "decimal"]
+    has_zeros = any(len(value.text) == 2 and value.text[0] == "0" for value in run.values if value.style is Style.BARE)
+    found = ["decimal", "hex"] if has_marks or not (is_padded or has_zeros) else ["hex", "decimal"]
     if widths & {3, 4}:
         found.append("octal")
     if 8 in widths or 1 in widths:

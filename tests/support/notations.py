@@ -133,7 +133,6 @@ def _tcpdump(data: bytes) -> str:
 
 LINE: dict[str, Notation] = {
     "base32": lambda data: base64.b32encode(data).decode(),
-    "bytes and a list": lambda data: f"{data[:5]!r} + bytes({[*data[5:]]})",
     "hex": bytes.hex,
     "HEX": lambda data: data.hex().upper(),
     "blanks": lambda data: data.hex(" "),

@@ -37,7 +37,7 @@ def fetch(url: str, **headers: str) -> tuple[int, Any, bytes]:
     """Status, headers and body of what a plain client gets."""
     request = urllib.request.Request(url, headers={name.replace("_", "-"): value for name, value in headers.items()})
     try:
-        with urllib.request.urlopen(request, timeout=5) as response:
+        with urllib.request.urlopen(request, timeout=30) as response:
             return response.status, response.headers, response.read()
     except urllib.error.HTTPError as error:
         return error.code, error.headers, error.read()
@@ -99,9 +99,9 @@ def test_actions_and_what_is_wrong_with_them(brick: Served) -> None:
                 '{"do": "list", "path": "/home/root/lms2012"}',
             ):
                 await socket.send_str(action)
-            until = time.monotonic() + 5
+            until = time.monotonic() + 30
             while time.monotonic() < until and not any("folder" in message for message in found):
-                found.append(json.loads(await socket.receive_str(timeout=5)))
+                found.append(json.loads(await socket.receive_str(timeout=30)))
         return found
 
     messages = asyncio.run(talk())
@@ -127,7 +127,7 @@ def test_page_in_a_browser(tmp_path: Path) -> None:
 
 
 def _look(browser: Chrome, brick: Served, client: Client) -> None:
-    wait = WebDriverWait(browser, 5, 0.05)
+    wait = WebDriverWait(browser, 60, 0.05)
     browser.get(brick.now.link)
     assert "token" not in browser.current_url
     brick.now.brick.plug("A", 7)

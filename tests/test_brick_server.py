@@ -102,7 +102,7 @@ def test_one_client_at_a_time(tmp_path: Path) -> None:
 def test_beacon(tmp_path: Path) -> None:
     with beacon_port(), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
         listener.bind(("127.0.0.1", 3015))
-        listener.settimeout(10)
+        listener.settimeout(30)
         with served(tmp_path, Options(port=0)) as brick:
             source = 0
             while source != brick.port:
@@ -177,7 +177,7 @@ def test_a_client_that_does_not_read_waits_and_the_others_do_not(tmp_path: Path)
         held = brick.now.host.connections[0]
         assert len(held._incoming) < limits.MOST_BUFFERED * 4
         # Once it reads, everything comes.
-        slow.socket.settimeout(10)
+        slow.socket.settimeout(30)
         assert [slow.reply()[:5] for _ in range(500)] == [bytes.fromhex("eb03010002")] * 500
 
 
@@ -190,7 +190,8 @@ def test_endless_commands_do_not_keep_others_out(tmp_path: Path, monkeypatch: py
         begin = time.monotonic()
         for _ in range(20):
             assert good.ask(VOLUME) == HUNDRED
-        assert time.monotonic() - begin < 3
+        # They would wait for minutes behind the other client's.
+        assert time.monotonic() - begin < 30
         assert bad.reply()[4] == 0x04
         assert "was ended after 0.3 s" in brick.said[-1]
 
@@ -293,9 +294,10 @@ def test_fifty_clients_get_their_own_replies(tmp_path: Path) -> None:
 def test_replies_come_late(tmp_path: Path) -> None:
     with served(tmp_path, replace(PLAIN, faults=Faults(delay=0.2))) as brick, Client(brick.port) as client:
         begin = time.monotonic()
-        client.send(VOLUME * 3)
-        assert [client.reply() for _ in range(3)] == [HUNDRED] * 3
-        assert 0.2 <= time.monotonic() - begin < 0.5
+        client.send(VOLUME * 50)
+        assert [client.reply() for _ in range(50)] == [HUNDRED] * 50
+        # All are late by the same time, and not each by that of those before it, too: that would be 10 s.
+        assert 0.2 <= time.monotonic() - begin < 8
 
 
 def test_replies_are_lost_or_changed(tmp_path: Path) -> None:
@@ -303,12 +305,12 @@ def test_replies_are_lost_or_changed(tmp_path: Path) -> None:
     frames = [command("DATA8 volume\nINFO(GET_VOLUME, volume)", counter) for counter in range(200)]
     with served(tmp_path, options) as brick, Client(brick.port) as client:
         client.send(b"".join(frames))
+        replies = [client.reply() for _ in range(71)]
         client.socket.settimeout(0.5)
-        replies = []
         with contextlib.suppress(TimeoutError):
             while True:
                 replies.append(client.reply())
-    assert 70 < len(replies) < 130
+    assert len(replies) < 130
     assert all(len(reply) == 6 for reply in replies)
     assert 20 < sum(reply[4:] != HUNDRED[4:] for reply in replies) < 70
 
@@ -319,15 +321,15 @@ def test_replies_are_lost_or_changed(tmp_path: Path) -> None:
 def test_serial_port(tmp_path: Path) -> None:
     link = tmp_path / "ev3"
     with served(tmp_path / "root", replace(PLAIN, port=None, serial=link)) as brick:
-        with serial.Serial(str(link), timeout=5) as port:
+        with serial.Serial(str(link), timeout=30) as port:
             port.write(VOLUME * 2)
             assert port.read(12) == HUNDRED * 2
             port.write(VOLUME[:4])
         # A program that opens it later does not continue the frame of the one before.
-        deadline = time.monotonic() + 5
+        deadline = time.monotonic() + 30
         while brick.now.host.connections and time.monotonic() < deadline:
             time.sleep(0.01)
-        with serial.Serial(str(link), timeout=5) as port:
+        with serial.Serial(str(link), timeout=30) as port:
             port.write(VOLUME)
             assert port.read(6) == HUNDRED
     assert not link.is_symlink()

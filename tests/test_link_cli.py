@@ -186,12 +186,12 @@ def standing(target: str, recording: Recording | None = None, **options: Any) ->
         yield found
     finally:
         found.proxy.stop()
-        found.thread.join(10)
+        found.thread.join(30)
         assert not found.thread.is_alive()
 
 
 def through(found: Standing) -> EV3:
-    return EV3(protocol=ev3proto.WIFI, address=("127.0.0.1", found.proxy.port), timeout=5.0)
+    return EV3(protocol=ev3proto.WIFI, address=("127.0.0.1", found.proxy.port), timeout=30.0)
 
 
 def test_a_program_talks_through_the_proxy(tmp_path: Path) -> None:
@@ -293,7 +293,7 @@ def test_the_brick_goes_away(tmp_path: Path) -> None:
         found = Standing(f"wifi:127.0.0.1:{brick.port}")
         my_ev3 = through(found)
         assert my_ev3.volume == 100
-    found.thread.join(10)
+    found.thread.join(30)
     assert isinstance(found.proxy.lost, ConnectionLostError)
     with pytest.raises(ev3proto.ConnectionLostError):
         my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC")
@@ -317,7 +317,7 @@ def test_the_proxy_as_a_program_records_into_a_pipe() -> None:
             assert my_ev3.volume == 100
         process.send_signal(signal.SIGINT)
         data = process.stdout.read()
-        assert process.wait(10) == 0
+        assert process.wait(30) == 0
         assert process.stderr.read() == b""
     records = [event for event in read(io.BytesIO(data)).events() if isinstance(event, Record)]
     assert records[1].values[0].value == 100
@@ -326,7 +326,7 @@ def test_the_proxy_as_a_program_records_into_a_pipe() -> None:
 def test_the_proxy_announces_itself() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
         listener.bind(("127.0.0.1", 0))
-        listener.settimeout(5)
+        listener.settimeout(30)
         announcement = Announcement(Beacon("001653000001", "5556"), "127.0.0.1", listener.getsockname()[1])
         datagram, _ = listener.recvfrom(1024)
         announcement.stop()
@@ -334,13 +334,13 @@ def test_the_proxy_announces_itself() -> None:
 
 
 def test_the_proxy_says_where_it_listens_and_who_may_come() -> None:
-    port = free_port(7000)
+    port = free_port()
     words = ["proxy", "--listen", f"wifi:127.0.0.1:{port}", "--to", "virtual", "--no-beacon"]
     with subprocess.Popen([sys.executable, "-m", "ev3proto", *words], cwd=ROOT, stdout=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == f"listening on 127.0.0.1:{port}\n".encode()
         process.send_signal(signal.SIGTERM)
-        assert process.wait(10) == 0
+        assert process.wait(30) == 0
     for words, sentence in (
         (["--listen", "usb", "--to", "virtual"], "a proxy listens as a WiFi brick"),
         (["--to", "virtual", "--from", "home"], "'home' is no address such as 192.0.2.1"),

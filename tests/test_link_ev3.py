@@ -39,7 +39,7 @@ def my_ev3(port: int) -> Iterator[EV3]:
 
 
 def stubbed(port: int, **arguments: Any) -> EV3:
-    return EV3(protocol=ev3proto.WIFI, address=("127.0.0.1", port), **{"timeout": 5.0, **arguments})
+    return EV3(protocol=ev3proto.WIFI, address=("127.0.0.1", port), **{"timeout": 30.0, **arguments})
 
 
 def echo(number: int) -> bytes:
@@ -280,7 +280,7 @@ def test_waiting_again_for_what_did_not_come() -> None:
     ready = threading.Event()
 
     def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
-        ready.wait(5)
+        ready.wait(30)
         send(reply(frame, b"\x07"))
 
     with stub_brick(answer) as port, stubbed(port, sync_mode=ev3proto.ASYNC) as my_ev3:
@@ -326,8 +326,15 @@ def test_what_stands_between_answers_goes_to_nobody(extra: Callable[[bytes], byt
 
 
 def test_what_came_instead_of_an_answer_is_told() -> None:
-    with stub_brick(lambda frame, send: send(bytes.fromhex("0300999902"))) as port, stubbed(port) as my_ev3:
+    there = threading.Event()
+
+    def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
+        send(bytes.fromhex("0300999902"))
+        there.set()
+
+    with stub_brick(answer) as port, stubbed(port) as my_ev3:
         my_ev3.send_direct_cmd(NOP)
+        assert there.wait(30)
         with pytest.raises(
             ev3proto.NoAnswerError, match="a frame that answers a command that nobody sent, 03:00:99:99"
         ):

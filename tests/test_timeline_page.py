@@ -69,7 +69,7 @@ def opened(browser: Chrome, page: str, width: int, is_phone: bool = False) -> Lo
 
 
 def looked(browser: Chrome) -> Look:
-    found: Any = WebDriverWait(browser, 10, 0.1).until(lambda _: browser.execute_script(DRAWN, RED))
+    found: Any = WebDriverWait(browser, 60, 0.05).until(lambda _: browser.execute_script(DRAWN, RED))
     # Nothing is wider than the window, and nothing has to be scrolled sideways.
     assert found["page"][0] <= found["page"][1]
     assert found["place"][0] <= found["place"][1]
@@ -88,7 +88,7 @@ def test_it_follows_the_window(browser: Chrome, page: str) -> None:
     opened(browser, page, 1280)
     window = {"width": 640, "height": 900, "deviceScaleFactor": 1, "mobile": False}
     browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", window)
-    WebDriverWait(browser, 10, 0.1).until(lambda _: browser.execute_script(DRAWN, RED)["right"] <= 640)
+    WebDriverWait(browser, 60, 0.05).until(lambda _: browser.execute_script(DRAWN, RED)["right"] <= 640)
     looked(browser)
 
 
@@ -105,7 +105,7 @@ def test_a_tap_shows_what_a_mark_says(browser: Chrome, page: str) -> None:
     touch(browser, "touchStart", (x + 1, y + 3))
     touch(browser, "touchEnd")
     tip = "return document.querySelector('#vg-tooltip-element.visible')?.innerText"
-    said: Any = WebDriverWait(browser, 5, 0.05).until(lambda _: browser.execute_script(tip))
+    said: Any = WebDriverWait(browser, 60, 0.05).until(lambda _: browser.execute_script(tip))
     assert "UI_READ.GET_VBATT" in said
     assert "answered with an error" in said
 
@@ -121,11 +121,11 @@ def test_a_finger_moves_time_sideways_and_the_page_up(browser: Chrome, page: str
     def reds() -> list[float]:
         return [x for x, y in browser.execute_script(DRAWN, RED)["red"] if y == lowest]
 
-    WebDriverWait(browser, 5, 0.05).until(
+    WebDriverWait(browser, 60, 0.05).until(
         lambda _: reds() and min(reds()) > 20 + min(x for x, y in before.red if y == lowest)
     )
     touch(browser, "touchStart", (200, 500))
     for y in range(490, 300, -10):
         touch(browser, "touchMove", (200, y))
     touch(browser, "touchEnd")
-    WebDriverWait(browser, 5, 0.05).until(lambda _: browser.execute_script("return window.scrollY") > 100)
+    WebDriverWait(browser, 60, 0.05).until(lambda _: browser.execute_script("return window.scrollY") > 100)

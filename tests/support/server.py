@@ -11,6 +11,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from random import SystemRandom
 from typing import NamedTuple
 
 from ev3proto.brick.servers.server import Options, Running, running
@@ -144,8 +145,11 @@ def beacon_port() -> Iterator[None]:
 
 
 def free_port(lowest: int = 6000, highest: int = 9999) -> int:
-    """A TCP port of four digits that nobody uses: some clients take no others from a beacon."""
-    for port in range(lowest, highest):
+    """A TCP port of four digits that nobody uses: some clients take no others from a beacon.
+
+    By chance, so that tests that run at the same time do not find the same one.
+    """
+    for port in SystemRandom().sample(range(lowest, highest), 100):
         with contextlib.suppress(OSError), socket.socket() as probe:
             probe.bind(("127.0.0.1", port))
             return port

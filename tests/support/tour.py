@@ -119,11 +119,12 @@ def jukebox(client: Any, brick: Served) -> Iterator[Any]:
     jukebox.change_color(ev3_dc.LED_ORANGE)
     yield client.battery and brick.now.brick.leds
     jukebox.play_tone("a'", duration=0.2)
-    yield client.battery and _frequency(brick)
+    yield client.battery and (before := _frequency(brick))
     song = jukebox.song(ev3_dc.HAPPY_BIRTHDAY)
     song.start()
-    time.sleep(0.3)
-    yield client.battery and _frequency(brick)
+    while (tone := _frequency(brick)) in (None, before):
+        time.sleep(0.005)
+    yield client.battery and tone
     song.stop()
     song.join()
 

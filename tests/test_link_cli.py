@@ -167,8 +167,9 @@ class Standing:
     def __init__(self, target: str, recording: Recording | None = None, **options: Any) -> None:
         self.shown: list[str] = []
         self.said: list[str] = []
+        self.wire = open_wire(Target.parse(target))
         self.proxy = Proxy(
-            open_wire(Target.parse(target)),
+            self.wire,
             target,
             ProxyOptions(**options),
             show=lambda pair: self.shown.append(line_of(pair)),
@@ -188,6 +189,7 @@ def standing(target: str, recording: Recording | None = None, **options: Any) ->
         found.proxy.stop()
         found.thread.join(30)
         assert not found.thread.is_alive()
+        found.wire.close()
 
 
 def through(found: Standing) -> EV3:
@@ -294,14 +296,15 @@ def test_the_brick_goes_away(tmp_path: Path) -> None:
         my_ev3 = through(found)
         assert my_ev3.volume == 100
     found.thread.join(30)
+    found.wire.close()
     assert isinstance(found.proxy.lost, ConnectionLostError)
     with pytest.raises(ev3proto.ConnectionLostError):
         my_ev3.send_direct_cmd(b"\x01", sync_mode="SYNC")
 
 
-def test_the_port_of_the_proxy_is_in_use() -> None:
+def test_the_port_of_the_proxy_is_in_use(tmp_path: Path) -> None:
     with standing("virtual") as found, pytest.raises(PortInUseError, match="is in use: end what uses it"):
-        Standing("virtual", port=found.proxy.port)
+        Standing(f"virtual:{tmp_path}", port=found.proxy.port)
 
 
 def test_the_proxy_as_a_program_records_into_a_pipe() -> None:

@@ -5,9 +5,10 @@
 
 from __future__ import annotations
 
+import weakref
 from collections import OrderedDict
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Protocol, TypeVar
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -49,11 +50,44 @@ class Budget:
             self.dropped += 1
             drop(number)
 
+    def update(self, thing: object, size: int, drop: Callable[[int], object], number: int = 0) -> None:
+        """Something takes another size from now on, and counts as the newest of all that waits.
+
+        Args:
+            thing: What waits; whoever calls this keeps it.
+            size: About how many bytes it takes; 0 where it waits no longer.
+            drop: Is called with the number when it has to go.
+            number: What `drop` knows it by.
+
+        """
+        self.remove(thing)
+        if size:
+            self.add(thing, size, drop, number)
+
     def remove(self, thing: object) -> None:
         """Something waits no longer. Nothing happens where it did not."""
         held = self._held.pop(id(thing), None)
         if held is not None:
             self._used -= held[0]
+
+
+class Forgetful(Protocol):
+    """What has things that wait, each with a number."""
+
+    def forget(self, number: int) -> None:
+        """Keeps the thing of a number no longer, if it still does."""
+
+
+def dropper(owner: Forgetful) -> Callable[[int], None]:
+    """What a budget calls. It does not keep the owner, whose things no longer count once nobody refers to it."""
+    found = weakref.ref(owner)
+
+    def drop(number: int) -> None:
+        owner = found()
+        if owner is not None:
+            owner.forget(number)
+
+    return drop
 
 
 class Bounded(OrderedDict[K, V]):

@@ -149,3 +149,9 @@ def test_showing(words: tuple[str, ...], tmp_path: Path) -> None:
         return show
 
     assert_linear(showing, PACKETS // 5)
+
+
+def test_connections_that_never_go_on_take_no_time() -> None:
+    """In absolute terms, with a wide margin: 20,000 of them take a second or two where nothing else runs."""
+    data = pcap(RAW_IP, timed(list(connections(effort(5_000, 20_000)))))
+    assert seconds(lambda: messages(data)) < effort(6, 24)

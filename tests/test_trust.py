@@ -14,7 +14,8 @@ import pytest
 from support.cli import run_ev3proto_text
 from support.cpu_time import milliseconds
 from support.effort import effort
-from support.packets import RAW_IP, Capture, Connection, datagram, segment
+from support.files import Blocks
+from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort, datagram, segment
 from support.wireshark import Tshark
 
 import ev3proto
@@ -126,8 +127,16 @@ def test_what_was_given_up_is_reported(tmp_path: Path) -> None:
     assert "commands without a reply were given up: what waits may take 1 MiB (--memory)" in done.stderr
 
 
-def frame_of(body: bytes) -> bytes:
-    head = struct.pack("<HBH", 1, 0x80, 0x0040) + body
+def test_a_text_keeps_as_few_commands_without_replies(tmp_path: Path) -> None:
+    path = tmp_path / "many.txt"
+    path.write_text("\n".join(frame_of(b"\1" * 100, number, 0).hex() for number in range(200)))
+    done = run_ev3proto_text("decode", "--memory", "1", str(path))
+    assert done.stderr.startswith("the input: 1")
+    assert "were given up" in done.stderr
+
+
+def frame_of(body: bytes, counter: int = 1, code: int = 0x80, memory: bytes = b"\x40\0") -> bytes:
+    head = struct.pack("<HB", counter & 0xFFFF, code) + memory + body
     return struct.pack("<H", len(head)) + head
 
 
@@ -188,12 +197,54 @@ def hostile(kind: str, count: int) -> bytes:
             one.send(waiting[number % 97 : number % 97 + 1])
         elif kind == "segments of one byte, backwards":
             found.add(segment(True, 1 + 2 * (count - number), b"\x01", acknowledged=1))
+        elif kind == "files that begin":
+            path = b"../prjs/%06d" % number + b"x" * 900 + b"\0"
+            for again in range(2):
+                one.send(frame_of(b"\x92" + struct.pack("<I", 1000) + path, 2 * number + again, 0x81, memory=b""))
         elif kind == "bricks":
             beacon = b"Serial-Number: %012x\r\nPort: 5555\r\nName: x\r\nProtocol: EV3\r\n" % number
             found.add(datagram(beacon, struct.pack(">I", 0x0A000000 + number)))
         else:
             one.send(struct.pack("<HHB", 600, number & 0xFFFF, 0x81) + b"\x03\0" * 50)
     return found.data()
+
+
+def hostile_bluetooth(kind: str, count: int) -> bytes:
+    """The same of Bluetooth."""
+    found = Capture(HCI_WITH_DIRECTION)
+    reply = frame_of(b"\0" * 1000, 1, 2, memory=b"")
+    for number in range(count):
+        if kind == "beginnings of packets":
+            head = struct.pack("<IBHHHH", 0, 2, number % 4096, 6004, 60_000, 0x41)
+            found.add(head + b"x" * 6000)
+        else:
+            port = SerialPort(found, connection=number % 500)
+            for _ in range(3):
+                port.receive(reply)
+    return found.data()
+
+
+def hostile_interfaces(kind: str, count: int) -> bytes:
+    """A pcapng file that says a lot of its interfaces, in one section or in as many."""
+    found = Blocks()
+    own_address = struct.pack(">IB", 1, 4) + bytes((0x0E, 10, 1, 9, 0x10, 0)) + b"abcdef"
+    for number in range(count):
+        name = f"{number:06}".ljust(8000, "x")
+        if kind == "names of interfaces":
+            found.interface(RAW_IP, name=name)
+        else:
+            found.section("<")
+            found.interface(HCI_WITH_DIRECTION, name=name)
+            found.packet(0, own_address)
+    return found.data()
+
+
+MAKERS = {
+    "beginnings of packets": hostile_bluetooth,
+    "replies before any command": hostile_bluetooth,
+    "names of interfaces": hostile_interfaces,
+    "adapters": hostile_interfaces,
+}
 
 
 @pytest.mark.parametrize(
@@ -206,13 +257,15 @@ def hostile(kind: str, count: int) -> bytes:
         "segments of one byte, backwards",
         "bricks",
         "garbage that almost fits",
+        "files that begin",
+        *MAKERS,
     ],
 )
 def test_memory_has_a_limit(kind: str, tmp_path: Path) -> None:
     peaks = []
     for count in (effort(1500, 15_000), effort(4500, 45_000)):
         path = tmp_path / f"{count}.pcap"
-        path.write_bytes(hostile(kind, count))
+        path.write_bytes(MAKERS.get(kind, hostile)(kind, count))
         call = [sys.executable, "-c", PEAK, "decode", "--dialogues", "--memory", "1", str(path)]
         done = subprocess.run(call, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
         peaks.append(int(done.stderr.splitlines()[-1]))

@@ -66,7 +66,8 @@ def events(
 
     """
     budget = Budget(memory)
-    readers = _Readers(Context(frame_schema(dialect), account, frozenset(ports), budget))
+    context = Context(frame_schema(dialect), account, frozenset(ports), budget)
+    readers, late = _Readers(context), context.late
     trouble: CaptureError | None = None
     try:
         for packet in packets:
@@ -76,6 +77,9 @@ def events(
             account.packets += 1
             account.captured += len(packet.data)
             yield from readers[packet.interface.link](packet)
+            if late:
+                yield from late
+                late.clear()
     except CaptureError as error:
         trouble = error
     yield from readers.end()

@@ -13,7 +13,7 @@ class Account:
     captured  bytes of them in the file
     first_ns  when the first packet was captured, in nanoseconds since 1970-01-01 UTC; None where there is none
     last_ns   when the last one was
-    forgotten  commands that were no longer waited for, because all that waited took too much memory
+    forgotten  commands and other things that were no longer waited for, because all that waited took too much memory
     frames    bytes of frames
     texts     bytes of beacons, unlock texts and the answers to them
     padding   bytes after the frame in USB reports

@@ -41,7 +41,8 @@ class Conversation:
     def __init__(self, schema: FrameSchema, budget: Budget | None = None) -> None:
         self._schema = schema
         self._pairing: Pairing[Record] = Pairing(MOST_PENDING, budget, _size_of)
-        self._transfers = Transfers()
+        self._budget = budget
+        self._transfers: Transfers | None = None  # made for the first system message
 
     @property
     def unanswered(self) -> list[Record]:
@@ -86,9 +87,12 @@ class Conversation:
         return record
 
     def _follow_transfer(self, record: Record) -> None:
+        transfers = self._transfers
+        if transfers is None:
+            transfers = self._transfers = Transfers(self._budget)
         message = record.message
         if isinstance(message, SystemCommand):
-            record.transfer = self._transfers.requested(message)
+            record.transfer = transfers.requested(message)
         elif isinstance(message, SystemReply):
             request = None if record.request is None else record.request.message
-            record.transfer = self._transfers.progress(message, request)
+            record.transfer = transfers.progress(message, request)

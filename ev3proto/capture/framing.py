@@ -19,6 +19,9 @@ from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, i
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, MessageType
 
+MARK_SIZE = 200
+"""Bytes of memory that a packet takes whose bytes wait for more, besides these, about."""
+
 MOST_TRIALS = 64
 """Places in one piece of a stream where a whole frame is tried, before the piece is given up."""
 
@@ -117,6 +120,17 @@ class Cutter:
     def waiting(self) -> list[int]:
         """The packets whose bytes wait for more."""
         return [number for _, number in self._marks] if self._marks else []
+
+    @property
+    def size(self) -> int:
+        """Bytes of memory that what waits takes, about."""
+        return len(self._buffer) + MARK_SIZE * len(self._marks)
+
+    def give_up(self, reason: str) -> list[StreamPart]:
+        """Waits no longer for the rest of what is there: the next frame is looked for."""
+        waiting = self._give_up() + self._take_all(reason)
+        self._in_step, self._after_text, self._reason = False, None, _BETWEEN
+        return waiting
 
     def leave_hole(self, missing: int) -> list[StreamPart]:
         """Says that bytes are missing in the stream here, 0 where it is not known how many: what waits is given up."""
@@ -257,8 +271,11 @@ class Cutter:
         begins = {start for start, _ in self._marks}
         for found in _STARTS.finditer(buffer, at):
             place = found.start()
-            if buffer[place] in _TEXT_STARTS and self._whole_text(buffer, place):
+            first = buffer[place]
+            if first in _TEXT_STARTS and self._whole_text(buffer, place):
                 return place, trials
+            if place + LENGTH_FIELD + (first | buffer[place + 1] << 8) > size and place not in begins:
+                continue  # most places by far: said here, as it is said faster
             length, _, code = unpack_header(buffer, place)
             if not MIN_LENGTH <= length <= MAX_LENGTH or code not in _TYPES:
                 continue

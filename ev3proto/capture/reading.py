@@ -92,7 +92,7 @@ def read(
         engine: "builtin", or "wireshark": tshark takes the packets apart, for every link type that Wireshark knows.
         tshark: Path of the tshark for that engine, where it is not on the path.
         memory: Bytes that all that waits for more of the capture may take together: commands without a reply,
-            segments ahead of their turn. The oldest goes first; `account.forgotten` counts commands.
+            segments ahead of their turn, and so on. The oldest goes first; `account.forgotten` counts them.
 
     Returns:
         The capture. While it is read it raises CaptureError for a damaged file, after everything readable.

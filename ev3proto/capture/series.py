@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
@@ -14,6 +15,9 @@ from ev3proto.messages import DirectCommand
 
 LATENCY = "latency"
 """The column that every reply has a value for: seconds from its command."""
+
+MOST_CELLS = 1_000_000
+"""Rows and their values together that are kept: about 160 MiB."""
 
 Cell: TypeAlias = float | str
 
@@ -49,15 +53,21 @@ class Series:
 
     units  the columns in the order in which they came, each with its unit; None where it has none
     rows   in the order of the capture
+    size   rows and their values together
+    omitted  rows beyond MOST_CELLS, of which nothing is kept
     """
 
     units: dict[str, str | None] = field(default_factory=dict)
     rows: list[Row] = field(default_factory=list)
+    size: int = 0
+    omitted: int = 0
 
     def extend(self, other: Series) -> None:
         """Adds the rows of another capture after these, and the columns that are only there."""
         self.units = {**self.units, **other.units}
         self.rows += other.rows
+        self.size += other.size
+        self.omitted += other.omitted
 
     def narrowed(self, most: int) -> Series:
         """At most so many columns: those with the most values, in their order, and the rows that have some of them.
@@ -76,12 +86,13 @@ class Series:
         return Series(units, [row for row in kept if row.cells])
 
 
-def series_of(events: Iterable[Event], file: str | None = None) -> Series:
+def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST_CELLS) -> Series:
     """Gathers the values of all replies.
 
     Args:
         events: Of a capture; what is no reply with a value is passed over.
         file: The name of the capture, which all rows get.
+        most: Rows and values that are kept; further rows are counted.
 
     Returns:
         The values. A text and a number that stand for no value ("not a number") have no cell.
@@ -90,12 +101,17 @@ def series_of(events: Iterable[Event], file: str | None = None) -> Series:
     for event in events:
         if not isinstance(event, Record) or event.request is None:
             continue
+        if found.size >= most:
+            found.omitted += 1
+            continue
         latency = event.latency
         cells: dict[str, Cell] = {} if latency is None else {LATENCY: latency}
         for value, name in _named(event):
             for suffix, cell in _cells(value):
-                found.units.setdefault(name + suffix, value.unit)
-                cells[name + suffix] = cell
+                column = sys.intern(name + suffix)
+                found.units.setdefault(column, value.unit)
+                cells[column] = cell
+        found.size += 1 + len(cells)
         found.rows.append(Row(event.time_ns, event.number, event.peer, cells, event.route.is_timed, file))
     if not any(LATENCY in row.cells for row in found.rows):
         del found.units[LATENCY]

@@ -11,8 +11,9 @@ one by one is listed up to a limit, with the number of all beside it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field
+from functools import cache
 from typing import Any, NamedTuple
 
 from ev3proto.bounded import Bounded
@@ -292,7 +293,7 @@ class _PeerCounts:
             self.first_ns = other.first_ns if self.first_ns is None else min(self.first_ns, other.first_ns)
             self.last_ns = max(self.last_ns, other.last_ns)
 
-    def no_reply(self, carried: dict[OperationName, int]) -> None:
+    def no_reply(self, carried: Iterable[OperationName]) -> None:
         self.unanswered += 1
         for key in carried:
             self._operation(key).unanswered += 1
@@ -337,7 +338,7 @@ class _OpenCommand(NamedTuple):
 
     number: int
     peer: str
-    carried: dict[OperationName, int]
+    carried: tuple[OperationName, ...]
 
 
 @dataclass(slots=True)
@@ -452,7 +453,7 @@ class Statistics:
 
     def _wait(self, record: Record, carried: dict[OperationName, int]) -> None:
         same = self._waiting.pop(id(record), None)
-        oldest = self._waiting.add(id(record), _OpenCommand(record.number, record.peer, carried))
+        oldest = self._waiting.add(id(record), _OpenCommand(record.number, record.peer, tuple(carried)))
         for forgotten in (same, oldest):
             if forgotten is not None:
                 self._give_up(forgotten)
@@ -501,9 +502,15 @@ def _carried(message: Message) -> dict[OperationName, int]:
         found[OperationName("daisy", message.command or f"0x{message.number:02X}")] = 1
     if isinstance(message, DirectCommand | DaisyCommand):
         for operation in message.operations:
-            key = OperationName("direct", operation.full_name)
+            key = _direct(operation.full_name)
             found[key] = found.get(key, 0) + 1
     return found
+
+
+@cache
+def _direct(name: str) -> OperationName:
+    """The name of an operation. There are as many as the tables have, and commands that wait share them."""
+    return OperationName("direct", name)
 
 
 def _system_name(number: int) -> str:
@@ -514,19 +521,12 @@ def _system_name(number: int) -> str:
     return f"{entry.name} (bootloader)" if entry.bootloader else entry.name
 
 
-def _listed(carried: dict[OperationName, int]) -> str:
+def _listed(carried: tuple[OperationName, ...]) -> str:
     """`SOUND.TONE, UI_WRITE.LED`, not all of a long program."""
-    names = [key.name for key in _first(carried, MOST_NAMED)]
+    names = [key.name for key in carried[:MOST_NAMED]]
     more = len(carried) - len(names)
     return ", ".join(names) + (f" and {more} more" if more else "")
 
 
 MOST_NAMED = 4
 """So many operations of an unanswered command are named."""
-
-
-def _first(carried: dict[OperationName, int], most: int) -> Iterator[OperationName]:
-    for count, key in enumerate(carried):
-        if count == most:
-            return
-        yield key

@@ -31,7 +31,8 @@ BUILTIN = "builtin"
 MOST_COMPLAINTS = 10
 """Places in a capture that are complained about one by one; of the others, only their number is given."""
 
-_MIB = 1 << 20
+MIB = 1 << 20
+"""Bytes in which --memory counts."""
 
 
 @dataclass
@@ -53,7 +54,7 @@ class CaptureOptions:
     tshark: str | None = None
     filter: Filter | None = None
     missing: Missing | None = None
-    memory: int = DEFAULT_MEMORY // _MIB
+    memory: int = DEFAULT_MEMORY // MIB
 
 
 @dataclass
@@ -101,7 +102,7 @@ class CaptureSource:
             return
         from ev3proto.capture.filter import Choosing
 
-        choosing = Choosing(chosen, self.options.memory * _MIB)
+        choosing = Choosing(chosen, self.options.memory * MIB)
         yield from choosing.chosen(self._all_events())
         if choosing.given_up:
             complain(
@@ -155,7 +156,7 @@ class CaptureSource:
         if self.lines is None and options.engine == BUILTIN:
             self._look()
         if self.lines is not None:
-            self._capture = read_log(self._pieces(self.lines), dialect=options.dialect, memory=options.memory * _MIB)
+            self._capture = read_log(self._pieces(self.lines), dialect=options.dialect, memory=options.memory * MIB)
             return self._capture
         self._capture = read(
             self.file or _stream(self.name),
@@ -163,7 +164,7 @@ class CaptureSource:
             ports=options.ports,
             engine=options.engine,  # type: ignore[arg-type]
             tshark=options.tshark,
-            memory=options.memory * _MIB,
+            memory=options.memory * MIB,
         )
         return self._capture
 
@@ -172,7 +173,7 @@ class CaptureSource:
         from ev3proto.capture.formats import CaptureFile
         from ev3proto.capture.record import CaptureError
         from ev3proto.cli.programs import is_image
-        from ev3proto.cli.texts import START, is_text, raw_frames, text_lines
+        from ev3proto.cli.texts import START, hex_lines, is_text, raw_frames, text_lines
 
         if self.file is None:
             self.file = CaptureFile.at(self.name) if self.name != "-" else CaptureFile(_stream(self.name))
@@ -184,7 +185,7 @@ class CaptureSource:
             self.lines = text_lines(self.file.contents)
         else:
             raw = raw_frames(self.file.contents, self.options.dialect)
-            self.lines = None if raw is None else iter(raw)
+            self.lines = None if raw is None else hex_lines(raw)
 
     def _pieces(self, lines: Iterator[str]) -> Iterator[Pasted]:
         """What there is in the text; what cannot be read of it is complained about."""
@@ -229,12 +230,23 @@ class CaptureSource:
                     self._complain(str(event))
             yield event
         if capture.account.forgotten:
-            complain(
-                f"{self.label}: {capture.account.forgotten} commands without a reply were given up: what waits may take"
-                f" {self.options.memory} MiB (--memory)"
-            )
+            complain(given_up(self.label, capture.account.forgotten, self.options.memory))
         if places > MOST_COMPLAINTS:
             self._complain(f"and {places - MOST_COMPLAINTS} more places; {lost} bytes in all could not be read")
+
+
+def given_up(label: str, count: int, memory: int) -> str:
+    """What to say where too much waited.
+
+    Args:
+        label: What was read.
+        count: How many things had to go.
+        memory: MiB that all that waits may take.
+    """
+    return (
+        f"{label}: {count} parts of frames, transfers and commands without a reply were given up: what waits may take"
+        f" {memory} MiB (--memory)"
+    )
 
 
 def _stream(name: str) -> Any:
@@ -332,7 +344,7 @@ _OPTIONS = (
     click.option(
         "--memory",
         type=click.IntRange(1, 1 << 16),
-        default=DEFAULT_MEMORY // _MIB,
+        default=DEFAULT_MEMORY // MIB,
         show_default=True,
         metavar="MIB",
         help="What all that waits in a capture may take, such as commands without a reply; the oldest goes first.",

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.captures import MIB, CaptureOptions, CaptureSource, given_up, reading_options
 from ev3proto.cli.output import complain
 from ev3proto.cli.programs import PROGRAM_FORMATS, SOURCE_SUFFIX, is_image, read_program
 from ev3proto.cli.show import FORMATS, Show
@@ -36,7 +36,7 @@ class Decoding(SourceReader):
         self._as_programs = as_programs
         if as_programs:
             self.wanted = "program"
-        self._dialogue = Dialogue()
+        self._dialogue = Dialogue(reading.memory * MIB)
 
     @property
     def wants_records(self) -> bool:
@@ -116,6 +116,11 @@ class Decoding(SourceReader):
         if fault is not None and not cut:
             self.complain(f"{source.where(pasted)}: fault at {fault}")
 
+    def say_what_was_given_up(self) -> None:
+        """Complains where commands of a text waited for their replies no longer."""
+        if self._dialogue.forgotten:
+            complain(given_up("the input", self._dialogue.forgotten, self.reading.memory))
+
 
 @click.command()
 @click.argument("names", nargs=-1, metavar="[FRAME|FILE|-]...")
@@ -161,6 +166,7 @@ def decode(
     decoding = Decoding(show, reading, as_dialogues=as_dialogues, as_programs=as_programs)
     for source in sources(names):
         decoding.read(source)
+    decoding.say_what_was_given_up()
     if not show.count:
         if not decoding.at_fault:
             complain(_nothing(names))

@@ -15,7 +15,7 @@ from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
 from ev3proto.cli.programs import is_image
 from ev3proto.cli.progress import advancing, progress_bar
-from ev3proto.cli.texts import MOST_RAW, START, is_binary, pieces, text_lines
+from ev3proto.cli.texts import START, hex_lines, is_binary, pieces, raw_frames, text_lines
 from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.split import Piece, split
@@ -157,16 +157,15 @@ class SourceReader(ABC):
     def _raw(self, source: Source, file: CaptureFile) -> bool:
         """Takes frames that stand one after the other as they are; says whether they do."""
         try:
-            data = file.contents.read(MOST_RAW)
+            found = raw_frames(file.contents, self.reading.dialect)
         except (OSError, EOFError, zlib.error):
             return False
-        found = list(split(data, dialect=self.reading.dialect))
-        if len(found) == 1 and found[0].message.fault is not None:
+        if found is None:
             return False
         if self.wants_records:
-            self._recorded(source, (piece.message.build().hex(" ") for piece in found))
+            self._recorded(source, hex_lines(found))
             return True
-        pasted = Pasted(data, 1, "")
+        pasted = Pasted(b"", 1, "")
         for piece in found:
             self.piece(piece, pasted, source)
         return True

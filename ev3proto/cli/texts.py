@@ -5,19 +5,20 @@ from __future__ import annotations
 import codecs
 import io
 from collections.abc import Callable, Iterator
+from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
 
 from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste import MAX_LINE, Missing, Pasted, read_bare, read_text
-from ev3proto.text.split import split
+from ev3proto.text.split import Piece, split
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
 
 MOST_RAW = 1 << 26
-"""Bytes of frames that are read from a file which has nothing else."""
+"""Bytes of frames that are read from a file which has nothing else; a longer one is refused."""
 
 START = 8
 """Bytes by which a file is recognised."""
@@ -99,23 +100,29 @@ def text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
             line = text.readline(MAX_LINE + 1)
 
 
-def raw_frames(stream: io.BufferedReader[Any], dialect: str) -> list[str] | None:
-    """Frames that stand one after the other as they are, as lines of hex.
+def raw_frames(stream: io.BufferedReader[Any], dialect: str) -> Iterator[Piece] | None:
+    """Frames that stand one after the other as they are.
 
     Args:
         stream: A file that is neither a text nor a capture. It is not read where it does not start with a frame.
         dialect: The firmware whose instruction set to read by.
 
     Returns:
-        A line for each frame; None where there is none.
+        The frames, one by one; None where there is none.
     """
     start = stream.peek(HEADER_SIZE)[:HEADER_SIZE]
     if len(start) < HEADER_SIZE or not is_frame_size(frame_size(start)) or start[-1] not in frozenset(MessageType):
         return None
-    found = list(split(stream.read(MOST_RAW), dialect=dialect))
-    if len(found) == 1 and found[0].message.fault is not None:
+    found = split(stream.read(MOST_RAW + 1), dialect=dialect)
+    begin = list(islice(found, 2))
+    if len(begin) == 1 and begin[0].message.fault is not None:
         return None
-    return [piece.message.build().hex(" ") for piece in found]
+    return chain(begin, found)
+
+
+def hex_lines(found: Iterator[Piece]) -> Iterator[str]:
+    """Frames as the lines of a text."""
+    return (piece.message.build().hex(" ") for piece in found)
 
 
 def is_binary(start: bytes) -> bool:

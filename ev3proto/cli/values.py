@@ -15,6 +15,7 @@ import click
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.tables import Tables
+from ev3proto.errors import counted
 from ev3proto.text.visible import visible
 from ev3proto.whole_files import write_whole
 
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 
 MOST_SHOWN = 50
 """Columns of a table, lines of a picture: nobody reads more."""
+
+MOST_PRINTED = 100_000
+"""Cells of a table, each of which takes a kilobyte until all are printed."""
 
 MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
 """Columns by form. JSON has only the values that there are, so it needs no limit."""
@@ -51,13 +55,16 @@ def values(files: tuple[str, ...], reading: CaptureOptions, form: str | None, pl
       ev3proto values robot.pcapng --filter 'op == UI_READ.GET_VBATT' --csv
       ev3proto values robot.pcapng --filter 'op == INPUT_READ' --plot light.svg
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.capture.series import Series, series_of
+    from ev3proto.capture.series import MOST_CELLS, Series, series_of
 
     sources = [CaptureSource(file, reading) for file in files]
     found = Series()
     for source in sources:
-        found.extend(series_of(source.events(), source.label))
+        found.extend(series_of(source.events(), source.label, MOST_CELLS - found.size))
     status = max(source.status for source in sources)
+    if found.omitted:
+        complain(f"{counted(found.omitted, 'row')} omitted: {MOST_CELLS:,} cells are kept; --filter chooses others")
+        status = 1
     if not found.rows:
         if not status:
             complain(f"{', '.join(source.label for source in sources)}: no reply with its command was found")
@@ -89,6 +96,7 @@ def _text(cell: Cell | None) -> str:
 def _print_table(found: Series, unit: str) -> None:
     start = min((row.time_ns for row in found.rows if row.is_timed), default=0)
     leading = ["file"] if _is_of_several(found) else []
+    most = max(MOST_PRINTED // (len(found.units) + 2), 1)
     rows = [
         [
             *([row.file or ""] if leading else []),
@@ -96,9 +104,11 @@ def _print_table(found: Series, unit: str) -> None:
             str(row.packet),
             *(_text(row.cells.get(name)) for name in found.units),
         ]
-        for row in found.rows
+        for row in found.rows[:most]
     ]
     Tables().table([*leading, "time [s]", unit, *_titles(found)], rows)
+    if len(found.rows) > most:
+        complain(f"and {counted(len(found.rows) - most, 'row')} more: --csv and --json print all of them")
 
 
 def _is_of_several(found: Series) -> bool:

@@ -4,10 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.messages import DirectCommand, DirectReply, Message, SystemCommand, SystemReply
 from ev3proto.semantics.pairing import Pairing
 from ev3proto.semantics.replies import Value, values_of
 from ev3proto.semantics.transfers import Transfer, Transfers
+
+_BYTES_EACH = 130
+"""Bytes of memory that a message takes for each byte of its frame, about: as many where each is an operation."""
+
+_LEAST = 600
+"""Bytes of memory that it takes besides."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +41,21 @@ class Exchange:
 class Dialogue:
     """Follows the messages between one computer and one brick, in order, both directions."""
 
-    def __init__(self) -> None:
-        self._pairing: Pairing[Message] = Pairing()
-        self._transfers = Transfers()
+    def __init__(self, memory: int = DEFAULT_MEMORY) -> None:
+        """Begins a dialogue.
+
+        Args:
+            memory: Bytes that commands without a reply and files on their way may take, about; the oldest goes first.
+
+        """
+        self._budget = Budget(memory)
+        self._pairing: Pairing[Message] = Pairing(budget=self._budget, size_of=_size_of)
+        self._transfers = Transfers(self._budget)
+
+    @property
+    def forgotten(self) -> int:
+        """How many commands and files had to go, because too much waited."""
+        return self._budget.dropped
 
     @property
     def unanswered(self) -> list[Message]:
@@ -76,6 +95,10 @@ class Dialogue:
         request = self._pairing.answered(key, size)
         transfer = self._transfers.progress(message, request) if isinstance(message, SystemReply) else None
         return Exchange(message, request, values_of(message, request), transfer)
+
+
+def _size_of(message: Message) -> int:
+    return _LEAST + _BYTES_EACH * message.length
 
 
 def _pairing(message: Message) -> tuple[tuple[str, int, int], int | None]:

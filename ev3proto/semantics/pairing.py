@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import sys
-import weakref
 from collections.abc import Callable, Hashable
 from typing import Generic, TypeVar
 
-from ev3proto.bounded import Budget
+from ev3proto.bounded import Budget, dropper
 
 T = TypeVar("T")
 
@@ -35,7 +34,7 @@ class Pairing(Generic[T]):
         self._most = most
         self._budget = budget
         self._size_of = size_of
-        self._drop = _dropper(weakref.ref(self))
+        self._drop = dropper(self)
         self._by_key: dict[Hashable, list[int]] = {}
         self._waiting: dict[int, tuple[Hashable, int, T]] = {}  # key, size, command
         self._seen = 0
@@ -100,14 +99,3 @@ class Pairing(Generic[T]):
         if not same:
             del self._by_key[key]
         return command
-
-
-def _dropper(found: weakref.ref[Pairing[T]]) -> Callable[[int], None]:
-    """What a budget calls. It does not keep the pairing, whose commands no longer count once nobody refers to it."""
-
-    def drop(number: int) -> None:
-        pairing = found()
-        if pairing is not None:
-            pairing.forget(number)
-
-    return drop

@@ -20,15 +20,15 @@ class Piece(NamedTuple):
 
 def split(data: bytes, *, dialect: str = "official") -> Iterator[Piece]:
     """The messages in pasted bytes. Never raises; what is wrong stands in each message's fault."""
-    ends = list(_ends(data))
-    if len(ends) > 1 and ends[-1] == len(data):
+    first = next(_ends(data), 0)
+    if first < max(_ends(data), default=0) == len(data):
         start = 0
-        for end in ends:
+        for end in _ends(data):
             yield Piece(parse(data[start:end], strict=False, dialect=dialect))
             start = end
         return
-    if ends and ends[0] < len(data) and (len(data) in REPORT_SIZES or not any(data[ends[0] :])):
-        yield Piece(parse(data[: ends[0]], strict=False, dialect=dialect), len(data) - ends[0])
+    if 0 < first < len(data) and (len(data) in REPORT_SIZES or not any(data[first:])):
+        yield Piece(parse(data[:first], strict=False, dialect=dialect), len(data) - first)
         return
     yield Piece(parse(data, strict=False, dialect=dialect))
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ev3proto.capture.byte_account import Account
+from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.record import Announcement, Direction, Event, Record, Skipped
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
 from ev3proto.tables import operations
@@ -17,6 +17,9 @@ from ev3proto.tables.daisy import MOST_LAYERS
 
 MOST_HELD = 4096
 """Frames without a fault that are held back of a serial port on which there was no command so far."""
+
+_HELD_SIZE = 700
+"""Bytes of memory that something found takes while it is held back, besides its bytes, about."""
 
 _NEVER_SENT = frozenset(operations()[name].opcode.number for name in NEVER_SENT)
 
@@ -91,22 +94,35 @@ class Claim:
 
     """
 
-    __slots__ = ("_account", "_begins", "_faults", "_held", "_is_claimed", "_is_patient", "_strange", "is_left")
+    __slots__ = (
+        "_account",
+        "_begins",
+        "_budget",
+        "_faults",
+        "_held",
+        "_is_claimed",
+        "_is_patient",
+        "_size",
+        "_strange",
+        "is_left",
+    )
 
-    def __init__(self, account: Account, begins: Callable[[Event, bytes], bool], *, is_patient: bool) -> None:
+    def __init__(self, context: Context, begins: Callable[[Event, bytes], bool], *, is_patient: bool) -> None:
         """Makes the claim of a new connection.
 
         Args:
-            account: Counts the bytes.
+            context: Counts the bytes, and limits what is held back.
             begins: Says whether something shows that the connection is ours.
             is_patient: It may become ours at any time, and cease to be; what was before is not given.
 
         """
-        self._account = account
+        self._account = context.account
+        self._budget = context.budget
         self._begins = begins
         self._is_patient = is_patient
         self._is_claimed = False
         self._held: list[Event] = []
+        self._size = 0
         self._strange = 0
         self._faults = 0
         self.is_left = False
@@ -126,15 +142,14 @@ class Claim:
             return self._count_faults(events) if self._is_patient else events
         if not self.is_left and any(self._begins(event, data) for event in events):
             self._is_claimed = True
-            events, self._held = [*self._held, *events], []
-            return events
+            return [*self._taken(), *events]
         if self._is_patient:
             self._hold_flawless(events)
             return []
         if self.is_left:
             self._decline(events)
             return []
-        self._held += events
+        self._hold(events)
         self._strange += bool(data and events)
         if self._strange >= STRANGE_PACKETS:
             self.is_left = True
@@ -149,19 +164,38 @@ class Claim:
             nothing else.
 
         """
-        held, self._held = self._held, []
+        held = self._taken()
         if self._is_patient:
             return held
-        unread: list[Event] = [] if self.is_left else [event for event in held if isinstance(event, Skipped)]
-        self._decline([event for event in held if event not in unread])
-        return unread
+        if self.is_left:
+            self._decline(held)
+            return []
+        self._decline([event for event in held if not isinstance(event, Skipped)])
+        return [event for event in held if isinstance(event, Skipped)]
 
     def meet_stranger(self) -> None:
         """Says that there are bytes that are none of ours: what was held back is none of ours either."""
         if not self._is_claimed:
             self._strange = 1
-            self._decline(self._held)
-            self._held = []
+            self._decline(self._taken())
+
+    def _hold(self, events: list[Event]) -> None:
+        if events:
+            self._held += events
+            self._size += sum(map(_size_of, events))
+            self._budget.update(self, self._size, self._give_up)
+
+    def _taken(self) -> list[Event]:
+        """What was held back, which is not any more."""
+        held, self._held, self._size = self._held, [], 0
+        if held:
+            self._budget.remove(self)
+        return held
+
+    def _give_up(self, _number: int) -> None:
+        """Too much waits: what is held back here is none of ours."""
+        self.is_left = not self._is_patient
+        self.meet_stranger()
 
     def _hold_flawless(self, events: list[Event]) -> None:
         is_flawless = all(isinstance(event, Record) and event.message.fault is None for event in events)
@@ -169,7 +203,7 @@ class Claim:
             self.meet_stranger()
             self._decline(events)
         else:
-            self._held += events
+            self._hold(events)
 
     def _count_faults(self, events: list[Event]) -> list[Event]:
         if events:
@@ -187,3 +221,7 @@ class Claim:
             elif isinstance(event, Record):
                 account.frames -= len(event.frame)
                 account.other += len(event.frame)
+
+
+def _size_of(event: Event) -> int:
+    return _HELD_SIZE + len(event.frame if isinstance(event, Record) else event.data)

@@ -24,12 +24,14 @@ class Context:
     account  counts all bytes
     ports    TCP ports on which bricks listen
     budget   limits the memory of all that waits
+    late     events of what had to go because too much waits; they come after those of the packet that is read
     """
 
     schema: FrameSchema
     account: Account
     ports: frozenset[int]
     budget: Budget = field(default_factory=Budget)
+    late: list[Event] = field(default_factory=list)
 
     def conversation(self) -> Conversation:
         """A new conversation."""
@@ -67,6 +69,17 @@ class Stream:
             return []
         events = self._events(pieces)
         self._times = {number: times[number] for number in self.cutter.waiting}
+        return events
+
+    @property
+    def size(self) -> int:
+        """Bytes of memory that what waits takes, about."""
+        return self.cutter.size
+
+    def give_up(self) -> list[Event]:
+        """Waits no longer for the rest of what is there, as too much waits in the capture."""
+        events = self._events(self.cutter.give_up("the rest of the frame was no longer waited for: too much waits"))
+        self._times.clear()
         return events
 
     def leave_hole(self, missing: int) -> list[Event]:

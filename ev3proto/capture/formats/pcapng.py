@@ -43,7 +43,12 @@ END_OF_OPTIONS, NAME, RESOLUTION, TIME_OFFSET = 0, 2, 9, 14
 
 _PACKETS = (PACKET, SIMPLE_PACKET, OLD_PACKET)
 _LEAST_BLOCK = 12
-_MOST_INTERFACES = 1 << 16
+
+MOST_INTERFACES = 4096
+"""Interfaces of a section; a computer has a few dozen."""
+
+MOST_NAME = 1024
+"""Bytes of an interface's name that are kept."""
 
 
 @dataclass(slots=True)
@@ -78,7 +83,8 @@ class _Section:
         clock = _InterfaceTime(Interface(link, None, self.order), most)
         for code, value in self._options(body, self.interface.size):
             if code == NAME:
-                name = value.split(b"\0", 1)[0].decode("utf-8", "replace")
+                name = value.split(b"\0", 1)[0][:MOST_NAME].decode("utf-8", "replace")
+                name += "..." if len(value) > MOST_NAME else ""
                 clock.interface = Interface(link, name or None, self.order)
             elif code == RESOLUTION and value:
                 power = value[0] & 0x7F
@@ -86,8 +92,8 @@ class _Section:
             elif code == TIME_OFFSET and len(value) == self.number.size:
                 seconds = int(self.number.unpack(value)[0])
                 clock.offset_ns = (seconds - (seconds >> 63 << 64)) * 1_000_000_000
-        if len(self.clocks) >= _MOST_INTERFACES:
-            raise CaptureError(f"a section with more than {_MOST_INTERFACES} interfaces is not believed")
+        if len(self.clocks) >= MOST_INTERFACES:
+            raise CaptureError(f"a section with more than {MOST_INTERFACES} interfaces is not believed")
         self.clocks.append(clock)
 
     def _options(self, body: bytes, at: int) -> Iterator[tuple[int, bytes]]:

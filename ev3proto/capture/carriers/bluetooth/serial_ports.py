@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ev3proto.capture.byte_account import Account
 from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed
 from ev3proto.capture.carriers.claims import Claim, begins_a_serial_port
 from ev3proto.capture.carriers.streams import Context, Stream
@@ -20,8 +19,8 @@ class _Port(Claim):
 
     __slots__ = ("_is_from_host", "_turn")
 
-    def __init__(self, account: Account) -> None:
-        super().__init__(account, lambda event, _: begins_a_serial_port(event, self._turn), is_patient=True)
+    def __init__(self, context: Context) -> None:
+        super().__init__(context, lambda event, _: begins_a_serial_port(event, self._turn), is_patient=True)
         self._is_from_host: bool | None = None
         self._turn = 0
 
@@ -37,7 +36,7 @@ class SerialPorts:
     def __init__(self, context: Context) -> None:
         self._context = context
         self._account = context.account
-        self._bluetooth = Bluetooth()
+        self._bluetooth = Bluetooth(context.budget)
         self._streams: dict[tuple[object, bool], Stream] = {}
         self._conversations: dict[object, Conversation] = {}
         self._claims: dict[object, _Port] = {}
@@ -71,6 +70,7 @@ class SerialPorts:
         for way in (True, False):
             stream = self._streams.pop((connection, way), None)
             if stream is not None:
+                self._context.budget.remove(stream)
                 yield from self._claims[connection].take(stream.end(), b"")
 
     def _serial(self, packet: Packet, found: Carried) -> Iterable[Event]:
@@ -85,7 +85,7 @@ class SerialPorts:
         if key not in self._streams:
             conversation = self._conversations.setdefault(found.key, self._context.conversation())
             if found.key not in self._claims:
-                self._claims[found.key] = _Port(self._account)
+                self._claims[found.key] = _Port(self._context)
             # Other programs use the same channel: something like a frame must start with a packet.
             cutter = Cutter(self._context.schema, in_step=False, is_claimed=False)
             self._streams[key] = Stream(self._context, conversation, cutter, _route(packet, found, serial.is_from_host))
@@ -100,6 +100,10 @@ class SerialPorts:
         yield from claim.take(events, serial.data)
         if serial.missing:
             yield from claim.take(stream.leave_hole(serial.missing), b"")
+        self._context.budget.update(stream, stream.size, lambda _: self._give_up(stream, claim))
+
+    def _give_up(self, stream: Stream, claim: _Port) -> None:
+        self._context.late.extend(claim.take(stream.give_up(), b""))
 
 
 def _route(packet: Packet, found: Carried, is_from_host: bool) -> Route:

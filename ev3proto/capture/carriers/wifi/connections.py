@@ -9,7 +9,6 @@ from ev3proto.capture.carriers.claims import Claim, begins_a_connection
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.carriers.wifi.internet import ACK, RST, SYN, Transport, place, transport
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
-from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
@@ -19,13 +18,10 @@ from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_LINES, BEACON_PORT, UNLOCK_REQUEST
 
 MOST_CONNECTIONS = 1024
-"""Directions of connections that are followed at the same time; those unused for longest are given up."""
+"""Connections that are followed at the same time; those unused for longest are given up."""
 
 MOST_BRICKS = 1024
 """Bricks whose beacons are remembered."""
-
-_SHARE = 4
-"""The part of the memory for all that waits that segments may take: one in so many."""
 
 _UNLOCK_START = UNLOCK_REQUEST.encode()
 _BEACON_START = f"{next(iter(BEACON_LINES.values()))}: ".encode()
@@ -33,21 +29,49 @@ _BEACON_START = f"{next(iter(BEACON_LINES.values()))}: ".encode()
 Key = tuple[bytes, int, bytes, int]
 """Address and port of the sender, and of the receiver."""
 
+Ends = frozenset[tuple[bytes, int]]
+"""Addresses and ports of both, whichever is the sender."""
+
+
+class _Connection:
+    """A TCP connection: what is said in it, whether it is ours, and the directions of which something was seen."""
+
+    __slots__ = ("claim", "conversation", "ends", "halves")
+
+    def __init__(self, ends: Ends, context: Context) -> None:
+        self.ends = ends
+        self.conversation = context.conversation()
+        self.claim = Claim(context, begins_a_connection, is_patient=False)
+        self.halves: dict[Key, _Half] = {}
+
 
 class _Half:
     """One direction of a TCP connection; `back` is the other one, None where nothing of it was seen."""
 
-    __slots__ = ("back", "claim", "interface", "is_from_host", "reassembly", "repeated", "start", "stream")
+    __slots__ = (
+        "back",
+        "claim",
+        "connection",
+        "interface",
+        "is_from_host",
+        "reassembly",
+        "repeated",
+        "size",
+        "start",
+        "stream",
+    )
 
     def __init__(
-        self, stream: Stream, claim: Claim, interface: Interface, is_from_host: bool, start: int | None
+        self, stream: Stream, connection: _Connection, interface: Interface, is_from_host: bool, start: int | None
     ) -> None:
         self.stream = stream
-        self.claim = claim
+        self.connection = connection
+        self.claim = connection.claim
         self.interface = interface
         self.is_from_host = is_from_host
         self.reassembly = Reassembly(start)
         self.repeated = 0
+        self.size = 0  # bytes of memory that what waits takes, as the budget knows it
         self.start = start
         self.back: _Half | None = None
 
@@ -59,16 +83,14 @@ class Connections:
         self._context = context
         self._account = context.account
         self._ports = context.ports
-        self._most_waiting = context.budget.most // _SHARE
-        self._waiting = 0  # bytes in all reassemblies; too many where some were ended, which _relieve counts anew
-        self._halves: Bounded[Key, _Half] = Bounded(MOST_CONNECTIONS)
-        self._conversations: Bounded[frozenset[tuple[bytes, int]], Conversation] = Bounded(MOST_CONNECTIONS)
-        self._claims: Bounded[frozenset[tuple[bytes, int]], Claim] = Bounded(MOST_CONNECTIONS)
+        self._budget = context.budget
+        self._connections: Bounded[Ends, _Connection] = Bounded(MOST_CONNECTIONS)
+        self._halves: dict[Key, _Half] = {}
         # Where answers to beacons go, where bricks listen as their beacons say, and which end of a connection on
         # another port is the brick.
         self._answered: Bounded[tuple[bytes, int], None] = Bounded(MOST_BRICKS)
         self._named: Bounded[tuple[bytes, int], None] = Bounded(MOST_BRICKS)
-        self._elsewhere: Bounded[frozenset[tuple[bytes, int]], tuple[bytes, int]] = Bounded(MOST_CONNECTIONS)
+        self._elsewhere: Bounded[Ends, tuple[bytes, int]] = Bounded(MOST_CONNECTIONS)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
@@ -85,8 +107,9 @@ class Connections:
         """What was waiting for more."""
         for half in self._halves.values():
             yield from self._end_half(half)
-        for claim in self._claims.values():
-            yield from claim.end()
+        for connection in self._connections.values():
+            yield from connection.claim.end()
+        self._connections.clear()
         self._halves.clear()
 
     # TCP
@@ -122,14 +145,14 @@ class Connections:
                     ended += self._end_half(half)
                     if not flags & ACK:
                         # What was asked in the last connection is not answered in the new one.
-                        self._conversations.pop(_ends(key), None)
+                        half.connection.conversation = self._context.conversation()
                 half = self._open(packet, key, start, ended)
         elif half is None:
             if not data:
                 return self._acknowledge(self._halves.get(_reversed(key)), acknowledged) if flags & ACK else events
             half = self._open(packet, key, None, ended)
-        elif len(self._halves) > MOST_CONNECTIONS // 2:
-            self._halves.move_to_end(key)
+        elif len(self._connections) > MOST_CONNECTIONS // 2:
+            self._connections.move_to_end(half.connection.ends)
         stream, reassembly = half.stream, half.reassembly
         if half.interface is not packet.interface:
             half.interface = packet.interface
@@ -140,34 +163,36 @@ class Connections:
                 # Nearly every segment of a capture: it comes in its turn, and nothing waits.
                 events = stream.feed(data, packet.number, packet.time_ns)
             else:
-                before = reassembly.waiting
                 events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns))
-                self._waiting += reassembly.waiting - before
         if events:
             events = half.claim.take(events, data)
-        if self._waiting > self._most_waiting:
-            events += self._relieve()
+        self._weigh(half)
         if flags & ACK and half.back is not None:
             events += self._acknowledge(half.back, acknowledged)
         if flags & RST:
             events += self._end_half(half)
         return ended + events if ended else events
 
-    def _relieve(self) -> list[Event]:
-        """Where too much waits in all connections together, those unused for longest wait no longer."""
-        events: list[Event] = []
-        self._waiting = sum(half.reassembly.waiting for half in self._halves.values())
-        for half in self._halves.values():
-            if self._waiting <= self._most_waiting // 2:
-                break
-            self._waiting -= half.reassembly.waiting
-            events += half.claim.take(self._given(half, half.reassembly.end()), b"")
-        return events
+    def _weigh(self, half: _Half) -> None:
+        """Says how much waits in a direction. Where it is too much in all, those unused for longest wait no longer."""
+        size = half.reassembly.waiting + half.stream.size
+        if size != half.size:
+            half.size = size
+            self._budget.update(half, size, lambda _: self._give_up(half))
+
+    def _give_up(self, half: _Half) -> None:
+        events = self._given(half, half.reassembly.end()) + half.stream.give_up()
+        half.size = 0
+        self._context.late.extend(half.claim.take(events, b""))
 
     def _acknowledge(self, back: _Half | None, acknowledged: int) -> list[Event]:
         """The receiver of what goes that way has what was sent before this number."""
         pieces = [] if back is None else back.reassembly.acknowledge(acknowledged)
-        return back.claim.take(self._given(back, pieces), b"") if back is not None and pieces else []
+        if back is None or not pieces:
+            return []
+        events = back.claim.take(self._given(back, pieces), b"")
+        self._weigh(back)
+        return events
 
     def _given(self, half: _Half, pieces: list[Segment | Hole | Late]) -> list[Event]:
         """The events in what the reassembly gave; what it found to be repeated meanwhile stands in the account."""
@@ -189,22 +214,32 @@ class Connections:
     def _open(self, packet: Packet, key: Key, start: int | None, events: list[Event]) -> _Half:
         back = self._halves.get(_reversed(key))
         is_from_host = self._is_to_brick(key) if back is None else not back.is_from_host
-        conversation, _ = self._conversations.use(_ends(key), self._context.conversation)
+        connection = self._connection(key, events)
         cutter = Cutter(self._context.schema, in_step=start is not None)
-        stream = Stream(self._context, conversation, cutter, self._route(packet, key, is_from_host))
-        claim, _ = self._claims.use(_ends(key), lambda: Claim(self._account, begins_a_connection, is_patient=False))
-        half = _Half(stream, claim, packet.interface, is_from_host, start)
+        stream = Stream(self._context, connection.conversation, cutter, self._route(packet, key, is_from_host))
+        half = _Half(stream, connection, packet.interface, is_from_host, start)
         half.back = back
         if back is not None:
             back.back = half
-        oldest = self._halves.add(key, half)
-        if oldest is not None:
-            if oldest.back is not None:
-                oldest.back.back = None
-            events += self._end_half(oldest)
+        connection.halves[key] = self._halves[key] = half
         return half
 
+    def _connection(self, key: Key, events: list[Event]) -> _Connection:
+        """The connection between two ends. Where there are too many, the one unused for longest is ended for it."""
+        ends = frozenset((key[:2], key[2:]))
+        connection, oldest = self._connections.use(ends, lambda: _Connection(ends, self._context))
+        if oldest is not None:
+            for way, half in oldest.halves.items():
+                del self._halves[way]
+                events += self._end_half(half)
+                half.back = None
+            events += oldest.claim.end()
+            oldest.halves.clear()  # no circle is left: Python looks for those only now and then
+        return connection
+
     def _end_half(self, half: _Half) -> list[Event]:
+        half.size = 0
+        self._budget.remove(half)
         return half.claim.take(self._given(half, half.reassembly.end()) + half.stream.end(), b"")
 
     def _route(self, packet: Packet, key: Key, is_from_host: bool) -> Route:
@@ -250,7 +285,7 @@ def _reversed(key: Key) -> Key:
     return target, target_port, source, source_port
 
 
-def _ends(key: Key) -> frozenset[tuple[bytes, int]]:
+def _ends(key: Key) -> Ends:
     """Both ends of a connection, whichever is the sender."""
     source, source_port, target, target_port = key
     return frozenset(((source, source_port), (target, target_port)))

@@ -431,6 +431,15 @@ def _operations_of(command: DirectCommand) -> tuple[Operation, ...]:
     return cast("tuple[Operation, ...]", found)
 
 
+def unread_operations(command: DirectCommand) -> tuple[Any, ...] | None:
+    """What a command has in place of operations that nobody asked for yet: what reads them, the frame, the offset.
+
+    None where they are made.
+    """
+    found = _operations.__get__(command)
+    return found.args if type(found) is partial else None
+
+
 # It remains a field: it stands in the constructor, in comparisons and in copies, and nobody else can set it.
 DirectCommand.operations = property(_operations_of, set_operations)  # type: ignore[assignment,misc]
 

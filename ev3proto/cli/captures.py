@@ -81,9 +81,11 @@ class CaptureSource:
     @property
     def account(self) -> Account:
         """Where the captured bytes went, so far."""
+        if self._capture is not None:
+            return self._capture.account
         from ev3proto.capture import Account
 
-        return Account() if self._capture is None else self._capture.account
+        return Account()
 
     @property
     def label(self) -> str:

@@ -218,7 +218,7 @@ class FrameSchema(Bytewise):
                 and length + LENGTH_FIELD == size
                 and self.instructions.is_flawless(frame, COMMAND_HEADER_SIZE, size)
             ):
-                read = partial(self._operations, frame, COMMAND_HEADER_SIZE)
+                read = partial(InstructionSet.operations, self.instructions, frame, COMMAND_HEADER_SIZE)
                 return new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, read)
         return self.read_frame(frame, strict=strict)
 

@@ -182,6 +182,17 @@ class InstructionSet(Bytewise):
             return self._by_opcode[code] is _UNUSUAL
         return at + 1 < end and data[at + 1] < len(SHORT) and self._by_command[code][data[at + 1]] is _UNUSUAL
 
+    def usual_schema(self, data: bytes, at: int) -> OperationSchema | None:
+        """The schema of the operation at an offset, in bytes in which there is no fault.
+
+        None where its CMD is longer than it need be.
+        """
+        code = data[at]
+        if code in self._not_laid_out:
+            self._lay_out(code)
+        schema: OperationSchema | None = (self._by_opcode[code] or self._by_command[code][data[at + 1]])[0]
+        return schema
+
     def operations(self, data: bytes, at: int) -> tuple[Operation, ...]:
         """Reads all operations from an offset to the end of bytes in which there is no fault."""
         return tuple(self.scan(data, at, len(data))[0])

@@ -9,14 +9,19 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ev3proto.messages import Argument, ArgumentValue, Operation
-from ev3proto.schema.argument import SHORT
+from ev3proto.schema.argument import SHORT, reader_of
 from ev3proto.tables.declaration import LISTS, Declaration, Parameter
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.text.phrases import plain
 
 Around = tuple[str, str]
 """What stands before and after a value."""
 
 _MOST_KEPT = 1024
 """Numbers with a meaning of their own, of one parameter, that are kept."""
+
+_FORMS = 256
+"""Identification bytes."""
 
 
 class Pattern(dict[object, Around]):
@@ -47,6 +52,43 @@ class Pattern(dict[object, Around]):
                 self.clear()
             found = self[key] = self._split(argument)
         return found
+
+
+class ArgumentTexts:
+    """The texts of one argument of an operation, straight from the bytes of a frame without a fault.
+
+    short  by the only byte of a short form: its text; None where none was needed yet
+    """
+
+    __slots__ = ("_long_forms", "_parameter", "_pattern", "short")
+
+    def __init__(self, parameter: Parameter, pattern: Pattern) -> None:
+        self._parameter, self._long_forms = reader_of(parameter)
+        self._pattern = pattern
+        self.short: list[str | None] = [None] * _FORMS
+
+    def read(self, data: bytes, at: int) -> tuple[str, int]:
+        """The text of the argument at an offset, and the offset after it."""
+        first = data[at]
+        if first < len(SHORT):
+            form, value = SHORT[first]
+            before, after = self._pattern.around(Argument((self._parameter, form, value, at, data)))
+            text = self.short[first] = f"{before}{value}{after}"
+            return text, at + 1
+        long_form = self._long_forms[first]
+        assert long_form is not None, "a frame without a fault has no undefined identification byte"
+        form, unpack, size = long_form
+        if unpack is None:
+            end = data.index(0, at + 1) + 1
+            text = data[at + 1 : end - 1].decode(STRING_CODING)
+            before, after = self._pattern.around(Argument((self._parameter, form, text, at, data)))
+            return f"{before}{plain(text)}{after}", end
+        number = unpack(data, at)[0]
+        pattern = self._pattern
+        named = pattern.named
+        key = (id(form), number) if named is None or number in named else id(form)
+        before, after = pattern.get(key) or pattern.around(Argument((self._parameter, form, number, at, data)))
+        return f"{before}{number if type(number) is int else plain(number)}{after}", at + size
 
 
 def has_pattern(declaration: Declaration) -> bool:

@@ -57,12 +57,14 @@ class Decoding(SourceReader):
                     if record is not None:
                         self._fault(record, capture)
         else:
+            show = self._show
             for event in capture.events():
-                if isinstance(event, Announcement):
-                    self._show.announcement(event, capture.account.first_ns or 0)
-                elif isinstance(event, Record):
-                    self._show.record(event, capture.account.first_ns or 0)
-                    self._fault(event, capture)
+                if isinstance(event, Record):
+                    show.record(event, capture.account.first_ns or 0)
+                    if event.message.fault is not None:
+                        self._fault(event, capture)
+                elif isinstance(event, Announcement):
+                    show.announcement(event, capture.account.first_ns or 0)
         return self._show.count - before
 
     def _moved_programs(self, capture: CaptureSource) -> None:

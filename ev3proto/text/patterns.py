@@ -7,6 +7,7 @@ half the time that way.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from ev3proto.messages import Argument, ArgumentValue, Operation
 from ev3proto.schema.argument import SHORT, reader_of
@@ -60,16 +61,26 @@ class ArgumentTexts:
     short  by the only byte of a short form: its text; None where none was needed yet
     """
 
-    __slots__ = ("_long_forms", "_parameter", "_pattern", "short")
+    __slots__ = ("_long_forms", "_named", "_numbers", "_parameter", "_pattern", "short")
 
     def __init__(self, parameter: Parameter, pattern: Pattern) -> None:
         self._parameter, self._long_forms = reader_of(parameter)
         self._pattern = pattern
+        self._named = pattern.named
         self.short: list[str | None] = [None] * _FORMS
+        # By the identification byte of a long form: what reads its number, its size, what stands around the number.
+        self._numbers: dict[int, tuple[Callable[[bytes, int], tuple[Any]], int, str, str]] = {}
 
     def read(self, data: bytes, at: int) -> tuple[str, int]:
         """The text of the argument at an offset, and the offset after it."""
         first = data[at]
+        named = self._named
+        known = self._numbers.get(first)
+        if known is not None:
+            unpack, size, before, after = known
+            (number,) = unpack(data, at)
+            if number not in named:  # type: ignore[operator]
+                return f"{before}{number if type(number) is int else plain(number)}{after}", at + size
         if first < len(SHORT):
             form, value = SHORT[first]
             before, after = self._pattern.around(Argument((self._parameter, form, value, at, data)))
@@ -77,17 +88,16 @@ class ArgumentTexts:
             return text, at + 1
         long_form = self._long_forms[first]
         assert long_form is not None, "a frame without a fault has no undefined identification byte"
-        form, unpack, size = long_form
-        if unpack is None:
+        form, read, size = long_form
+        if read is None:
             end = data.index(0, at + 1) + 1
             text = data[at + 1 : end - 1].decode(STRING_CODING)
             before, after = self._pattern.around(Argument((self._parameter, form, text, at, data)))
             return f"{before}{plain(text)}{after}", end
-        number = unpack(data, at)[0]
-        pattern = self._pattern
-        named = pattern.named
-        key = (id(form), number) if named is None or number in named else id(form)
-        before, after = pattern.get(key) or pattern.around(Argument((self._parameter, form, number, at, data)))
+        (number,) = read(data, at)
+        before, after = self._pattern.around(Argument((self._parameter, form, number, at, data)))
+        if named is not None and number not in named:
+            self._numbers[first] = read, size, before, after
         return f"{before}{number if type(number) is int else plain(number)}{after}", at + size
 
 

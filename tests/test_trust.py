@@ -24,6 +24,7 @@ from ev3proto.capture import Record, read
 from ev3proto.checking.checking import check
 from ev3proto.checking.fixing import fix
 from ev3proto.dialogue import Exchange
+from ev3proto.schema.frame import frame_schema
 from ev3proto.semantics.pairing import Pairing
 from ev3proto.text.heading import Seen
 from ev3proto.text.json_format.writing import record, record_text
@@ -80,7 +81,10 @@ def test_texts_made_of_patterns_are_the_same_as_those_made_of_lines() -> None:
 
     for number, frame in enumerate(samples(frames(), 5)):
         exchange = Exchange(ev3proto.parse(frame, strict=False))
-        assert tree_texts(exchange, Seen()) == [plain_text(line) for line in tree(exchange, Seen())]
+        unread = Exchange(frame_schema().read_for_later(frame, strict=False))
+        lines = [plain_text(line) for line in tree(exchange, Seen())]
+        assert tree_texts(exchange, Seen()) == lines
+        assert tree_texts(unread, Seen()) == lines
         assert json.loads(record_text(exchange, Seen())) == record(exchange, Seen())
         if number == 300:
             break

@@ -3888,9 +3888,23 @@ local SENSOR_REPORT_SIZE = 38
 --
 -- When traffic is taken for this protocol, and when it is left to others.
 
-local NEVER_SENT = { [0] = true }
-local STRANGE_PACKETS = 8
-local FAULTS_IN_A_ROW = 3
+local CLAIMS = {
+    never_sent = { [0] = true },
+    strange_packets = 8, faults_in_a_row = 3,
+    nxt = {
+        lengths = { [0] = 22, [2] = 23, [3] = 6, [4] = 12 },
+        counted = { [9] = 4, [15] = 5 },
+        answered = {
+            [6] = true, [7] = true, [8] = true, [9] = true, [10] = true, [11] = true, [12] = true, [13] = true,
+            [14] = true, [15] = true, [16] = true, [17] = true, [18] = true, [19] = true, [128] = true, [129] = true,
+            [130] = true, [131] = true, [132] = true, [133] = true, [134] = true, [135] = true, [136] = true,
+            [137] = true, [138] = true, [139] = true, [140] = true, [141] = true, [142] = true, [143] = true,
+            [144] = true, [145] = true, [146] = true, [147] = true, [148] = true, [149] = true, [150] = true,
+            [151] = true, [152] = true, [153] = true, [154] = true, [155] = true,
+        },
+        any_length = 131,
+    },
+}
 
 -- USB and Bluetooth --------------------------------------------------------------------------------------------------
 --
@@ -6156,7 +6170,7 @@ do
         local at = COMMAND_HEADER_SIZE
         if stop <= at then return false end
         while at < stop do
-            if NEVER_SENT[byte(text, at + 1)] then return false end
+            if CLAIMS.never_sent[byte(text, at + 1)] then return false end
             local _, behind, _, reason = read_operation(text, at, stop)
             -- Operations of another firmware.
             if reason then return true end
@@ -6693,7 +6707,7 @@ do
         end
         if not is_taken and talk.is_claimed then is_taken = looks_right end
         talk.faults = is_taken and 0 or (talk.faults or 0) + 1
-        if talk.faults >= FAULTS_IN_A_ROW then talk.is_claimed, talk.faults = false, 0 end
+        if talk.faults >= CLAIMS.faults_in_a_row then talk.is_claimed, talk.faults = false, 0 end
         return is_taken
     end
 
@@ -6763,6 +6777,21 @@ do
         return not type.is_command or type.carries == "system" and not type.wants_reply
     end
 
+    -- Whether a frame may be a telegram of LEGO's NXT: its kind and command are where the counter would be.
+    local function may_be_of_nxt(text)
+        local low, high, kind, command, _, count = byte(text, 1, 6)
+        if not count then return false end
+        if kind % 0x80 == 1 then return command == CLAIMS.nxt.any_length end
+        if kind % 0x80 == 2 then return CLAIMS.nxt.answered[command] ~= nil end
+        if kind % 0x80 ~= 0 then return false end
+        local fixed = CLAIMS.nxt.counted[command]
+        return low + high * 0x100 == (fixed and fixed + count or CLAIMS.nxt.lengths[command])
+    end
+
+    local function is_claim(message)
+        return is_sensible_command(message) and not may_be_of_nxt(message.text)
+    end
+
     local function clear(stream)
         stream.left, stream.list = "", nil
     end
@@ -6774,7 +6803,7 @@ do
         if talk.waiting and talk.waiting ~= stream then clear(talk.waiting) end
         talk.waiting = stream
         local left = stream.left
-        local joined = left ~= "" and judge_frames(left .. piece, 0, is_command, is_sensible_command) or nil
+        local joined = left ~= "" and judge_frames(left .. piece, 0, is_command, is_claim) or nil
         if joined == OURS then
             for index, before in ipairs(stream.list) do
                 is_ours[before] = is_command
@@ -6783,7 +6812,7 @@ do
             end
             return true
         end
-        local alone = judge_frames(piece, 0, is_command, is_sensible_command)
+        local alone = judge_frames(piece, 0, is_command, is_claim)
         if joined == PART and alone ~= OURS then
             stream.left = left .. piece
             table.insert(stream.list, number)
@@ -6898,7 +6927,7 @@ do
             if is_first then
                 stream.step = step
                 talk.faults = has_ours and 0 or (talk.faults or 0) + 1
-                if talk.faults >= FAULTS_IN_A_ROW then
+                if talk.faults >= CLAIMS.faults_in_a_row then
                     talk.is_claimed, talk.faults = false, 0
                     clear(stream)
                 end
@@ -7108,7 +7137,7 @@ do
         if talk.is_claimed then return OURS end
         if not to_brick and not is_from_brick(pinfo) then return nil end
         local strange = talk.strange or 0
-        if strange >= STRANGE_PACKETS then return nil end
+        if strange >= CLAIMS.strange_packets then return nil end
         local verdict = judge_segment(text, to_brick)
         if verdict == OURS then
             talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0

@@ -11,7 +11,7 @@ dissector and the built-in reader of captures follow the same rule, and this mod
 - Bluetooth's channel and USB devices that nobody knows as bricks are claimed by a flawless command that makes sense:
   it has at least one operation, and none of those that nobody sends (`NEVER_SENT`). On USB a reply is taken when it
   answers a command, and what has faults once such a reply was seen. On Bluetooth a command may come in several packets,
-  as long as the other side says nothing in between.
+  as long as the other side says nothing in between, and what may be a telegram of LEGO's NXT claims nothing.
 - On Bluetooth and USB the claim ends after `FAULTS_IN_A_ROW` packets without anything that can be a frame. The next one
   may begin.
 - A datagram is a beacon when it begins like one. It is an answer to a beacon when it goes to a brick whose beacon was
@@ -30,3 +30,56 @@ FAULTS_IN_A_ROW = 3
 
 NEVER_SENT = ("ERROR",)
 """Operations that stand for a fault. The number of this one is that of the bytes of an empty report."""
+
+NXT_REPLY_FLAG = 0x80
+"""Set in the third byte of the NXT's telegrams that want no reply. Without it that byte is 0 for direct commands, 1 for
+system commands and 2 for replies. The fourth byte is the command. In a frame these two are the message counter.
+"""
+
+NXT_DIRECT = 0
+"""Third byte of the NXT's direct commands."""
+
+NXT_SYSTEM = 1
+"""Third byte of the NXT's system commands."""
+
+NXT_REPLY = 2
+"""Third byte of the NXT's replies."""
+
+NXT_ANSWERED = (*range(0x06, 0x14), *range(0x80, 0x9C))
+"""The NXT's commands whose replies are long enough to be a command of ours, which they are where they say success."""
+
+NXT_LENGTHS = {0x00: 22, 0x02: 23, 0x03: 6, 0x04: 12}
+"""Length fields of the NXT's direct commands that are long enough to be a command of ours."""
+
+NXT_COUNTED = {0x09: 4, 0x0F: 5}
+"""The same of messages and I2C data: this, and as many bytes as the sixth byte of the telegram says."""
+
+NXT_COUNT_AT = 5
+"""Offset of that byte."""
+
+NXT_ANY_LENGTH = 0x83
+"""The NXT's system command that writes a piece of a file."""
+
+
+def may_be_of_nxt(telegram: bytes) -> bool:
+    """Says whether a frame may be a telegram of LEGO's NXT, which uses the same channel and has the same length field.
+
+    Args:
+        telegram: All bytes of a frame that could be one of ours.
+
+    Returns:
+        True where the NXT has a command with these bytes in the place of the message counter, and with this length.
+
+    """
+    if len(telegram) <= NXT_COUNT_AT:
+        return False
+    length, kind, command = telegram[0] | telegram[1] << 8, telegram[2] & ~NXT_REPLY_FLAG, telegram[3]
+    if kind == NXT_SYSTEM:
+        return command == NXT_ANY_LENGTH
+    if kind == NXT_REPLY:
+        return command in NXT_ANSWERED
+    if kind != NXT_DIRECT:
+        return False
+    if command in NXT_COUNTED:
+        return length == NXT_COUNTED[command] + telegram[NXT_COUNT_AT]
+    return NXT_LENGTHS.get(command) == length

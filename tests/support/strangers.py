@@ -71,6 +71,11 @@ def nxt(rng: random.Random) -> Iterator[Said]:
         yield True, telegram(bytes((0, 7, rng.randrange(4))))
         yield False, telegram(bytes((2, 7, 0, rng.randrange(4), 1, 0, 1, 0x20)) + rng.randbytes(8))
         yield True, telegram(bytes((0, 9, rng.randrange(20), 20)) + rng.randbytes(20))
+        # A text for mailbox 0, a question to the ultrasonic sensor, a file: as commands of ours they have no fault.
+        yield True, telegram(b"\x80\x09\x00\x05abcd\0")
+        yield True, telegram(b"\x00\x0f\x00\x02\x01\x02\x42")
+        yield True, telegram(b"\x01\x83\x01\x93" + rng.randbytes(60))
+        yield False, telegram(b"\x02\x80\x00\x00\x98\xdd\xac\x59")
 
 
 def modbus(rng: random.Random) -> Iterator[Said]:

@@ -12,7 +12,7 @@ from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.record import Announcement, Direction, Event, Record, Skipped
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
 from ev3proto.tables import operations
-from ev3proto.tables.claims import FAULTS_IN_A_ROW, NEVER_SENT, STRANGE_PACKETS
+from ev3proto.tables.claims import FAULTS_IN_A_ROW, NEVER_SENT, STRANGE_PACKETS, may_be_of_nxt
 from ev3proto.tables.daisy import MOST_LAYERS
 
 MOST_HELD = 4096
@@ -83,7 +83,7 @@ def begins_a_serial_port(event: Event, turn: int) -> bool:
         return False
     message = event.message
     is_command = message.type is not None and message.type.is_command
-    return is_command and message.fault is None and makes_sense(message)
+    return is_command and message.fault is None and makes_sense(message) and not may_be_of_nxt(event.frame)
 
 
 class Claim:

@@ -285,10 +285,19 @@ def _carriers() -> Iterator[str]:
 
 
 def _claims() -> Iterator[str]:
-    never_sent = {operations()[name].opcode.number: True for name in claims.NEVER_SENT}
-    yield _assign("NEVER_SENT", Table(named=never_sent))
-    yield _assign("STRANGE_PACKETS", claims.STRANGE_PACKETS)
-    yield _assign("FAULTS_IN_A_ROW", claims.FAULTS_IN_A_ROW)
+    nxt = {
+        "lengths": Table(named=claims.NXT_LENGTHS),
+        "counted": Table(named=claims.NXT_COUNTED),
+        "answered": Table(named=dict.fromkeys(claims.NXT_ANSWERED, True)),
+        "any_length": claims.NXT_ANY_LENGTH,
+    }
+    rule = {
+        "never_sent": Table(named={operations()[name].opcode.number: True for name in claims.NEVER_SENT}),
+        "strange_packets": claims.STRANGE_PACKETS,
+        "faults_in_a_row": claims.FAULTS_IN_A_ROW,
+        "nxt": Table(named=nxt),
+    }
+    yield _assign("CLAIMS", Table(named=rule))
 
 
 def _wifi() -> Iterator[str]:

@@ -44,6 +44,21 @@ do
         return not type.is_command or type.carries == "system" and not type.wants_reply
     end
 
+    -- Whether a frame may be a telegram of LEGO's NXT: its kind and command are where the counter would be.
+    local function may_be_of_nxt(text)
+        local low, high, kind, command, _, count = byte(text, 1, 6)
+        if not count then return false end
+        if kind % 0x80 == 1 then return command == CLAIMS.nxt.any_length end
+        if kind % 0x80 == 2 then return CLAIMS.nxt.answered[command] ~= nil end
+        if kind % 0x80 ~= 0 then return false end
+        local fixed = CLAIMS.nxt.counted[command]
+        return low + high * 0x100 == (fixed and fixed + count or CLAIMS.nxt.lengths[command])
+    end
+
+    local function is_claim(message)
+        return is_sensible_command(message) and not may_be_of_nxt(message.text)
+    end
+
     local function clear(stream)
         stream.left, stream.list = "", nil
     end
@@ -55,7 +70,7 @@ do
         if talk.waiting and talk.waiting ~= stream then clear(talk.waiting) end
         talk.waiting = stream
         local left = stream.left
-        local joined = left ~= "" and judge_frames(left .. piece, 0, is_command, is_sensible_command) or nil
+        local joined = left ~= "" and judge_frames(left .. piece, 0, is_command, is_claim) or nil
         if joined == OURS then
             for index, before in ipairs(stream.list) do
                 is_ours[before] = is_command
@@ -64,7 +79,7 @@ do
             end
             return true
         end
-        local alone = judge_frames(piece, 0, is_command, is_sensible_command)
+        local alone = judge_frames(piece, 0, is_command, is_claim)
         if joined == PART and alone ~= OURS then
             stream.left = left .. piece
             table.insert(stream.list, number)
@@ -179,7 +194,7 @@ do
             if is_first then
                 stream.step = step
                 talk.faults = has_ours and 0 or (talk.faults or 0) + 1
-                if talk.faults >= FAULTS_IN_A_ROW then
+                if talk.faults >= CLAIMS.faults_in_a_row then
                     talk.is_claimed, talk.faults = false, 0
                     clear(stream)
                 end

@@ -47,7 +47,7 @@ do
         local at = COMMAND_HEADER_SIZE
         if stop <= at then return false end
         while at < stop do
-            if NEVER_SENT[byte(text, at + 1)] then return false end
+            if CLAIMS.never_sent[byte(text, at + 1)] then return false end
             local _, behind, _, reason = read_operation(text, at, stop)
             -- Operations of another firmware.
             if reason then return true end

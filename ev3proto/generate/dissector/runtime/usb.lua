@@ -110,7 +110,7 @@ do
         end
         if not is_taken and talk.is_claimed then is_taken = looks_right end
         talk.faults = is_taken and 0 or (talk.faults or 0) + 1
-        if talk.faults >= FAULTS_IN_A_ROW then talk.is_claimed, talk.faults = false, 0 end
+        if talk.faults >= CLAIMS.faults_in_a_row then talk.is_claimed, talk.faults = false, 0 end
         return is_taken
     end
 

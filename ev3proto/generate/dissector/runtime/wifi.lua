@@ -184,7 +184,7 @@ do
         if talk.is_claimed then return OURS end
         if not to_brick and not is_from_brick(pinfo) then return nil end
         local strange = talk.strange or 0
-        if strange >= STRANGE_PACKETS then return nil end
+        if strange >= CLAIMS.strange_packets then return nil end
         local verdict = judge_segment(text, to_brick)
         if verdict == OURS then
             talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0

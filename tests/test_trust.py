@@ -31,7 +31,7 @@ from ev3proto.text.json_format.writing import record, record_text
 from ev3proto.text.spans import plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree, tree_texts
-from ev3proto.text.visible import visible
+from ev3proto.text.visible import is_visible, visible
 
 HARMFUL = "\x1b]52;c;Zm9v\x07\x1b[2J\x9b31m\x85\x7f\u202e\u2066\u2028"
 
@@ -48,6 +48,13 @@ CONTROLS = [letter for letter in HARMFUL if not letter.isprintable()]
 @pytest.mark.parametrize("text", CONTROLS)
 def test_every_harmful_character_is_written_as_an_escape(text: str) -> None:
     assert visible(f"a{text}b") == f"a\\u{ord(text):04x}b"
+    assert not is_visible(f"a{text}b")
+
+
+def test_texts_of_every_language_are_shown_as_they_are() -> None:
+    for text in ("", "SOUND.TONE ~!", "Größe 5 %", "モーター"):
+        assert visible(text) == text
+        assert is_visible(text)
 
 
 def test_json_stays_json() -> None:

@@ -56,13 +56,14 @@ def check(
 
 
 _OFFSET = attrgetter("offset")
+_ERROR, _WARNING, _HINT = Severity
 
 
 def _in_order(findings: list[Finding]) -> list[Finding]:
     """The findings by offset, on the same bytes the worst first, without hints on what must be changed in any case."""
-    errors = [finding for finding in findings if finding.severity is Severity.ERROR]
-    warnings = [finding for finding in findings if finding.severity is Severity.WARNING]
-    hints = [finding for finding in findings if finding.severity is Severity.HINT]
+    errors = [finding for finding in findings if finding.severity is _ERROR]
+    warnings = [finding for finding in findings if finding.severity is _WARNING]
+    hints = [finding for finding in findings if finding.severity is _HINT]
     if errors and hints:
         wrong = {error.offset for error in errors}
         hints = [hint for hint in hints if hint.offset not in wrong]

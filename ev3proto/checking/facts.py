@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cache
-from typing import NamedTuple
 
 from ev3proto.messages import OperationReader
 from ev3proto.semantics.domain import Domain, domain_of
@@ -11,7 +11,8 @@ from ev3proto.tables.declaration import Declaration, Direction, Effect, Paramete
 from ev3proto.tables.encoding import RANGES, Range
 
 
-class ParameterFacts(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ParameterFacts:
     """What the rules need to know of a parameter.
 
     parameter  the parameter
@@ -30,7 +31,8 @@ class ParameterFacts(NamedTuple):
     advice: str
 
 
-class OperationFacts(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class OperationFacts:
     """What the rules need to know of an operation besides its arguments.
 
     declaration  what the tables say of it

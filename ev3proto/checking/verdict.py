@@ -28,11 +28,12 @@ from enum import Enum
 from functools import cache
 from typing import NamedTuple
 
+from ev3proto.schema.argument import INTEGER_FORMS
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, read_memory
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables import operations, with_effect
 from ev3proto.tables.declaration import Declaration, Effect, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, HANDLE_BIT, JUMP, RANGES
+from ev3proto.tables.encoding import HANDLE_BIT, RANGES
 from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, MessageType
 from ev3proto.tables.validation import CMD_TABLES, LABELS, SPINNING, TABLE_SIZE
 
@@ -115,6 +116,7 @@ def _sizes() -> tuple[int, ...]:
 
 
 _SIZES = _sizes()
+
 _OBJECT_END = with_effect(Effect.ENDS_CODE).opcode.number
 
 # Rule 1. As many zeros as the longest operation reads whose last byte in the frame counts 127 parameters.
@@ -272,13 +274,11 @@ def _value(data: bytes, at: int) -> tuple[int, int]:
 
 def _long_value(data: bytes, at: int) -> tuple[int, int]:
     """The same for a long form. Of a text, and of a form that is not defined, the value is 0."""
-    encoding = ENCODINGS[data[at]]
-    if encoding is None:
+    form = INTEGER_FORMS[data[at]]
+    if form is None:
         return 0, at + 1
-    if encoding.width is None:
-        return 0, data.index(0, at + 1) + 1
-    end = at + 1 + encoding.width
-    return int.from_bytes(data[at + 1 : end], "little", signed=encoding.kind in (CONSTANT, JUMP)), end
+    _, unpack, size = form
+    return (0, data.index(0, at + 1) + 1) if unpack is None else (unpack(data, at)[0], at + size)
 
 
 def _skip(data: bytes, at: int, count: int) -> int:

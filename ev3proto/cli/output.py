@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, BinaryIO, TextIO, cast
 import click
 
 from ev3proto.text.spans import Line, Role, plain_text
-from ev3proto.text.visible import visible, visible_lines
+from ev3proto.text.visible import is_visible, visible, visible_lines
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer, WriteableBuffer
@@ -143,7 +143,7 @@ class Printer:
     def texts(self, lines: Sequence[str]) -> None:
         """Prints lines."""
         if lines:
-            harmless = "".join(lines).isprintable()
+            harmless = is_visible("".join(lines))
             self._output.write("\n".join(lines if harmless else map(visible, lines)) + "\n")
         if self._at_once:
             self._output.flush()

@@ -68,7 +68,9 @@ def _long_forms(float_constants: bool) -> tuple[Long | None, ...]:
     return tuple(forms)
 
 
-_INTEGER_FORMS = _long_forms(float_constants=False)
+INTEGER_FORMS = _long_forms(float_constants=False)
+"""Long forms by their identification byte, constants read as whole numbers."""
+
 _FLOAT_FORMS = _long_forms(float_constants=True)
 
 
@@ -96,7 +98,7 @@ _MOST_KEPT = 1024
 
 def reader_of(parameter: Parameter) -> Reader:
     """What is needed to read the arguments of a parameter."""
-    return parameter, _FLOAT_FORMS if parameter.type is Type.DATAF else _INTEGER_FORMS
+    return parameter, _FLOAT_FORMS if parameter.type is Type.DATAF else INTEGER_FORMS
 
 
 class ArgumentSchema(Bytewise):

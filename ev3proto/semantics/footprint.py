@@ -7,8 +7,8 @@ as the number of bytes in an array, is worked out for each operation in a frame 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cache
-from typing import NamedTuple
 
 from ev3proto.messages import Argument, Operation, OperationReader, Variable
 from ev3proto.tables.declaration import LISTS, Direction, Parameter, Role, Type
@@ -21,7 +21,8 @@ NO_LIMIT = -1
 """The length of a text that stands for as much as there is."""
 
 
-class MemoryFacts(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class MemoryFacts:
     """What the tables tell of a variable that stands for a parameter.
 
     size                 bytes of one value, 1 where the type does not tell
@@ -60,7 +61,8 @@ class MemoryFacts(NamedTuple):
     alignment: int
 
 
-class Footprint(NamedTuple):
+@dataclass(slots=True)
+class Footprint:
     """The memory that an operation uses by one argument that is a variable.
 
     operation            the operation
@@ -163,9 +165,6 @@ def results(operation: Operation) -> list[Footprint]:
     return found
 
 
-_new_tuple = tuple.__new__
-
-
 def _footprint(
     operation: Operation, number: int, argument: Argument, known: MemoryFacts, arguments: Sequence[Argument]
 ) -> Footprint:
@@ -183,8 +182,7 @@ def _footprint(
             most = None if most is None else most * count
             room = None if room is None else room * count
         is_array = count is None or size > known.size or known.indexed_by is not None
-    # Made of one tuple: the class's own function takes twice as long, and long programs have a great many variables.
-    fields = (
+    return Footprint(
         operation,
         number,
         argument,
@@ -200,7 +198,6 @@ def _footprint(
         known.cpu_alignment,
         known.alignment,
     )
-    return _new_tuple(Footprint, fields)
 
 
 def _marked(operation: Operation, number: int, argument: Argument, known: MemoryFacts) -> Footprint:

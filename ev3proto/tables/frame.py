@@ -1,6 +1,7 @@
 """The frame around everything: message types, the bits of a direct command's header, and how big things may be."""
 
 from enum import IntEnum
+from functools import cached_property
 
 MAX_FRAME = 1024
 """Bytes of the largest frame, its length field included: the firmware's buffers, one USB report."""
@@ -51,22 +52,24 @@ class MessageType(IntEnum):
     DAISY_REPLY = 0x08
     DAISY_REPLY_ERROR = 0x09
 
-    @property
+    # What is asked of every message is worked out once: the name of a member takes longer to get than its number.
+
+    @cached_property
     def carries(self) -> str:
         """Whose message it is: `direct`, `system` or `daisy`."""
         return self.name.split("_", 1)[0].lower()
 
-    @property
+    @cached_property
     def is_command(self) -> bool:
         """True from host to brick, False for a reply."""
         return "_COMMAND_" in self.name
 
-    @property
+    @cached_property
     def kind(self) -> str:
         """`direct-command`, `direct-reply`, `system-command`, ..."""
         return f"{self.carries}-{'command' if self.is_command else 'reply'}"
 
-    @property
+    @cached_property
     def wants_reply(self) -> bool:
         """True for commands that the brick answers."""
         return self.name.endswith("_COMMAND_REPLY")

@@ -265,7 +265,7 @@ def _add_together_texts(findings: list[Finding], excerpt: Excerpt, before: str, 
     """
     first = findings[0]
     for finding in findings:
-        texts.append(f"{finding.severity}[{finding.code}]: {finding.message}".rstrip())
+        texts.append(f"{finding.severity!s}[{finding.code}]: {finding.message}".rstrip())
     texts.append(f"{before}{_where(first)}".rstrip())
     excerpt.show_texts(first, texts)
     if len(findings) == 1:
@@ -287,7 +287,7 @@ def _helps(findings: list[Finding]) -> list[tuple[str, str]]:
 
 def _mark(finding: Finding) -> Span:
     """`error[E301]`."""
-    return f"{finding.severity}[{finding.code}]", ROLES[finding.severity]
+    return f"{finding.severity!s}[{finding.code}]", ROLES[finding.severity]
 
 
 def _where(finding: Finding) -> str:

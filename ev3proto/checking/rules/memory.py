@@ -249,10 +249,11 @@ def _unused(scope: str, asked: int, used: list[Footprint]) -> Iterator[Finding]:
     left = asked - needed
     if left <= 0 or (left < _LARGEST and needed and asked % _LARGEST == 0):
         return
+    yield codes.UNUSED_MEMORY.finding(HEADER_SIZE, MEMORY_SIZE, *_unused_texts(scope, asked, needed))
+
+
+@lru_cache(_MOST_TEXTS)
+def _unused_texts(scope: str, asked: int, needed: int) -> tuple[str, str]:
+    """What is wrong with memory of which only some is needed, and what to do."""
     share = f"{needed} of them are" if needed else "none of them is"
-    yield codes.UNUSED_MEMORY.finding(
-        HEADER_SIZE,
-        MEMORY_SIZE,
-        f"the header asks for {plural(asked, 'byte')} of {scope} memory, and {share} used",
-        f"ask for {needed}",
-    )
+    return f"the header asks for {plural(asked, 'byte')} of {scope} memory, and {share} used", f"ask for {needed}"

@@ -61,7 +61,7 @@ def _number(
     operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts, *, is_first: bool
 ) -> Finding | None:
     """What is wrong with a whole number."""
-    _, _, domain, limits, _, _ = known
+    domain, limits = known.domain, known.limits
     refused = _refused(operation, argument, value, known) if is_first else None
     if refused is not None or known.parameter.type is Type.LABEL:
         return refused

@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
+from hypothesis.internal.constants_ast import Constants
 from support import scratch
 from support.effort import THOROUGH
 from support.wireshark import Tshark
@@ -23,6 +25,10 @@ settings.register_profile(
     "thorough", max_examples=500, deadline=None, suppress_health_check=[HealthCheck.too_slow], print_blob=True
 )
 settings.load_profile("thorough" if THOROUGH else "usual")
+if not THOROUGH:
+    # Hypothesis draws some values from the source of all modules that are imported at the time. Without that a test has
+    # the same examples whatever runs before it.
+    providers._get_local_constants = Constants
 
 # Where tests/run installs the compiler of Kaitai Struct.
 COMPILER = Path(__file__).parents[1] / ".kaitai" / "node_modules" / "kaitai-struct-compiler"

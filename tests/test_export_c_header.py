@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import struct
 import subprocess
 from functools import cache
@@ -26,8 +25,6 @@ from ev3proto.testing import raw_operations
 GCC = ["gcc", "-std=c99", "-x", "c"]
 GXX = ["g++", "-std=c++11", "-x", "c++"]
 WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wshadow", "-Werror"]
-
-pytestmark = pytest.mark.skipif(not shutil.which("gcc") or not shutil.which("g++"), reason="there is no gcc and g++")
 
 
 def run(program: str, folder: Path, compiler: list[str]) -> list[str]:

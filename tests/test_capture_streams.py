@@ -13,6 +13,7 @@ from itertools import product
 from typing import Any
 
 import pytest
+from support.cases import each
 from support.cpu_time import seconds
 from support.effort import effort
 from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
@@ -144,8 +145,7 @@ def test_an_unlock_text_is_cut_anywhere(text: bytes, frame: bytes) -> None:
         assert capture.account.texts == len(text)
 
 
-@pytest.mark.parametrize("cut", range(len(UNLOCK)))
-@pytest.mark.parametrize("frame", [voltage(1), tone(2), led(3)])
+@each("cut, frame", product(range(len(UNLOCK)), [voltage(1), tone(2), led(3)]))
 def test_an_unlock_text_in_two_segments(cut: int, frame: bytes) -> None:
     events, _ = of(connected(UNLOCK[:cut], UNLOCK[cut:] + frame + frame))
     assert [frame for frame, _ in frames(events)] == [frame, frame]

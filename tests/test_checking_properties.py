@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.cases import each
 from support.cpu_time import milliseconds
 from support.effort import effort
 
@@ -138,7 +138,7 @@ def test_what_is_built_from_valid_values_has_no_errors(frame: bytes) -> None:
     assert report.errors == ()
 
 
-@pytest.mark.parametrize("declaration", KNOWN, ids=lambda declaration: declaration.name)
+@each("declaration", KNOWN)
 @settings(max_examples=effort(3, 30))
 @given(st.data())
 def test_no_operation_raises_a_false_alarm(declaration: Declaration, data: st.DataObject) -> None:

@@ -15,6 +15,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.strategies import DrawFn, SearchStrategy
+from support.cases import each
 from support.effort import effort
 
 import ev3proto
@@ -343,7 +344,7 @@ EDGES: list[Any] = [0, 1, -1, 2, 31, 32, -32, 100, 127, -127, -128, 255, 440, 32
 EDGES += [True, False, 1.0, 0.5, float("nan"), float("inf"), "a", "", LED.RED, None, GV(0), GV(3), b"\x01", [1]]
 
 
-@pytest.mark.parametrize("name", sorted(HOME))
+@each("name", sorted(HOME))
 def test_values_that_are_looked_up_are_those_that_are_checked_one_by_one(name: str) -> None:
     schema = instruction_set(HOME[name])[name]
     function = drafts(HOME[name])[name]
@@ -371,7 +372,7 @@ NEWER = "E212"
 """What a check says of commands that LEGO's firmware of 2013 does not know; it is right, and no fault of composing."""
 
 
-@pytest.mark.parametrize("name", sorted(HOME))
+@each("name", sorted(HOME))
 def test_what_is_composed_parses_back_to_what_was_asked(name: str) -> None:
     dialect = HOME[name]
     declaration = operations_of(dialect)[name]

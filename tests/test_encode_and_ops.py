@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.cases import each
 
 from ev3proto import GV, BuildError, Draft, Variable, command, ops
 from ev3proto.enums import LEDPATTERN
@@ -98,7 +99,7 @@ def verdict_of_encode(declaration: Declaration, given_values: list[Any]) -> byte
     return message.build()[7:]
 
 
-@pytest.mark.parametrize("declaration", DECLARATIONS, ids=[declaration.name for declaration in DECLARATIONS])
+@each("declaration", DECLARATIONS)
 def test_both_take_and_refuse_the_same(declaration: Declaration) -> None:
     parameters = declaration.parameters
     inputs = [number for number, parameter in enumerate(parameters) if parameter.type not in LISTS]

@@ -10,6 +10,7 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 
 import pytest
+from support.cases import each
 
 from ev3proto import enums, ops, system
 from ev3proto.generate import everything
@@ -84,7 +85,7 @@ def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
 # What is in them
 
 
-@pytest.mark.parametrize("name", MODULES)
+@each("name", MODULES)
 def test_every_name_is_there_and_has_a_text(name: str) -> None:
     module = import_module(name)
     assert inspect.getdoc(module)

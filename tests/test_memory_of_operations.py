@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from random import Random
 from typing import Any
 
-import pytest
+from support.cases import each
 from support.effort import effort
 
 import ev3proto
@@ -141,7 +141,7 @@ def _about_memory(message: ev3proto.Message, dialect: str) -> list[str]:
     return [f"{finding.code}: {finding.message}" for finding in found if finding.code in ABOUT_MEMORY]
 
 
-@pytest.mark.parametrize("name", HOME)
+@each("name", HOME)
 def test_everybody_agrees_about_the_memory_of_an_operation(name: str) -> None:
     dialect, declaration = HOME[name]
     for round_ in range(effort(4, 50)):

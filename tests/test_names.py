@@ -15,6 +15,7 @@ import ev3_dc.constants
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.cases import each
 
 import ev3proto
 from ev3proto.errors import BuildError
@@ -143,7 +144,7 @@ def outcome(function: Callable[[Any], bytes], argument: Any) -> bytes | None:
         return None
 
 
-@pytest.mark.parametrize("name", sorted(REFERENCE))
+@each("name", sorted(REFERENCE))
 def test_every_constant_of_ev3_dc(name: str) -> None:
     ours, theirs = constant(name), REFERENCE[name]
     if name in DIFFERENT:

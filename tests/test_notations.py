@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
 from support import notations_page
+from support.cases import each
 from support.notations import EVERY, LINE, LINES
 
 from ev3proto.text.paste import Pasted, read_text
@@ -28,15 +31,14 @@ def frame_of(piece: Pasted) -> bytes:
     return piece.data if any(piece.data[size:]) else piece.data[:size]
 
 
-@pytest.mark.parametrize("name", EVERY)
-@pytest.mark.parametrize("frame", FRAMES.values(), ids=FRAMES.keys())
+@each("name, frame", product(EVERY, FRAMES.values()))
 def test_every_notation(name: str, frame: bytes) -> None:
     text = EVERY[name](frame)
     found = pieces(text)
     assert [(frame_of(piece), piece.problem) for piece in found] == [(frame, None)], text
 
 
-@pytest.mark.parametrize("name", EVERY)
+@each("name", EVERY)
 def test_every_notation_among_prose(name: str) -> None:
     text = EVERY[name](TONE)
     found = pieces(
@@ -95,8 +97,7 @@ PLAIN = (
 )
 
 
-@pytest.mark.parametrize("prefix", PREFIXES)
-@pytest.mark.parametrize("name", PLAIN)
+@each("prefix, name", product(PREFIXES, PLAIN))
 def test_whatever_stands_around_a_frame(prefix: str, name: str) -> None:
     for frame in (TONE, REPLY, NAME):
         text = prefix.format(LINE[name](frame))
@@ -108,7 +109,7 @@ def test_whatever_stands_around_a_frame(prefix: str, name: str) -> None:
         assert found[0].direction == said, text
 
 
-@pytest.mark.parametrize("name", LINE)
+@each("name", LINE)
 def test_lines_that_hold_a_whole_frame_each_stay_apart(name: str) -> None:
     text = "\n".join(f"x: {LINE[name](frame)}" for frame in (TONE, NAME, TONE))
     assert [(frame_of(piece), piece.line) for piece in pieces(text)] == [(TONE, 1), (NAME, 2), (TONE, 3)], text

@@ -12,9 +12,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from support.cases import each
 from support.effort import effort
 
 import ev3proto
@@ -60,7 +60,7 @@ dialects = st.sampled_from(DIALECTS)
 # Every operation
 
 
-@pytest.mark.parametrize("name", sorted(HOME))
+@each("name", sorted(HOME))
 def test_values_come_back(name: str) -> None:
     """operation(values) -> frame -> the same names and values, in every dialect that has the operation."""
     declaration = operations_of(HOME[name])[name]
@@ -87,7 +87,7 @@ def test_values_come_back(name: str) -> None:
     check()
 
 
-@pytest.mark.parametrize("name", sorted(HOME))
+@each("name", sorted(HOME))
 def test_every_encoding_comes_back(name: str) -> None:
     """Arguments, CMD and counts in any encoding: the same operation, the same bytes, nothing between its arguments."""
 
@@ -105,7 +105,7 @@ def test_every_encoding_comes_back(name: str) -> None:
     check()
 
 
-@pytest.mark.parametrize("name", sorted(HOME))
+@each("name", sorted(HOME))
 def test_built_encodings_are_the_shortest(name: str) -> None:
     @few
     @given(operations(HOME[name], name))

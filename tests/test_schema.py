@@ -12,6 +12,7 @@ from collections.abc import Callable
 
 import construct
 import pytest
+from support.cases import each
 from support.cpu_time import seconds
 
 import ev3proto
@@ -125,7 +126,7 @@ def test_a_misspelt_operation_gets_a_suggestion() -> None:
 # Identification bytes, header, memory
 
 
-@pytest.mark.parametrize("byte", range(256))
+@each("byte", range(256))
 def test_an_identification_byte_goes_both_ways(byte: int) -> None:
     found = IDENTIFICATION.parse(bytes((byte,)))
     assert found.is_long == bool(byte & 0x80)

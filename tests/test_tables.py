@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from support.cases import each
 
 from ev3proto.tables import AREAS, OPCODES, enumerations, operations
 from ev3proto.tables.declaration import DIALECTS, Declaration, Effect, Enumeration, Parameter, Role, Type, declarations
@@ -64,7 +65,7 @@ def test_areas_are_the_firmware_s() -> None:
     ]
 
 
-@pytest.mark.parametrize("entry", EVERYTHING, ids=lambda entry: entry.name)
+@each("entry", EVERYTHING)
 def test_every_operation_says_what_it_does(entry: Declaration) -> None:
     assert entry.text[0].isupper()
     assert len(entry.text) > 10
@@ -72,7 +73,7 @@ def test_every_operation_says_what_it_does(entry: Declaration) -> None:
     assert len({parameter.name for parameter in entry.parameters}) == len(entry.parameters)
 
 
-@pytest.mark.parametrize(("entry", "parameter"), PARAMETERS, ids=lambda one: one.name)
+@each("entry, parameter", PARAMETERS)
 def test_every_parameter_is_consistent(entry: Declaration, parameter: Parameter) -> None:
     names = [other.name for other in entry.parameters]
     assert len(parameter.text) > 2

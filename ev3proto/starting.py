@@ -7,9 +7,9 @@ line can run. Whoever uses the package in a program of their own keeps their sig
 
 from __future__ import annotations
 
+import _signal  # type: ignore[import-not-found]  # what `signal` is made of, which takes a while to load
 import gc
 import os
-import signal
 import sys
 
 _INTERRUPTED = 130
@@ -32,8 +32,8 @@ def is_command_line() -> bool:
 
 def end_silently() -> None:
     """Ends the process without a word when Ctrl-C is pressed. There is nothing yet that would have to be cleaned up."""
-    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
-        signal.signal(signal.SIGINT, lambda *_: os._exit(_INTERRUPTED))
+    if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
+        _signal.signal(_signal.SIGINT, lambda *_: os._exit(_INTERRUPTED))
 
 
 def keep_what_is_loaded() -> None:

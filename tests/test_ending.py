@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -33,6 +35,32 @@ def test_ctrl_c_while_modules_are_loaded(number: int) -> None:
     words = [sys.executable, "-c", INTERRUPTS_ITSELF, str(number), "decode", TONE]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (130, "")
+
+
+@pytest.mark.parametrize("words", [[SCRIPT], [sys.executable, "-m", "ev3proto"]], ids=["script", "module"])
+@pytest.mark.parametrize("milliseconds", [0, 7, 25, 60, 120])
+def test_ctrl_c_at_any_moment_once_the_package_is_begun(words: list[str], milliseconds: int) -> None:
+    environment = {**os.environ, "PYTHONPROFILEIMPORTTIME": "1"}
+    with subprocess.Popen(
+        [*words, "decode"], stdin=subprocess.PIPE, stderr=subprocess.PIPE, env=environment, text=True
+    ) as process:
+        assert process.stderr is not None
+        for line in process.stderr:  # Python prints each module there once it is loaded
+            if "ev3proto.starting" in line:
+                break
+        time.sleep(milliseconds / 1000)
+        process.send_signal(signal.SIGINT)
+        said = process.stderr.read()
+    assert process.returncode == 130
+    assert [line for line in said.splitlines() if not line.startswith("import time:")] == []
+
+
+def test_what_comes_before_is_nothing_but_the_package_itself() -> None:
+    words = [sys.executable, "-X", "importtime", "-m", "ev3proto", "--version"]
+    done = subprocess.run(words, capture_output=True, text=True, check=True)
+    names = [line.rpartition("|")[2].strip() for line in done.stderr.splitlines()]
+    before = names[: names.index("ev3proto.starting")]
+    assert [name for name in before if name.startswith(("ev3proto", "click", "construct", "signal"))] == []
 
 
 @pytest.mark.parametrize("words", [[SCRIPT], [sys.executable, "-m", "ev3proto"]])

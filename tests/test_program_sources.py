@@ -455,6 +455,12 @@ def test_what_strict_would_refuse_is_warned_of() -> None:
     assert [it.line for it in assemble(source).warnings] == [4, 4, 5, 6, 6]
 
 
+@pytest.mark.parametrize("number", ["0x" + "F" * 5000, "9" * 5000, "0" + "7" * 5000])
+def test_what_has_more_digits_than_a_number_is_refused(number: str) -> None:
+    with pytest.raises(AssemblyError, match="has more digits than any number needs"):
+        assemble(f"DATA32 v\nvmthread M\n{{\nMOVE32_32({number}, v)\n}}\n", dialect="lego")
+
+
 @pytest.mark.parametrize(
     ("line", "words"),
     [

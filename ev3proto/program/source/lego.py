@@ -255,6 +255,7 @@ class LegoParser:
     def _number(self, at: int, text: str) -> Value | None:
         found = _HEX.fullmatch(text)
         if found:
+            _refuse_long(at, text, found[1])
             return Number(at, self._cut(at, text, int(found[1], 16)))
         if _FLOAT.fullmatch(text):
             try:
@@ -264,6 +265,7 @@ class LegoParser:
                     at, f"{text[:40]} is beyond 3.4028235e38, which is as far as a DATAF reaches"
                 ) from None
         if _OCTAL.fullmatch(text):
+            _refuse_long(at, text, text)
             value = int(text, 8)
             self.warnings.append((at, f"{text[:40]} is octal, because of the 0 in front: {value}"))
             return Number(at, pattern(value))
@@ -272,8 +274,7 @@ class LegoParser:
             return None
         if "." in text and text[-1] != ".":
             self.warnings.append((at, f"{text[:40]} is a whole number here: a float ends in F"))
-        if len(found[2]) > 40:
-            raise SourceError(at, f"{text[:40]}... has more digits than any number needs")
+        _refuse_long(at, text, found[2])
         value = int(found[2] or "0")
         return Number(at, self._cut(at, text, -value if found[1] == "-" else value))
 
@@ -288,3 +289,11 @@ def _sum(at: int, text: str) -> Sum:
     """Names with nothing but plus signs between them: `A+B`."""
     names = text.split("+")
     return Sum(at, tuple(Name(at, name) for name in names), ("+",) * (len(names) - 1), is_usual=True)
+
+
+_MOST_DIGITS = 40
+
+
+def _refuse_long(at: int, text: str, digits: str) -> None:
+    if len(digits) > _MOST_DIGITS:
+        raise SourceError(at, f"{text[:40]}... has more digits than any number needs")

@@ -194,3 +194,15 @@ def test_the_lock_has_what_the_tests_need() -> None:
     ]
     stale += [f"{name} is not needed any more" for name in sorted(found.keys() - needs.keys())]
     assert not stale, f"tests/requirements.lock is out of date, and tests/lock writes it anew: {stale}"
+
+
+def test_no_dependency_may_be_of_a_major_version_that_nobody_tried() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    texts = [*project["dependencies"], *(text for extra in project["optional-dependencies"].values() for text in extra)]
+    open_ended = [
+        text
+        for text in texts
+        if not any(one.operator in ("<", "==") for one in Requirement(text).specifier)
+        and Requirement(text).name != project["name"]
+    ]
+    assert open_ended == []

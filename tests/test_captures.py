@@ -50,7 +50,6 @@ def test_the_same_bytes_every_time(name: str, made: Path) -> None:
 
 @pytest.mark.parametrize("name", MADE)
 def test_tshark_has_no_complaints(name: str) -> None:
-    assert "Malformed" not in tshark(CAPTURES / name, "-V")
     assert tshark(CAPTURES / name, "-Y", COMPLAINTS) == ""
 
 
@@ -73,5 +72,9 @@ def test_tshark_finds_what_carries_frames(name: str, packets: str) -> None:
 
 
 def test_each_kind_of_carrier_is_tried() -> None:
-    kinds = {tshark(CAPTURES / name, "-c", "1", "-T", "fields", "-e", "frame.encap_type").strip() for name in MADE}
+    files = [str(CAPTURES / name) for name in MADE]
+    table = subprocess.run(
+        ["capinfos", "-r", "-T", "-E", *files], text=True, check=True, capture_output=True, timeout=60
+    )
+    kinds = {row.split("\t")[1] for row in table.stdout.splitlines()}
     assert len(kinds) == 5

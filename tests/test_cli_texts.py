@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from support.cli import run_ev3proto
 
 LOG = """09:12:31.000 sent 08 00 01 00 00 04 00 81 01 60
 09:12:31.010 recv 07 00 01 00 02 a4 70 fd 40
@@ -18,9 +18,7 @@ TONE = "0e002a0080000094010182b80182e803"
 
 
 def run(*words: str, stdin: str | bytes = "") -> subprocess.CompletedProcess[bytes]:
-    given = stdin.encode() if isinstance(stdin, str) else stdin
-    command = [sys.executable, "-m", "ev3proto", *words]
-    return subprocess.run(command, input=given, capture_output=True, timeout=120, check=False)
+    return run_ev3proto(*words, stdin=stdin.encode() if isinstance(stdin, str) else stdin)
 
 
 def out(*words: str, stdin: str | bytes = "") -> str:

@@ -75,7 +75,7 @@ def test_the_script_is_loaded(toy: Tshark, udp: Path) -> None:
 @pytest.mark.parametrize("fault", BROKEN)
 def test_an_error_in_a_packet_is_noticed(toy: Tshark, tcp: Path, fault: str) -> None:
     toy.load(SCRIPT.replace("item:add(first, tvb(0, 1))", BROKEN[fault]).encode())
-    for words in ((), ("-2",), ("-V",)):
+    for words in ((), ("-2",), ("-V",)) if fault == "arithmetic" else ((),):
         errors = toy.lua_errors(tcp, *words)
         for number in ("frame 1", "frame 2"):
             assert [error for error in errors if error.startswith(f"{number}: Lua Error: ")], words

@@ -4123,6 +4123,8 @@ do
         parameter.alignment = SIZE_OF[row.validated or row[3]]
         parameter.is_flags = row.enum and row.enum.is_flags
         parameter.key = " " .. row[1]:lower() .. "="
+        parameter.value_key = " " .. row[1] .. "="
+        parameter.unit_text = row.unit and " " .. row.unit or ""
         if row[3] == VALUES then
             parameter.kind = PARAMETER_KINDS[row.element] or NUMBER
         else
@@ -4137,6 +4139,7 @@ do
         return setmetatable({}, { __index = function(elements, number)
             local one = setmetatable({}, { __index = element })
             one.name = element.name .. "[" .. number .. "]"
+            one.value_key = " " .. one.name .. "="
             elements[number] = one
             return one
         end })
@@ -4147,6 +4150,7 @@ do
         local element = {
             name = list.name, field_name = list.name, direction = direction, type = type, text = list.text,
             is_float = type == DATAF, is_output = direction ~= IN, size = SIZE_OF[type], key = list.key,
+            operation = list.operation, unit_text = "",
         }
         if list.type == VALUES then
             element.field, element.kind = list.field, list.kind
@@ -4189,20 +4193,21 @@ do
             name = name,
             title = title, heading = format("0x%02X ", number) .. title,
             cmd_name = cmd_name,
-            fixed = {}, has_outputs = false,
+            fixed = {}, reply_head = "reply to " .. title .. ":",
         }
+        -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
+        local value_name = cmd_name and cmd_name:match("^GET_(.+)$")
         for index = 4, #row do
             local abbreviation = ("ev3." .. name .. "." .. row[index][1]):lower()
             local parameter = ready_parameter(abbreviation, row[index])
+            parameter.operation = operation
+            if value_name and parameter.name == "VALUE" then parameter.value_key = " " .. value_name .. "=" end
             if parameter.type == COUNT or parameter.type == VALUES then
                 operation.list = parameter
                 ready_list(abbreviation, parameter)
             end
             if parameter.type ~= VALUES then
                 operation.fixed[#operation.fixed + 1] = parameter
-            end
-            if parameter.is_output or (parameter.type == COUNT and parameter.elements ~= IN) then
-                operation.has_outputs = true
             end
         end
         for _, parameter in ipairs(operation.fixed) do
@@ -4211,8 +4216,6 @@ do
                 parameter.tells_type = parameter.tells_type or row[index].element == parameter.name
             end
         end
-        -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
-        operation.value_name = cmd_name and cmd_name:match("^GET_(.+)$")
         return operation
     end
 
@@ -4517,29 +4520,29 @@ do
         local encoding = ENCODINGS[byte(text, at + 2)]
         local operation = encoding and encoding.kind == CONSTANT and commands[encoding.value]
         if operation then return operation, at + 2 end
-        local behind, offset, reason, kind = measure(text, at + 1, stop, "CMD")
-        if not behind then return nil, offset, reason, kind end
+        local after, offset, reason, kind = measure(text, at + 1, stop, "CMD")
+        if not after then return nil, offset, reason, kind end
         if encoding.kind ~= CONSTANT then
             reason = format("CMD of %s is %s: it must be a constant to say what follows", entry.name, encoding.name)
             return nil, at + 1, reason, "unknown_cmd"
         end
-        local value = value_of(text, at + 1, behind, encoding)
+        local value = value_of(text, at + 1, after, encoding)
         operation = commands[value]
         if not operation then
             return nil, at + 1, format("%s has no CMD %d", entry.name, value), "unknown_cmd"
         end
-        return operation, behind
+        return operation, after
     end
 
     -- How many elements a list has; else nil, offset and reason.
-    local function count_elements(text, list, counter, at, behind, stop)
+    local function count_elements(text, list, counter, at, after, stop)
         local encoding = ENCODINGS[byte(text, at + 1)]
-        local value = value_of(text, at, behind, encoding)
+        local value = value_of(text, at, after, encoding)
         if encoding.kind ~= CONSTANT then
             local reason = "%s must be a constant: without it nobody knows how many values follow"
             return nil, at, format(reason, counter.name), "fault"
         end
-        local room = stop - behind
+        local room = stop - after
         if list.type == COUNT and room > MOST_COUNTED then room = MOST_COUNTED end
         if value < 0 or value > room then
             local reason = "%s cannot be %d: there is room for 0 to %d values"
@@ -4549,14 +4552,13 @@ do
     end
 
     -- One operation: what it is and the offset after it. Each of its arguments is handed to `visit`, if that is given,
-    -- with its parameter, encoding, value, and the offsets of its first byte and after its last; with `for_reply` only
-    -- those of operations that have outputs. At a fault the offset is the one after what could be read, and the
-    -- fault's offset, reason and kind follow.
-    function read_operation(text, at, stop, visit, context, for_reply)
-        local operation, behind, reason, kind = select_operation(text, at, stop)
-        if not operation then return nil, at, behind, reason, kind end
-        if for_reply and not operation.has_outputs then visit = nil end
-        at = behind
+    -- with its parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only
+    -- variables, and numbers that say how long something is. At a fault the offset is the one after what could be read,
+    -- and the fault's offset, reason and kind follow.
+    function read_operation(text, at, stop, visit, context, is_brief)
+        local operation, after, reason, kind = select_operation(text, at, stop)
+        if not operation then return nil, at, after, reason, kind end
+        at = after
         local fixed, list, start, element_type = operation.fixed, operation.list, at, nil
         for index = 1, #fixed do
             local parameter = fixed[index]
@@ -4565,20 +4567,22 @@ do
             local offset
             -- Most arguments are numbers and whole; the others go the long way.
             if size and size > 0 and at + size <= stop then
-                behind = at + size
+                after = at + size
             else
-                behind, offset, reason, kind = measure(text, at, stop, parameter.name)
-                if not behind then return operation, at, offset, reason, kind end
+                after, offset, reason, kind = measure(text, at, stop, parameter.name)
+                if not after then return operation, at, offset, reason, kind end
             end
             if visit then
                 local encoding = ENCODINGS[first]
-                local value = encoding.value or value_of(text, at, behind, encoding, parameter.is_float)
-                visit(context, parameter, encoding, value, at, behind)
-                if list and parameter.tells_type and encoding.kind == CONSTANT then
-                    element_type = FORMAT_TYPES[value]
+                if not is_brief or encoding.scope or parameter.tells_length or parameter.tells_type then
+                    local value = encoding.value or value_of(text, at, after, encoding, parameter.is_float)
+                    visit(context, parameter, encoding, value, at, after)
+                    if list and parameter.tells_type and encoding.kind == CONSTANT then
+                        element_type = FORMAT_TYPES[value]
+                    end
                 end
             end
-            start, at = at, behind
+            start, at = at, after
         end
         if list then
             local count, offset
@@ -4587,14 +4591,16 @@ do
             local elements = list.elements_of[element_type or list.element_type]
             for index = 0, count - 1 do
                 local element = elements[index]
-                behind, offset, reason, kind = measure(text, at, stop, element.name)
-                if not behind then return operation, at, offset, reason, kind end
+                after, offset, reason, kind = measure(text, at, stop, element.name)
+                if not after then return operation, at, offset, reason, kind end
                 if visit then
                     local encoding = ENCODINGS[byte(text, at + 1)]
-                    local value = value_of(text, at, behind, encoding, element.is_float)
-                    visit(context, element, encoding, value, at, behind)
+                    if not is_brief or encoding.scope then
+                        local value = value_of(text, at, after, encoding, element.is_float)
+                        visit(context, element, encoding, value, at, after)
+                    end
                 end
-                at = behind
+                at = after
             end
         end
         return operation, at
@@ -4644,12 +4650,12 @@ do
         local found, counted = {}, {}
         for _, declared in ipairs(declarations) do
             if at == stop and (declared.optional or not complete) then break end
-            local value, behind, reason = read_field(text, at, stop, declared, counted)
-            if not value then return found, at, { at = behind, reason = reason, kind = "fault" } end
-            found[#found + 1] = { declared = declared, value = value, at = at, stop = behind }
+            local value, after, reason = read_field(text, at, stop, declared, counted)
+            if not value then return found, at, { at = after, reason = reason, kind = "fault" } end
+            found[#found + 1] = { declared = declared, value = value, at = at, stop = after }
             found[declared.name] = value
             if declared.counts then counted[declared.counts] = value end
-            at = behind
+            at = after
         end
         if at < stop then
             local reason = format("%d byte%s left over after the last field", stop - at, stop - at > 1 and "s" or "")
@@ -4737,51 +4743,53 @@ do
         end
     end
 
-    local function unit_text(parameter)
-        return parameter.unit and " " .. parameter.unit or ""
-    end
-
     local function one_value_text(output, value)
         local parameter = output.parameter
         if type(value) == "string" then return shortened(value) end
         if output.is_handle then return number_text(value) end
         local enum = parameter.enum
-        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. unit_text(parameter)
+        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. parameter.unit_text
     end
 
     function output_text(output)
-        if not output.is_list then return one_value_text(output, output.value) end
+        local list = output.list
+        if not list then return one_value_text(output, output.value) end
         local pieces = {}
-        for index = 1, math.min(#output.list, MOST_VALUES) do
-            pieces[index] = one_value_text(output, output.list[index])
+        for index = 1, math.min(#list, MOST_VALUES) do
+            pieces[index] = one_value_text(output, list[index])
         end
-        if #output.list > MOST_VALUES then pieces[#pieces + 1] = "..." end
+        if #list > MOST_VALUES then pieces[#pieces + 1] = "..." end
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    -- The name of an output: what LEGO calls it where the parameter is only a VALUE.
-    local function output_name(operation, output)
-        local name = output.parameter.name
-        return name == "VALUE" and operation.value_name or name
-    end
+    local pieces = {}
 
-    -- 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
-    function values_text(layout, count)
-        local pieces, pieces_count = {}, 0
-        for number = 1, #layout do
-            local operation, values = layout[number].operation, layout[number].values
-            for index = 1, #values do
-                local output = values[index]
-                if count == 1 then return output_text(output) end
-                if pieces_count == MOST_VALUES then
-                    pieces[pieces_count + 1] = "..."
-                    return concat(pieces, " ")
-                end
-                pieces_count = pieces_count + 1
-                pieces[pieces_count] = output_name(operation, output) .. "=" .. output_text(output)
+    -- After a head: 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
+    function values_text(head, outputs, count)
+        pieces[1] = head
+        if count == 1 then
+            pieces[2], pieces[3] = " ", output_text(outputs[1])
+            return concat(pieces, "", 1, 3)
+        end
+        local stop = 1
+        for index = 1, math.min(count, MOST_VALUES) do
+            local output = outputs[index]
+            local parameter, value = output.parameter, output.value
+            pieces[stop + 1] = parameter.value_key
+            -- Nearly all are numbers, which need no text of their own: concat makes it.
+            if parameter.enum or parameter.is_float or output.list or type(value) == "string" then
+                pieces[stop + 2] = output_text(output)
+                stop = stop + 2
+            else
+                pieces[stop + 2], pieces[stop + 3] = value, output.is_handle and "" or parameter.unit_text
+                stop = stop + 3
             end
         end
-        return concat(pieces, " ")
+        if count > MOST_VALUES then
+            stop = stop + 1
+            pieces[stop] = " ..."
+        end
+        return concat(pieces, "", 1, stop)
     end
 
     function transfer_text(transfer)
@@ -5280,7 +5288,7 @@ end
 -- says what stands in it and where.
 
 -- How many bytes or elements a parameter has: what its length parameter says, or `most` where that does not say it.
--- `lengths` are the constants of those parameters that tell one.
+-- `lengths` are the constants of those parameters that say one.
 local function stated_length(parameter, lengths, most)
     local length = parameter.length
     if type(length) == "string" then length = lengths[length] end
@@ -5295,117 +5303,143 @@ local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
 
-local read_reply
+local note_output, note_lengths, keep_layout, read_reply
 do
-    -- The type of an output that has that of the array it comes from: what fits before the next output.
-    local function untyped(outputs, start, stop)
-        for _, output in ipairs(outputs) do
-            if start < output.index and output.index < stop then stop = output.index end
+    -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
+    -- parameter, encoding, index. `first` is the first operation; `lengths`, by the offset of their operation, are
+    -- constants that say how long outputs are.
+    local OUTPUT = 4
+
+    -- Adds an output to a layout, if this argument is one: an output parameter that names a global variable.
+    function note_output(layout, offset, parameter, encoding, index)
+        if not parameter.is_output or encoding.kind ~= GLOBAL then return end
+        local count = #layout
+        layout[count + 1], layout[count + 2], layout[count + 3], layout[count + 4] = offset, parameter, encoding, index
+    end
+
+    function note_lengths(layout, offset, lengths)
+        layout.lengths = layout.lengths or {}
+        layout.lengths[offset] = lengths
+    end
+
+    -- The type of an output that has that of the array it comes from: what fits before the next output of its
+    -- operation.
+    local function untyped(layout, at, stop)
+        local offset, start = layout[at], layout[at + 3]
+        while layout[at - OUTPUT] == offset do
+            at = at - OUTPUT
+        end
+        while layout[at] == offset do
+            local index = layout[at + 3]
+            if start < index and index < stop then stop = index end
+            at = at + OUTPUT
         end
         local room = stop - start
         return room >= 4 and DATA32 or room >= 2 and DATA16 or room >= 1 and DATA8 or DATA32
     end
 
-    -- Reads an output in a reply: its value (or a list of them) and size. False where the memory ends before. Of a list
-    -- so many are read at most.
-    local function read_output(output, outputs, reply, most_read)
+    local NONE = {}
+
+    -- Reads into `output` what a reply has for one entry of the layout: `value` or `list`, size, and whose it is. False
+    -- where the memory ends before. Of a list so many are read at most.
+    local function read_output(output, layout, at, reply, most_read)
+        local parameter, encoding, start = layout[at + 1], layout[at + 2], layout[at + 3]
         -- At an address there is no value but where the value is.
-        if output.is_address then return false end
-        local parameter, start = output.parameter, output.index
-        local most, at = reply.stop - HEADER_SIZE, HEADER_SIZE + start
-        local type = output.type
+        if encoding.address then return false end
+        local is_handle = encoding.handle
+        local type = is_handle and HANDLE or parameter.type
+        local text, most = reply.text, reply.stop - HEADER_SIZE
         local read, size = READ_TYPE[type], SIZE_OF[type]
+        output.parameter, output.index, output.is_handle = parameter, start, is_handle
+        output.offset, output.list = layout[at], false
+        local is_list = parameter.length and type ~= ARRAY_TYPED and type ~= STRING and not is_handle
         -- Nearly all are one number.
-        if read and not output.is_list then
+        if read and not is_list then
             if start + size > most then return false end
-            output.size, output.value = size, read(reply.text, at)
+            output.size, output.value = size, read(text, HEADER_SIZE + start)
             return true
-        elseif type == STRING then
-            local stop = math.min(start + stated_length(parameter, outputs.lengths, most), most)
-            output.value = sub(reply.text, at + 1, HEADER_SIZE + stop):match("^[^\0]*")
+        end
+        local lengths = layout.lengths and layout.lengths[output.offset] or NONE
+        if type == STRING then
+            local stop = math.min(start + stated_length(parameter, lengths, most), most)
+            output.value = sub(text, HEADER_SIZE + start + 1, HEADER_SIZE + stop):match("^[^\0]*")
             output.size = #output.value
             return start < most
         elseif type == ARRAY_TYPED then
-            type = untyped(outputs, start, most)
+            type = untyped(layout, at, most)
             read, size = READ_TYPE[type], SIZE_OF[type]
         end
         if not read then return false end
-        local count = output.is_list and stated_length(parameter, outputs.lengths, floor(most / size)) or 1
+        local count = is_list and stated_length(parameter, lengths, floor(most / size)) or 1
         local room = floor((most - start) / size)
-        if output.is_list and count > room then count = room end
+        if is_list and count > room then count = room end
         if count < 1 or count > room then return false end
         output.size = count * size
-        if output.is_list then
+        if is_list then
             output.list = {}
             for index = 1, math.min(count, most_read) do
-                output.list[index] = read(reply.text, at + (index - 1) * size)
+                output.list[index] = read(text, HEADER_SIZE + start + (index - 1) * size)
             end
         else
-            output.value = read(reply.text, at)
+            output.value = read(text, HEADER_SIZE + start)
         end
         return true
     end
 
-    local function collect(outputs, parameter, encoding, value)
-        if encoding.kind == GLOBAL and parameter.is_output then
-            local is_handle = encoding.handle
-            outputs[#outputs + 1] = {
-                parameter = parameter, index = value, is_handle = is_handle, is_address = encoding.address,
-                type = is_handle and HANDLE or parameter.type,
-                is_list = parameter.length and parameter.type ~= ARRAY_TYPED and parameter.type ~= STRING
-                    and not is_handle,
-                size = 0, value = false,
-            }
+    local function note_argument(view, parameter, encoding, value)
+        if encoding.scope then
+            note_output(view.layout, view.offset, parameter, encoding, value)
         elseif tells_length(parameter, encoding) then
-            outputs.lengths[parameter.name] = value
+            view.lengths = view.lengths or {}
+            view.lengths[parameter.name] = value
         end
     end
 
-    -- The outputs of a command's operations: { operation, those that are in a reply, all of them }, and the first
-    -- operation. `body` is what follows the command's header.
+    -- `body` is what follows a command's header.
     local function layout_of_body(body)
         local at, layout = MEMORY_FIELD, {}
-        local outputs = { lengths = {} }
+        local view = { layout = layout }
         while at < #body do
-            local operation, behind, fault = read_operation(body, at, #body, collect, outputs, true)
-            if outputs[1] then layout[#layout + 1] = { operation = operation, all = outputs, values = {} } end
+            view.offset, view.lengths = at, nil
+            local operation, after, fault = read_operation(body, at, #body, note_argument, view, true)
+            if view.lengths then note_lengths(layout, at, view.lengths) end
             layout.first = layout.first or operation
-            if outputs[1] or next(outputs.lengths) then outputs = { lengths = {} } end
             if fault then break end
-            at = behind
+            at = after
         end
         return layout
     end
 
     -- Those of the last commands.
-    local layouts = new_memory(1024, function(layout) return 1 + #layout end)
+    local layouts = new_memory(2048, function(layout) return 1 + #layout / OUTPUT end)
 
-    -- Reads what a reply says: the operations of the command that have outputs, each with `values`, those of them that
-    -- are in the reply. Valid until the next reply is read. Returns how many values there are, too. Lists have all
-    -- their elements where the tree shows them, else no more than a line says.
+    -- Remembers the layout that was found out when a command was read.
+    function keep_layout(body, layout)
+        layouts.put(body, layout)
+    end
+
+    -- The values found; they are overwritten by those of the next reply.
+    local found = {}
+
+    -- The values in the reply to a command, how many there are, and the command's first operation. Where the tree is
+    -- not shown, no more of them than a line says, and of lists no more elements.
     function read_reply(body, reply, is_shown)
         local layout = layouts.get(body)
         if not layout then
             layout = layout_of_body(body)
             layouts.put(body, layout)
         end
-        local count, most_read = 0, is_shown and math.huge or MOST_VALUES + 1
-        for number = 1, #layout do
-            local group = layout[number]
-            local outputs, values, found = group.all, group.values, 0
-            for index = 1, #outputs do
-                local output = outputs[index]
-                if read_output(output, outputs, reply, most_read) then
-                    found = found + 1
-                    values[found] = output
-                end
+        local count, most = 0, is_shown and math.huge or MOST_VALUES + 1
+        local output = found[1] or {}
+        for at = 1, #layout, OUTPUT do
+            found[count + 1] = output
+            if read_output(output, layout, at, reply, most) then
+                count = count + 1
+                if count == most then break end
+                output = found[count + 1] or {}
             end
-            for index = #values, found + 1, -1 do
-                values[index] = nil
-            end
-            count = count + found
         end
-        return layout, count
+        return found, count, layout.first
     end
 end
 
@@ -5483,6 +5517,7 @@ do
         rows.count = count + ROW
         rows[count + 2], rows[count + 3], rows[count + 7] = at, stop - at, encoding.label
         if encoding.scope then
+            if rows.layout then note_output(rows.layout, rows.offset, parameter, encoding, value) end
             local text = encoding.text or variable_text(encoding, value)
             rows[count + 1], rows[count + 4] = field.variable, text
             rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
@@ -5497,10 +5532,11 @@ do
     end
 
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
-    -- there are, the offset after what could be read, and the fault where there is one.
-    function read_rows(rows, text, at, stop, globals, locals)
+    -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is noted
+    -- in `layout`, if that is given.
+    function read_rows(rows, text, at, stop, globals, locals, layout)
         local pieces = rows.pieces or { count = 1 }
-        rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces
+        rows.count, rows.globals, rows.locals, rows.pieces, rows.layout = 0, globals, locals, pieces, layout
         rows.lengths = rows.lengths or {}
         rows.line, rows.operations, rows.fault = nil, 0, nil
         while at < stop do
@@ -5523,13 +5559,18 @@ do
                 rows[cmd + 8] = false
             end
             pieces.count, pieces[1] = 1, operation.heading
-            if next(rows.lengths) then rows.lengths = {} end
+            rows.offset = at
             local _, behind
             _, behind, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
             rows[heading + 3], rows[heading + 5] = behind - at, concat(pieces, "", 1, pieces.count)
             if not rows.line then
                 pieces[1] = operation.title
                 rows.line = concat(pieces, "", 1, pieces.count)
+                if layout then layout.first = operation end
+            end
+            if next(rows.lengths) then
+                if layout then note_lengths(layout, at, rows.lengths) end
+                rows.lengths = {}
             end
             rows.operations = rows.operations + 1
             at = behind
@@ -5538,8 +5579,7 @@ do
                 break
             end
         end
-        rows.behind = at
-        if next(rows.lengths) then rows.lengths = {} end
+        rows.behind, rows.layout = at, nil
     end
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
@@ -5566,6 +5606,7 @@ do
     local function say_argument(view, parameter, encoding, value)
         if encoding.scope then
             variable_complaints(view.complaints, view, parameter, encoding, value)
+            if view.layout then note_output(view.layout, view.offset, parameter, encoding, value) end
         elseif parameter.tells_length and tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
@@ -5576,20 +5617,27 @@ do
     local view = { complaints = {}, pieces = { count = 1 }, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- Returns the line on the first one, how many there are, the fault, and the complaints.
-    function say_operations(text, at, stop, globals, locals)
+    -- What a reply will hold is noted in `layout`, if that is given. Returns the line on the first one, how many there
+    -- are, the fault, and the complaints.
+    function say_operations(text, at, stop, globals, locals, layout)
         local line, count, pieces, fault = nil, 0, view.pieces, nil
         view.globals, view.locals, view.is_beyond, view.is_first, pieces.count = globals, locals, false, true, 1
-        if next(view.lengths) then view.lengths = {} end
+        view.layout = layout
         while at < stop do
-            local operation, behind, offset, reason, kind = read_operation(text, at, stop, say_argument, view)
+            view.offset = at
+            local operation, behind, offset, reason, kind =
+                read_operation(text, at, stop, say_argument, view, line ~= nil)
             if operation then
                 if not line then
                     pieces[1] = operation.title
                     line = concat(pieces, "", 1, pieces.count)
                     view.is_first = false
+                    if layout then layout.first = operation end
                 end
-                if next(view.lengths) then view.lengths = {} end
+                if next(view.lengths) then
+                    if layout then note_lengths(layout, at, view.lengths) end
+                    view.lengths = {}
+                end
                 count = count + 1
             end
             if reason then
@@ -5646,9 +5694,11 @@ do
         local body = message.body
         local rows = rows_of.get(body)
         if rows and rows ~= true then return rows end
+        local layout = message.type.wants_reply and {} or nil
         local is_kept = rows
         rows = is_kept and {} or scratch
-        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals, layout)
+        if layout then keep_layout(body, layout) end
         rows_of.put(body, is_kept and rows or true)
         return rows
     end
@@ -5670,8 +5720,10 @@ do
         end
         local known = lines.get(body)
         if not known then
+            local layout = message.type.wants_reply and {} or nil
             local line, count, fault, complaints =
-                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals, layout)
+            if layout then keep_layout(body, layout) end
             known = line_of(message, line, count, fault)
             if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
             lines.put(body, known)
@@ -5695,7 +5747,7 @@ do
 
     local function say_direct_reply(message, place, is_shown)
         local request = request_of(place)
-        message.layout = nil
+        message.outputs, message.count = nil, 0
         if message.type.is_error then
             complain_of(message, "error_reply", "the brick refused or failed the command; it tells no more")
             local body = request and request.body
@@ -5705,12 +5757,11 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
-        local layout, count = read_reply(request.body, message, is_shown)
-        message.layout = layout
-        local first = layout.first
-        local head = first and "reply to " .. first.title .. ": " or "reply: "
-        if count > 0 then return head .. values_text(layout, count) end
-        return head .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
+        local outputs, count, first = read_reply(request.body, message, is_shown)
+        message.outputs, message.count = outputs, count
+        local head = first and first.reply_head or "reply:"
+        if count > 0 then return values_text(head, outputs, count) end
+        return head .. " " .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
     end
 
     local function add_output(item, tvb, base, output)
@@ -5718,7 +5769,7 @@ do
         local name = parameter.name
         local at = base + HEADER_SIZE + output.index
         local range = tvb(at, output.size)
-        if not output.is_list then
+        if not output.list then
             local declared, value, label, addition = value_of_row(parameter, name, output.value)
             if output.is_handle then label = name .. ": handle " .. output.value end
             item:add(declared, range, value, label, addition)
@@ -5734,21 +5785,27 @@ do
     end
 
     local function add_direct_reply(message, item, tvb, base)
-        local stop, layout = message.stop, message.layout
+        local stop, outputs, count = message.stop, message.outputs, message.count
         if stop > HEADER_SIZE then item:add(field.memory, tvb(base + HEADER_SIZE, stop - HEADER_SIZE)) end
-        for _, group in ipairs(layout or {}) do
-            local values = group.values
-            local start, behind = stop, HEADER_SIZE
-            for _, output in ipairs(values) do
+        local first = 1
+        while first <= count do
+            -- The values of one operation stand one after the other.
+            local offset, last = outputs[first].offset, first
+            while last < count and outputs[last + 1].offset == offset do
+                last = last + 1
+            end
+            local start, after = stop, HEADER_SIZE
+            for index = first, last do
+                local output = outputs[index]
                 local at = HEADER_SIZE + output.index
-                start, behind = math.min(start, at), math.max(behind, at + output.size)
+                start, after = math.min(start, at), math.max(after, at + output.size)
             end
-            if values[1] then
-                local added = item:add(field.answers, tvb(base + start, behind - start), group.operation.name)
-                for _, output in ipairs(values) do
-                    add_output(added, tvb, base, output)
-                end
+            local name = outputs[first].parameter.operation.name
+            local added = item:add(field.answers, tvb(base + start, after - start), name)
+            for index = first, last do
+                add_output(added, tvb, base, outputs[index])
             end
+            first = last + 1
         end
     end
 

@@ -18,6 +18,8 @@ do
         parameter.alignment = SIZE_OF[row.validated or row[3]]
         parameter.is_flags = row.enum and row.enum.is_flags
         parameter.key = " " .. row[1]:lower() .. "="
+        parameter.value_key = " " .. row[1] .. "="
+        parameter.unit_text = row.unit and " " .. row.unit or ""
         if row[3] == VALUES then
             parameter.kind = PARAMETER_KINDS[row.element] or NUMBER
         else
@@ -32,6 +34,7 @@ do
         return setmetatable({}, { __index = function(elements, number)
             local one = setmetatable({}, { __index = element })
             one.name = element.name .. "[" .. number .. "]"
+            one.value_key = " " .. one.name .. "="
             elements[number] = one
             return one
         end })
@@ -42,6 +45,7 @@ do
         local element = {
             name = list.name, field_name = list.name, direction = direction, type = type, text = list.text,
             is_float = type == DATAF, is_output = direction ~= IN, size = SIZE_OF[type], key = list.key,
+            operation = list.operation, unit_text = "",
         }
         if list.type == VALUES then
             element.field, element.kind = list.field, list.kind
@@ -84,20 +88,21 @@ do
             name = name,
             title = title, heading = format("0x%02X ", number) .. title,
             cmd_name = cmd_name,
-            fixed = {}, has_outputs = false,
+            fixed = {}, reply_head = "reply to " .. title .. ":",
         }
+        -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
+        local value_name = cmd_name and cmd_name:match("^GET_(.+)$")
         for index = 4, #row do
             local abbreviation = ("ev3." .. name .. "." .. row[index][1]):lower()
             local parameter = ready_parameter(abbreviation, row[index])
+            parameter.operation = operation
+            if value_name and parameter.name == "VALUE" then parameter.value_key = " " .. value_name .. "=" end
             if parameter.type == COUNT or parameter.type == VALUES then
                 operation.list = parameter
                 ready_list(abbreviation, parameter)
             end
             if parameter.type ~= VALUES then
                 operation.fixed[#operation.fixed + 1] = parameter
-            end
-            if parameter.is_output or (parameter.type == COUNT and parameter.elements ~= IN) then
-                operation.has_outputs = true
             end
         end
         for _, parameter in ipairs(operation.fixed) do
@@ -106,8 +111,6 @@ do
                 parameter.tells_type = parameter.tells_type or row[index].element == parameter.name
             end
         end
-        -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
-        operation.value_name = cmd_name and cmd_name:match("^GET_(.+)$")
         return operation
     end
 

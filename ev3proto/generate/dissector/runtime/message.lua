@@ -39,9 +39,11 @@ do
         local body = message.body
         local rows = rows_of.get(body)
         if rows and rows ~= true then return rows end
+        local layout = message.type.wants_reply and {} or nil
         local is_kept = rows
         rows = is_kept and {} or scratch
-        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals, layout)
+        if layout then keep_layout(body, layout) end
         rows_of.put(body, is_kept and rows or true)
         return rows
     end
@@ -63,8 +65,10 @@ do
         end
         local known = lines.get(body)
         if not known then
+            local layout = message.type.wants_reply and {} or nil
             local line, count, fault, complaints =
-                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals, layout)
+            if layout then keep_layout(body, layout) end
             known = line_of(message, line, count, fault)
             if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
             lines.put(body, known)
@@ -88,7 +92,7 @@ do
 
     local function say_direct_reply(message, place, is_shown)
         local request = request_of(place)
-        message.layout = nil
+        message.outputs, message.count = nil, 0
         if message.type.is_error then
             complain_of(message, "error_reply", "the brick refused or failed the command; it tells no more")
             local body = request and request.body
@@ -98,12 +102,11 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
-        local layout, count = read_reply(request.body, message, is_shown)
-        message.layout = layout
-        local first = layout.first
-        local head = first and "reply to " .. first.title .. ": " or "reply: "
-        if count > 0 then return head .. values_text(layout, count) end
-        return head .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
+        local outputs, count, first = read_reply(request.body, message, is_shown)
+        message.outputs, message.count = outputs, count
+        local head = first and first.reply_head or "reply:"
+        if count > 0 then return values_text(head, outputs, count) end
+        return head .. " " .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
     end
 
     local function add_output(item, tvb, base, output)
@@ -111,7 +114,7 @@ do
         local name = parameter.name
         local at = base + HEADER_SIZE + output.index
         local range = tvb(at, output.size)
-        if not output.is_list then
+        if not output.list then
             local declared, value, label, addition = value_of_row(parameter, name, output.value)
             if output.is_handle then label = name .. ": handle " .. output.value end
             item:add(declared, range, value, label, addition)
@@ -127,21 +130,27 @@ do
     end
 
     local function add_direct_reply(message, item, tvb, base)
-        local stop, layout = message.stop, message.layout
+        local stop, outputs, count = message.stop, message.outputs, message.count
         if stop > HEADER_SIZE then item:add(field.memory, tvb(base + HEADER_SIZE, stop - HEADER_SIZE)) end
-        for _, group in ipairs(layout or {}) do
-            local values = group.values
-            local start, behind = stop, HEADER_SIZE
-            for _, output in ipairs(values) do
+        local first = 1
+        while first <= count do
+            -- The values of one operation stand one after the other.
+            local offset, last = outputs[first].offset, first
+            while last < count and outputs[last + 1].offset == offset do
+                last = last + 1
+            end
+            local start, after = stop, HEADER_SIZE
+            for index = first, last do
+                local output = outputs[index]
                 local at = HEADER_SIZE + output.index
-                start, behind = math.min(start, at), math.max(behind, at + output.size)
+                start, after = math.min(start, at), math.max(after, at + output.size)
             end
-            if values[1] then
-                local added = item:add(field.answers, tvb(base + start, behind - start), group.operation.name)
-                for _, output in ipairs(values) do
-                    add_output(added, tvb, base, output)
-                end
+            local name = outputs[first].parameter.operation.name
+            local added = item:add(field.answers, tvb(base + start, after - start), name)
+            for index = first, last do
+                add_output(added, tvb, base, outputs[index])
             end
+            first = last + 1
         end
     end
 

@@ -72,6 +72,7 @@ do
         rows.count = count + ROW
         rows[count + 2], rows[count + 3], rows[count + 7] = at, stop - at, encoding.label
         if encoding.scope then
+            if rows.layout then note_output(rows.layout, rows.offset, parameter, encoding, value) end
             local text = encoding.text or variable_text(encoding, value)
             rows[count + 1], rows[count + 4] = field.variable, text
             rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
@@ -86,10 +87,11 @@ do
     end
 
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
-    -- there are, the offset after what could be read, and the fault where there is one.
-    function read_rows(rows, text, at, stop, globals, locals)
+    -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is noted
+    -- in `layout`, if that is given.
+    function read_rows(rows, text, at, stop, globals, locals, layout)
         local pieces = rows.pieces or { count = 1 }
-        rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces
+        rows.count, rows.globals, rows.locals, rows.pieces, rows.layout = 0, globals, locals, pieces, layout
         rows.lengths = rows.lengths or {}
         rows.line, rows.operations, rows.fault = nil, 0, nil
         while at < stop do
@@ -112,13 +114,18 @@ do
                 rows[cmd + 8] = false
             end
             pieces.count, pieces[1] = 1, operation.heading
-            if next(rows.lengths) then rows.lengths = {} end
+            rows.offset = at
             local _, behind
             _, behind, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
             rows[heading + 3], rows[heading + 5] = behind - at, concat(pieces, "", 1, pieces.count)
             if not rows.line then
                 pieces[1] = operation.title
                 rows.line = concat(pieces, "", 1, pieces.count)
+                if layout then layout.first = operation end
+            end
+            if next(rows.lengths) then
+                if layout then note_lengths(layout, at, rows.lengths) end
+                rows.lengths = {}
             end
             rows.operations = rows.operations + 1
             at = behind
@@ -127,8 +134,7 @@ do
                 break
             end
         end
-        rows.behind = at
-        if next(rows.lengths) then rows.lengths = {} end
+        rows.behind, rows.layout = at, nil
     end
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
@@ -155,6 +161,7 @@ do
     local function say_argument(view, parameter, encoding, value)
         if encoding.scope then
             variable_complaints(view.complaints, view, parameter, encoding, value)
+            if view.layout then note_output(view.layout, view.offset, parameter, encoding, value) end
         elseif parameter.tells_length and tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
@@ -165,20 +172,27 @@ do
     local view = { complaints = {}, pieces = { count = 1 }, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- Returns the line on the first one, how many there are, the fault, and the complaints.
-    function say_operations(text, at, stop, globals, locals)
+    -- What a reply will hold is noted in `layout`, if that is given. Returns the line on the first one, how many there
+    -- are, the fault, and the complaints.
+    function say_operations(text, at, stop, globals, locals, layout)
         local line, count, pieces, fault = nil, 0, view.pieces, nil
         view.globals, view.locals, view.is_beyond, view.is_first, pieces.count = globals, locals, false, true, 1
-        if next(view.lengths) then view.lengths = {} end
+        view.layout = layout
         while at < stop do
-            local operation, behind, offset, reason, kind = read_operation(text, at, stop, say_argument, view)
+            view.offset = at
+            local operation, behind, offset, reason, kind =
+                read_operation(text, at, stop, say_argument, view, line ~= nil)
             if operation then
                 if not line then
                     pieces[1] = operation.title
                     line = concat(pieces, "", 1, pieces.count)
                     view.is_first = false
+                    if layout then layout.first = operation end
                 end
-                if next(view.lengths) then view.lengths = {} end
+                if next(view.lengths) then
+                    if layout then note_lengths(layout, at, view.lengths) end
+                    view.lengths = {}
+                end
                 count = count + 1
             end
             if reason then

@@ -76,51 +76,53 @@ do
         end
     end
 
-    local function unit_text(parameter)
-        return parameter.unit and " " .. parameter.unit or ""
-    end
-
     local function one_value_text(output, value)
         local parameter = output.parameter
         if type(value) == "string" then return shortened(value) end
         if output.is_handle then return number_text(value) end
         local enum = parameter.enum
-        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. unit_text(parameter)
+        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. parameter.unit_text
     end
 
     function output_text(output)
-        if not output.is_list then return one_value_text(output, output.value) end
+        local list = output.list
+        if not list then return one_value_text(output, output.value) end
         local pieces = {}
-        for index = 1, math.min(#output.list, MOST_VALUES) do
-            pieces[index] = one_value_text(output, output.list[index])
+        for index = 1, math.min(#list, MOST_VALUES) do
+            pieces[index] = one_value_text(output, list[index])
         end
-        if #output.list > MOST_VALUES then pieces[#pieces + 1] = "..." end
+        if #list > MOST_VALUES then pieces[#pieces + 1] = "..." end
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    -- The name of an output: what LEGO calls it where the parameter is only a VALUE.
-    local function output_name(operation, output)
-        local name = output.parameter.name
-        return name == "VALUE" and operation.value_name or name
-    end
+    local pieces = {}
 
-    -- 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
-    function values_text(layout, count)
-        local pieces, pieces_count = {}, 0
-        for number = 1, #layout do
-            local operation, values = layout[number].operation, layout[number].values
-            for index = 1, #values do
-                local output = values[index]
-                if count == 1 then return output_text(output) end
-                if pieces_count == MOST_VALUES then
-                    pieces[pieces_count + 1] = "..."
-                    return concat(pieces, " ")
-                end
-                pieces_count = pieces_count + 1
-                pieces[pieces_count] = output_name(operation, output) .. "=" .. output_text(output)
+    -- After a head: 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
+    function values_text(head, outputs, count)
+        pieces[1] = head
+        if count == 1 then
+            pieces[2], pieces[3] = " ", output_text(outputs[1])
+            return concat(pieces, "", 1, 3)
+        end
+        local stop = 1
+        for index = 1, math.min(count, MOST_VALUES) do
+            local output = outputs[index]
+            local parameter, value = output.parameter, output.value
+            pieces[stop + 1] = parameter.value_key
+            -- Nearly all are numbers, which need no text of their own: concat makes it.
+            if parameter.enum or parameter.is_float or output.list or type(value) == "string" then
+                pieces[stop + 2] = output_text(output)
+                stop = stop + 2
+            else
+                pieces[stop + 2], pieces[stop + 3] = value, output.is_handle and "" or parameter.unit_text
+                stop = stop + 3
             end
         end
-        return concat(pieces, " ")
+        if count > MOST_VALUES then
+            stop = stop + 1
+            pieces[stop] = " ..."
+        end
+        return concat(pieces, "", 1, stop)
     end
 
     function transfer_text(transfer)

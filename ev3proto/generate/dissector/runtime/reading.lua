@@ -133,29 +133,29 @@ do
         local encoding = ENCODINGS[byte(text, at + 2)]
         local operation = encoding and encoding.kind == CONSTANT and commands[encoding.value]
         if operation then return operation, at + 2 end
-        local behind, offset, reason, kind = measure(text, at + 1, stop, "CMD")
-        if not behind then return nil, offset, reason, kind end
+        local after, offset, reason, kind = measure(text, at + 1, stop, "CMD")
+        if not after then return nil, offset, reason, kind end
         if encoding.kind ~= CONSTANT then
             reason = format("CMD of %s is %s: it must be a constant to say what follows", entry.name, encoding.name)
             return nil, at + 1, reason, "unknown_cmd"
         end
-        local value = value_of(text, at + 1, behind, encoding)
+        local value = value_of(text, at + 1, after, encoding)
         operation = commands[value]
         if not operation then
             return nil, at + 1, format("%s has no CMD %d", entry.name, value), "unknown_cmd"
         end
-        return operation, behind
+        return operation, after
     end
 
     -- How many elements a list has; else nil, offset and reason.
-    local function count_elements(text, list, counter, at, behind, stop)
+    local function count_elements(text, list, counter, at, after, stop)
         local encoding = ENCODINGS[byte(text, at + 1)]
-        local value = value_of(text, at, behind, encoding)
+        local value = value_of(text, at, after, encoding)
         if encoding.kind ~= CONSTANT then
             local reason = "%s must be a constant: without it nobody knows how many values follow"
             return nil, at, format(reason, counter.name), "fault"
         end
-        local room = stop - behind
+        local room = stop - after
         if list.type == COUNT and room > MOST_COUNTED then room = MOST_COUNTED end
         if value < 0 or value > room then
             local reason = "%s cannot be %d: there is room for 0 to %d values"
@@ -165,14 +165,13 @@ do
     end
 
     -- One operation: what it is and the offset after it. Each of its arguments is handed to `visit`, if that is given,
-    -- with its parameter, encoding, value, and the offsets of its first byte and after its last; with `for_reply` only
-    -- those of operations that have outputs. At a fault the offset is the one after what could be read, and the
-    -- fault's offset, reason and kind follow.
-    function read_operation(text, at, stop, visit, context, for_reply)
-        local operation, behind, reason, kind = select_operation(text, at, stop)
-        if not operation then return nil, at, behind, reason, kind end
-        if for_reply and not operation.has_outputs then visit = nil end
-        at = behind
+    -- with its parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only
+    -- variables, and numbers that say how long something is. At a fault the offset is the one after what could be read,
+    -- and the fault's offset, reason and kind follow.
+    function read_operation(text, at, stop, visit, context, is_brief)
+        local operation, after, reason, kind = select_operation(text, at, stop)
+        if not operation then return nil, at, after, reason, kind end
+        at = after
         local fixed, list, start, element_type = operation.fixed, operation.list, at, nil
         for index = 1, #fixed do
             local parameter = fixed[index]
@@ -181,20 +180,22 @@ do
             local offset
             -- Most arguments are numbers and whole; the others go the long way.
             if size and size > 0 and at + size <= stop then
-                behind = at + size
+                after = at + size
             else
-                behind, offset, reason, kind = measure(text, at, stop, parameter.name)
-                if not behind then return operation, at, offset, reason, kind end
+                after, offset, reason, kind = measure(text, at, stop, parameter.name)
+                if not after then return operation, at, offset, reason, kind end
             end
             if visit then
                 local encoding = ENCODINGS[first]
-                local value = encoding.value or value_of(text, at, behind, encoding, parameter.is_float)
-                visit(context, parameter, encoding, value, at, behind)
-                if list and parameter.tells_type and encoding.kind == CONSTANT then
-                    element_type = FORMAT_TYPES[value]
+                if not is_brief or encoding.scope or parameter.tells_length or parameter.tells_type then
+                    local value = encoding.value or value_of(text, at, after, encoding, parameter.is_float)
+                    visit(context, parameter, encoding, value, at, after)
+                    if list and parameter.tells_type and encoding.kind == CONSTANT then
+                        element_type = FORMAT_TYPES[value]
+                    end
                 end
             end
-            start, at = at, behind
+            start, at = at, after
         end
         if list then
             local count, offset
@@ -203,14 +204,16 @@ do
             local elements = list.elements_of[element_type or list.element_type]
             for index = 0, count - 1 do
                 local element = elements[index]
-                behind, offset, reason, kind = measure(text, at, stop, element.name)
-                if not behind then return operation, at, offset, reason, kind end
+                after, offset, reason, kind = measure(text, at, stop, element.name)
+                if not after then return operation, at, offset, reason, kind end
                 if visit then
                     local encoding = ENCODINGS[byte(text, at + 1)]
-                    local value = value_of(text, at, behind, encoding, element.is_float)
-                    visit(context, element, encoding, value, at, behind)
+                    if not is_brief or encoding.scope then
+                        local value = value_of(text, at, after, encoding, element.is_float)
+                        visit(context, element, encoding, value, at, after)
+                    end
                 end
-                at = behind
+                at = after
             end
         end
         return operation, at
@@ -260,12 +263,12 @@ do
         local found, counted = {}, {}
         for _, declared in ipairs(declarations) do
             if at == stop and (declared.optional or not complete) then break end
-            local value, behind, reason = read_field(text, at, stop, declared, counted)
-            if not value then return found, at, { at = behind, reason = reason, kind = "fault" } end
-            found[#found + 1] = { declared = declared, value = value, at = at, stop = behind }
+            local value, after, reason = read_field(text, at, stop, declared, counted)
+            if not value then return found, at, { at = after, reason = reason, kind = "fault" } end
+            found[#found + 1] = { declared = declared, value = value, at = at, stop = after }
             found[declared.name] = value
             if declared.counts then counted[declared.counts] = value end
-            at = behind
+            at = after
         end
         if at < stop then
             local reason = format("%d byte%s left over after the last field", stop - at, stop - at > 1 and "s" or "")

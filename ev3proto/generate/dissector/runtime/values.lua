@@ -4,7 +4,7 @@
 -- says what stands in it and where.
 
 -- How many bytes or elements a parameter has: what its length parameter says, or `most` where that does not say it.
--- `lengths` are the constants of those parameters that tell one.
+-- `lengths` are the constants of those parameters that say one.
 local function stated_length(parameter, lengths, most)
     local length = parameter.length
     if type(length) == "string" then length = lengths[length] end
@@ -19,116 +19,142 @@ local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
 
-local read_reply
+local note_output, note_lengths, keep_layout, read_reply
 do
-    -- The type of an output that has that of the array it comes from: what fits before the next output.
-    local function untyped(outputs, start, stop)
-        for _, output in ipairs(outputs) do
-            if start < output.index and output.index < stop then stop = output.index end
+    -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
+    -- parameter, encoding, index. `first` is the first operation; `lengths`, by the offset of their operation, are
+    -- constants that say how long outputs are.
+    local OUTPUT = 4
+
+    -- Adds an output to a layout, if this argument is one: an output parameter that names a global variable.
+    function note_output(layout, offset, parameter, encoding, index)
+        if not parameter.is_output or encoding.kind ~= GLOBAL then return end
+        local count = #layout
+        layout[count + 1], layout[count + 2], layout[count + 3], layout[count + 4] = offset, parameter, encoding, index
+    end
+
+    function note_lengths(layout, offset, lengths)
+        layout.lengths = layout.lengths or {}
+        layout.lengths[offset] = lengths
+    end
+
+    -- The type of an output that has that of the array it comes from: what fits before the next output of its
+    -- operation.
+    local function untyped(layout, at, stop)
+        local offset, start = layout[at], layout[at + 3]
+        while layout[at - OUTPUT] == offset do
+            at = at - OUTPUT
+        end
+        while layout[at] == offset do
+            local index = layout[at + 3]
+            if start < index and index < stop then stop = index end
+            at = at + OUTPUT
         end
         local room = stop - start
         return room >= 4 and DATA32 or room >= 2 and DATA16 or room >= 1 and DATA8 or DATA32
     end
 
-    -- Reads an output in a reply: its value (or a list of them) and size. False where the memory ends before. Of a list
-    -- so many are read at most.
-    local function read_output(output, outputs, reply, most_read)
+    local NONE = {}
+
+    -- Reads into `output` what a reply has for one entry of the layout: `value` or `list`, size, and whose it is. False
+    -- where the memory ends before. Of a list so many are read at most.
+    local function read_output(output, layout, at, reply, most_read)
+        local parameter, encoding, start = layout[at + 1], layout[at + 2], layout[at + 3]
         -- At an address there is no value but where the value is.
-        if output.is_address then return false end
-        local parameter, start = output.parameter, output.index
-        local most, at = reply.stop - HEADER_SIZE, HEADER_SIZE + start
-        local type = output.type
+        if encoding.address then return false end
+        local is_handle = encoding.handle
+        local type = is_handle and HANDLE or parameter.type
+        local text, most = reply.text, reply.stop - HEADER_SIZE
         local read, size = READ_TYPE[type], SIZE_OF[type]
+        output.parameter, output.index, output.is_handle = parameter, start, is_handle
+        output.offset, output.list = layout[at], false
+        local is_list = parameter.length and type ~= ARRAY_TYPED and type ~= STRING and not is_handle
         -- Nearly all are one number.
-        if read and not output.is_list then
+        if read and not is_list then
             if start + size > most then return false end
-            output.size, output.value = size, read(reply.text, at)
+            output.size, output.value = size, read(text, HEADER_SIZE + start)
             return true
-        elseif type == STRING then
-            local stop = math.min(start + stated_length(parameter, outputs.lengths, most), most)
-            output.value = sub(reply.text, at + 1, HEADER_SIZE + stop):match("^[^\0]*")
+        end
+        local lengths = layout.lengths and layout.lengths[output.offset] or NONE
+        if type == STRING then
+            local stop = math.min(start + stated_length(parameter, lengths, most), most)
+            output.value = sub(text, HEADER_SIZE + start + 1, HEADER_SIZE + stop):match("^[^\0]*")
             output.size = #output.value
             return start < most
         elseif type == ARRAY_TYPED then
-            type = untyped(outputs, start, most)
+            type = untyped(layout, at, most)
             read, size = READ_TYPE[type], SIZE_OF[type]
         end
         if not read then return false end
-        local count = output.is_list and stated_length(parameter, outputs.lengths, floor(most / size)) or 1
+        local count = is_list and stated_length(parameter, lengths, floor(most / size)) or 1
         local room = floor((most - start) / size)
-        if output.is_list and count > room then count = room end
+        if is_list and count > room then count = room end
         if count < 1 or count > room then return false end
         output.size = count * size
-        if output.is_list then
+        if is_list then
             output.list = {}
             for index = 1, math.min(count, most_read) do
-                output.list[index] = read(reply.text, at + (index - 1) * size)
+                output.list[index] = read(text, HEADER_SIZE + start + (index - 1) * size)
             end
         else
-            output.value = read(reply.text, at)
+            output.value = read(text, HEADER_SIZE + start)
         end
         return true
     end
 
-    local function collect(outputs, parameter, encoding, value)
-        if encoding.kind == GLOBAL and parameter.is_output then
-            local is_handle = encoding.handle
-            outputs[#outputs + 1] = {
-                parameter = parameter, index = value, is_handle = is_handle, is_address = encoding.address,
-                type = is_handle and HANDLE or parameter.type,
-                is_list = parameter.length and parameter.type ~= ARRAY_TYPED and parameter.type ~= STRING
-                    and not is_handle,
-                size = 0, value = false,
-            }
+    local function note_argument(view, parameter, encoding, value)
+        if encoding.scope then
+            note_output(view.layout, view.offset, parameter, encoding, value)
         elseif tells_length(parameter, encoding) then
-            outputs.lengths[parameter.name] = value
+            view.lengths = view.lengths or {}
+            view.lengths[parameter.name] = value
         end
     end
 
-    -- The outputs of a command's operations: { operation, those that are in a reply, all of them }, and the first
-    -- operation. `body` is what follows the command's header.
+    -- `body` is what follows a command's header.
     local function layout_of_body(body)
         local at, layout = MEMORY_FIELD, {}
-        local outputs = { lengths = {} }
+        local view = { layout = layout }
         while at < #body do
-            local operation, behind, fault = read_operation(body, at, #body, collect, outputs, true)
-            if outputs[1] then layout[#layout + 1] = { operation = operation, all = outputs, values = {} } end
+            view.offset, view.lengths = at, nil
+            local operation, after, fault = read_operation(body, at, #body, note_argument, view, true)
+            if view.lengths then note_lengths(layout, at, view.lengths) end
             layout.first = layout.first or operation
-            if outputs[1] or next(outputs.lengths) then outputs = { lengths = {} } end
             if fault then break end
-            at = behind
+            at = after
         end
         return layout
     end
 
     -- Those of the last commands.
-    local layouts = new_memory(1024, function(layout) return 1 + #layout end)
+    local layouts = new_memory(2048, function(layout) return 1 + #layout / OUTPUT end)
 
-    -- Reads what a reply says: the operations of the command that have outputs, each with `values`, those of them that
-    -- are in the reply. Valid until the next reply is read. Returns how many values there are, too. Lists have all
-    -- their elements where the tree shows them, else no more than a line says.
+    -- Remembers the layout that was found out when a command was read.
+    function keep_layout(body, layout)
+        layouts.put(body, layout)
+    end
+
+    -- The values found; they are overwritten by those of the next reply.
+    local found = {}
+
+    -- The values in the reply to a command, how many there are, and the command's first operation. Where the tree is
+    -- not shown, no more of them than a line says, and of lists no more elements.
     function read_reply(body, reply, is_shown)
         local layout = layouts.get(body)
         if not layout then
             layout = layout_of_body(body)
             layouts.put(body, layout)
         end
-        local count, most_read = 0, is_shown and math.huge or MOST_VALUES + 1
-        for number = 1, #layout do
-            local group = layout[number]
-            local outputs, values, found = group.all, group.values, 0
-            for index = 1, #outputs do
-                local output = outputs[index]
-                if read_output(output, outputs, reply, most_read) then
-                    found = found + 1
-                    values[found] = output
-                end
+        local count, most = 0, is_shown and math.huge or MOST_VALUES + 1
+        local output = found[1] or {}
+        for at = 1, #layout, OUTPUT do
+            found[count + 1] = output
+            if read_output(output, layout, at, reply, most) then
+                count = count + 1
+                if count == most then break end
+                output = found[count + 1] or {}
             end
-            for index = #values, found + 1, -1 do
-                values[index] = nil
-            end
-            count = count + found
         end
-        return layout, count
+        return found, count, layout.first
     end
 end

@@ -4017,60 +4017,8 @@ for _, line in ipairs(BEACON_LINES) do
     fields[#fields + 1] = beacon_field[line.name]
 end
 
-local report_field = {}
-for _, part in ipairs(SENSOR_REPORT) do
-    local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
-    report_field[part.name] = make("ev3.daisy." .. part.name, part.name)
-    fields[#fields + 1] = report_field[part.name]
-end
-
 -- What a field can hold, by the type that the tables give a parameter or a system message's field.
 local NUMBER, FLOAT, TEXT_VALUE = "number", "float", "text"
-
-local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
-
--- A typed field of one parameter. Its kind tells which values it takes.
-local function parameter_field(abbreviation, parameter, kind)
-    local name, text = parameter.label, parameter.text
-    local made
-    if kind == TEXT_VALUE then
-        made = ProtoField.string(abbreviation, name, text)
-    elseif kind == FLOAT then
-        made = ProtoField.float(abbreviation, name, text)
-    elseif parameter.enum and not parameter.enum.is_flags then
-        made = ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
-    elseif parameter.unit then
-        made = ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
-    else
-        made = ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
-    end
-    fields[#fields + 1] = made
-    return made
-end
-
--- The field of a system message; several messages share one.
-local system_field
-do
-    local MAKE_SYSTEM_FIELD = {
-        [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
-        [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
-        [BYTES] = ProtoField.bytes,
-    }
-
-    local made_fields = {}
-
-    function system_field(declared)
-        local abbreviation = "ev3." .. declared.filter
-        local made = made_fields[abbreviation]
-        if not made then
-            local hex = declared.hexadecimal and base.HEX or nil
-            made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
-            made_fields[abbreviation] = made
-            fields[#fields + 1] = made
-        end
-        return made
-    end
-end
 
 -- Expert information, each kind with a name to filter for.
 local experts = {
@@ -4109,6 +4057,51 @@ end
 
 local INSTRUCTION_SETS, SYSTEM_COMMANDS
 do
+    local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
+
+    -- A typed field of one parameter. Its kind tells which values it takes.
+    local function parameter_field(abbreviation, parameter, kind)
+        local name, text = parameter.label, parameter.text
+        local made
+        if kind == TEXT_VALUE then
+            made = ProtoField.string(abbreviation, name, text)
+        elseif kind == FLOAT then
+            made = ProtoField.float(abbreviation, name, text)
+        elseif parameter.enum and not parameter.enum.is_flags then
+            made = ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
+        elseif parameter.unit then
+            made = ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
+        else
+            made = ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
+        end
+        fields[#fields + 1] = made
+        return made
+    end
+
+    -- The field of a system message; several messages share one.
+    local system_field
+    do
+        local MAKE_SYSTEM_FIELD = {
+            [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
+            [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
+            [BYTES] = ProtoField.bytes,
+        }
+
+        local made_fields = {}
+
+        function system_field(declared)
+            local abbreviation = "ev3." .. declared.filter
+            local made = made_fields[abbreviation]
+            if not made then
+                local hex = declared.hexadecimal and base.HEX or nil
+                made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
+                made_fields[abbreviation] = made
+                fields[#fields + 1] = made
+            end
+            return made
+        end
+    end
+
     local function ready_parameter(abbreviation, row)
         local parameter = {
             name = row[1], field_name = row[1], direction = row[2], type = row[3], text = row[4],
@@ -4328,34 +4321,42 @@ do
 
     -- Keeps what is known of messages, by place. A long capture has a great many: a table each would take several times
     -- what it says. So all that is known of some packets in a row is joined to one text, as soon as a later packet has
-    -- something; what is added to them afterwards is little, and kept beside it. `text_of` makes a text of what is
-    -- known, `read` the other way round.
-    function new_notes(text_of, read)
+    -- something; what is added to them afterwards is little, and kept beside it. `write` gives one or two texts for a
+    -- place and what is known there, `read` finds in a text at an index the place, what is known, and the next index.
+    function new_notes(write, read)
         local PAGE = 256 * OFFSETS
-        local pages, additions, open, open_number, last, last_number
-        local notes = {}
+        -- Of the last packets: place and what is known in turn. The list is used again for those that follow.
+        local open, count, open_number = {}, 0, 0
+        local pages, additions, last, last_number
+        local notes, pieces = {}, {}
 
         function notes.forget()
-            pages, additions, open, open_number, last, last_number = {}, {}, {}, 0, {}, nil
+            open, count, open_number = {}, 0, 0
+            pages, additions, last, last_number = {}, {}, {}, nil
         end
         notes.forget()
 
         local function close_page()
-            local pieces, count = {}, 0
-            for place, known in pairs(open) do
-                local text = text_of(known)
-                pieces[count + 1], pieces[count + 2] = format("%d %d ", place % PAGE, #text), text
-                count = count + 2
+            local stop = 0
+            for index = 1, count, 2 do
+                local head, rest = write(open[index], open[index + 1])
+                stop = stop + 1
+                pieces[stop] = head
+                if rest then
+                    stop = stop + 1
+                    pieces[stop] = rest
+                end
             end
-            if count > 0 then pages[open_number] = concat(pieces) end
+            if stop > 0 then pages[open_number] = concat(pieces, "", 1, stop) end
+            count = 0
         end
 
         local function read_page(number)
             local found, text, at = {}, pages[number] or "", 1
             while at <= #text do
-                local place, size, start = text:match("^(%d+) (%d+) ()", at)
-                at = start + size
-                found[number * PAGE + place] = read(sub(text, start, at - 1))
+                local place, known
+                place, known, at = read(text, at)
+                found[place] = known
             end
             return found
         end
@@ -4363,20 +4364,32 @@ do
         function notes.put(place, known)
             local number = floor(place / PAGE)
             if number < open_number then
-                additions[place] = text_of(known)
+                local head, rest = write(place, known)
+                additions[place] = rest and head .. rest or head
                 return
             elseif number > open_number then
                 close_page()
-                open, open_number = {}, number
+                open_number = number
             end
-            open[place] = known
+            open[count + 1] = place
+            open[count + 2] = known
+            count = count + 2
         end
 
         function notes.get(place)
             local number = floor(place / PAGE)
-            if number == open_number then return open[place] end
+            if number == open_number then
+                -- Usually it is the last one that was put.
+                for index = count - 1, 1, -2 do
+                    if open[index] == place then return open[index + 1] end
+                end
+                return nil
+            end
             local text = additions[place]
-            if text then return read(text) end
+            if text then
+                local _, known = read(text, 1)
+                return known
+            end
             if number ~= last_number then last, last_number = read_page(number), number end
             return last[place]
         end
@@ -5068,24 +5081,34 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- Of a command that has a reply: the number of the packet with it.
-    local replies = new_notes(function(number) return format("%d", number) end, tonumber)
+    local replies = new_notes(function(place, number)
+        return format("%d %d ", place, number)
+    end, function(text, at)
+        local place, number, after = text:match("^(%d+) (%d+) ()", at)
+        return tonumber(place), tonumber(number), after
+    end)
 
-    -- Of a reply that has a command: the number of the packet with that, the seconds that the reply took, and all that
-    -- follows the command's header.
-    local requests = new_notes(function(request)
-        return format("%d %.9f ", request.number, request.delay) .. request.body
-    end, function(text)
-        local number, delay, start = text:match("^(%d+) (%S+) ()")
-        return { number = tonumber(number), delay = tonumber(delay), body = sub(text, start) }
+    -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
+    -- command's header.
+    local requests = new_notes(function(place, request)
+        local body = request.body
+        return format("%d %d %.9f %d ", place, request.place, request.delay, #body), body
+    end, function(text, at)
+        local place, command, delay, size, start = text:match("^(%d+) (%d+) (%S+) (%d+) ()", at)
+        local after = start + tonumber(size)
+        local body = sub(text, start, after - 1)
+        return tonumber(place), { place = tonumber(command), delay = tonumber(delay), body = body }, after
     end)
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size where it is known.
     local paths
-    local transfers = new_notes(function(transfer)
-        return format("%d %d ", transfer.number, transfer.done) .. (transfer.size and format("%d", transfer.size) or "")
-    end, function(text)
-        local number, done, size = text:match("^(%d+) (%d+) (%d*)")
-        return { path = paths[tonumber(number)], done = tonumber(done), size = tonumber(size) }
+    local transfers = new_notes(function(place, transfer)
+        local size = transfer.size and format("%d", transfer.size) or ""
+        return format("%d %d %d %s ", place, transfer.number, transfer.done, size)
+    end, function(text, at)
+        local place, number, done, size, after = text:match("^(%d+) (%d+) (%d+) (%d*) ()", at)
+        local path = paths[tonumber(number)]
+        return tonumber(place), { path = path, done = tonumber(done), size = tonumber(size) }, after
     end)
 
     local talks
@@ -5098,8 +5121,8 @@ do
     end
     forget_dialogues()
 
-    -- The command that a reply answers: `body`, what follows its header, `number`, that of its packet, `delay`, the
-    -- seconds that the reply took.
+    -- The command that a reply answers: `place`, `body`, what follows its header, `delay`, the seconds that the reply
+    -- took.
     function request_of(place)
         return requests.get(place)
     end
@@ -5152,8 +5175,10 @@ do
         local key = pending_key(message)
         -- Of a system command its number and handle are enough.
         local body = message.body or sub(message.text, HEADER_SIZE + 1, HEADER_SIZE + 2)
-        local command = { place = place, time = pinfo.rel_ts, body = body, number = pinfo.number, delay = 0 }
-        command.earlier = newest(talk, key)
+        local command = { place = place, time = pinfo.rel_ts, body = body, delay = 0 }
+        -- A field that is set, be it to nil, takes room: few commands have one before them.
+        local earlier = newest(talk, key)
+        if earlier then command.earlier = earlier end
         local oldest = command
         for _ = 2, MOST_PER_COUNTER do
             oldest = oldest.earlier
@@ -5162,7 +5187,8 @@ do
         if oldest then oldest.earlier = nil end
         if talk.count >= MOST_WAITING then talk.pending, talk.pending_before, talk.count = {}, talk.pending, 0 end
         if not talk.pending[key] then talk.count = talk.count + 1 end
-        talk.pending[key], talk.pending_before[key] = command, nil
+        talk.pending[key] = command
+        if talk.pending_before[key] then talk.pending_before[key] = nil end
     end
 
     local function can_answer(message, body)
@@ -5268,7 +5294,8 @@ do
         else
             local request = answered(talk, message)
             if request then
-                request.delay, request.earlier = pinfo.rel_ts - request.time, nil
+                request.delay = pinfo.rel_ts - request.time
+                if request.earlier then request.earlier = nil end
                 replies.put(request.place, pinfo.number)
                 requests.put(place, request)
                 if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
@@ -5303,23 +5330,51 @@ local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
 
-local note_output, note_lengths, keep_layout, read_reply
+-- Notes what a reply will hold while its command is read: start, note_output, note_operation, keep.
+local layout_notes = {}
+
+local read_reply
 do
+    local unpack = table.unpack
+
     -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
     -- parameter, encoding, index. `first` is the first operation; `lengths`, by the offset of their operation, are
     -- constants that say how long outputs are.
     local OUTPUT = 4
 
-    -- Adds an output to a layout, if this argument is one: an output parameter that names a global variable.
-    function note_output(layout, offset, parameter, encoding, index)
-        if not parameter.is_output or encoding.kind ~= GLOBAL then return end
-        local count = #layout
-        layout[count + 1], layout[count + 2], layout[count + 3], layout[count + 4] = offset, parameter, encoding, index
+    -- The layout of the command that is being read; it grows here, and is kept in a table of just its size.
+    local draft = {}
+    local draft_size, draft_lengths, draft_first
+
+    function layout_notes.start()
+        draft_size, draft_lengths, draft_first = 0, nil, nil
     end
 
-    function note_lengths(layout, offset, lengths)
-        layout.lengths = layout.lengths or {}
-        layout.lengths[offset] = lengths
+    -- Notes an output, if this argument is one: an output parameter that names a global variable.
+    function layout_notes.note_output(offset, parameter, encoding, index)
+        if not parameter.is_output or encoding.kind ~= GLOBAL then return end
+        local size = draft_size
+        draft[size + 1] = offset
+        draft[size + 2] = parameter
+        draft[size + 3] = encoding
+        draft[size + 4] = index
+        draft_size = size + OUTPUT
+    end
+
+    -- Notes an operation, when all of it has been read, with the constants that say how long its outputs are.
+    function layout_notes.note_operation(offset, operation, lengths)
+        draft_first = draft_first or operation
+        if lengths then
+            draft_lengths = draft_lengths or {}
+            draft_lengths[offset] = lengths
+        end
+    end
+
+    local function finished_layout()
+        local layout = { unpack(draft, 1, draft_size) }
+        layout.first = draft_first
+        if draft_lengths then layout.lengths = draft_lengths end
+        return layout
     end
 
     -- The type of an output that has that of the array it comes from: what fits before the next output of its
@@ -5388,7 +5443,7 @@ do
 
     local function note_argument(view, parameter, encoding, value)
         if encoding.scope then
-            note_output(view.layout, view.offset, parameter, encoding, value)
+            layout_notes.note_output(view.offset, parameter, encoding, value)
         elseif tells_length(parameter, encoding) then
             view.lengths = view.lengths or {}
             view.lengths[parameter.name] = value
@@ -5397,25 +5452,24 @@ do
 
     -- `body` is what follows a command's header.
     local function layout_of_body(body)
-        local at, layout = MEMORY_FIELD, {}
-        local view = { layout = layout }
+        local at, view = MEMORY_FIELD, {}
+        layout_notes.start()
         while at < #body do
             view.offset, view.lengths = at, nil
             local operation, after, fault = read_operation(body, at, #body, note_argument, view, true)
-            if view.lengths then note_lengths(layout, at, view.lengths) end
-            layout.first = layout.first or operation
+            layout_notes.note_operation(at, operation, view.lengths)
             if fault then break end
             at = after
         end
-        return layout
+        return finished_layout()
     end
 
     -- Those of the last commands.
     local layouts = new_memory(2048, function(layout) return 1 + #layout / OUTPUT end)
 
-    -- Remembers the layout that was found out when a command was read.
-    function keep_layout(body, layout)
-        layouts.put(body, layout)
+    -- Remembers the layout that was noted while a command was read.
+    function layout_notes.keep(body)
+        layouts.put(body, finished_layout())
     end
 
     -- The values found; they are overwritten by those of the next reply.
@@ -5450,6 +5504,8 @@ end
 
 local value_of_row, say_operations, read_rows, add_rows
 do
+    local note_output, note_operation = layout_notes.note_output, layout_notes.note_operation
+
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
     -- instead of it, or after it. A value that has not the type of its parameter is text.
     function value_of_row(parameter, name, value)
@@ -5517,7 +5573,7 @@ do
         rows.count = count + ROW
         rows[count + 2], rows[count + 3], rows[count + 7] = at, stop - at, encoding.label
         if encoding.scope then
-            if rows.layout then note_output(rows.layout, rows.offset, parameter, encoding, value) end
+            note_output(rows.offset, parameter, encoding, value)
             local text = encoding.text or variable_text(encoding, value)
             rows[count + 1], rows[count + 4] = field.variable, text
             rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
@@ -5532,13 +5588,14 @@ do
     end
 
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
-    -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is noted
-    -- in `layout`, if that is given.
-    function read_rows(rows, text, at, stop, globals, locals, layout)
+    -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is
+    -- noted.
+    function read_rows(rows, text, at, stop, globals, locals)
         local pieces = rows.pieces or { count = 1 }
-        rows.count, rows.globals, rows.locals, rows.pieces, rows.layout = 0, globals, locals, pieces, layout
+        rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces
         rows.lengths = rows.lengths or {}
         rows.line, rows.operations, rows.fault = nil, 0, nil
+        layout_notes.start()
         while at < stop do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
             local code, heading = byte(text, at + 1), rows.count
@@ -5566,12 +5623,10 @@ do
             if not rows.line then
                 pieces[1] = operation.title
                 rows.line = concat(pieces, "", 1, pieces.count)
-                if layout then layout.first = operation end
             end
-            if next(rows.lengths) then
-                if layout then note_lengths(layout, at, rows.lengths) end
-                rows.lengths = {}
-            end
+            local has_lengths = next(rows.lengths) ~= nil
+            note_operation(at, operation, has_lengths and rows.lengths)
+            if has_lengths then rows.lengths = {} end
             rows.operations = rows.operations + 1
             at = behind
             if reason then
@@ -5579,7 +5634,7 @@ do
                 break
             end
         end
-        rows.behind, rows.layout = at, nil
+        rows.behind = at
     end
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
@@ -5606,7 +5661,7 @@ do
     local function say_argument(view, parameter, encoding, value)
         if encoding.scope then
             variable_complaints(view.complaints, view, parameter, encoding, value)
-            if view.layout then note_output(view.layout, view.offset, parameter, encoding, value) end
+            note_output(view.offset, parameter, encoding, value)
         elseif parameter.tells_length and tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
@@ -5617,12 +5672,12 @@ do
     local view = { complaints = {}, pieces = { count = 1 }, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted in `layout`, if that is given. Returns the line on the first one, how many there
-    -- are, the fault, and the complaints.
-    function say_operations(text, at, stop, globals, locals, layout)
+    -- What a reply will hold is noted. Returns the line on the first one, how many there are, the fault, and the
+    -- complaints.
+    function say_operations(text, at, stop, globals, locals)
         local line, count, pieces, fault = nil, 0, view.pieces, nil
         view.globals, view.locals, view.is_beyond, view.is_first, pieces.count = globals, locals, false, true, 1
-        view.layout = layout
+        layout_notes.start()
         while at < stop do
             view.offset = at
             local operation, behind, offset, reason, kind =
@@ -5632,12 +5687,10 @@ do
                     pieces[1] = operation.title
                     line = concat(pieces, "", 1, pieces.count)
                     view.is_first = false
-                    if layout then layout.first = operation end
                 end
-                if next(view.lengths) then
-                    if layout then note_lengths(layout, at, view.lengths) end
-                    view.lengths = {}
-                end
+                local has_lengths = next(view.lengths) ~= nil
+                note_operation(at, operation, has_lengths and view.lengths)
+                if has_lengths then view.lengths = {} end
                 count = count + 1
             end
             if reason then
@@ -5661,6 +5714,13 @@ end
 
 local read_message, show_message
 do
+    local report_field = {}
+    for _, part in ipairs(SENSOR_REPORT) do
+        local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
+        report_field[part.name] = make("ev3.daisy." .. part.name, part.name)
+        fields[#fields + 1] = report_field[part.name]
+    end
+
     local function add_rest(item, tvb, base, at, stop)
         if at < stop then item:add(field.rest, tvb(base + at, stop - at)) end
     end
@@ -5694,11 +5754,10 @@ do
         local body = message.body
         local rows = rows_of.get(body)
         if rows and rows ~= true then return rows end
-        local layout = message.type.wants_reply and {} or nil
         local is_kept = rows
         rows = is_kept and {} or scratch
-        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals, layout)
-        if layout then keep_layout(body, layout) end
+        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+        if message.type.wants_reply then layout_notes.keep(body) end
         rows_of.put(body, is_kept and rows or true)
         return rows
     end
@@ -5720,10 +5779,9 @@ do
         end
         local known = lines.get(body)
         if not known then
-            local layout = message.type.wants_reply and {} or nil
             local line, count, fault, complaints =
-                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals, layout)
-            if layout then keep_layout(body, layout) end
+                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+            if message.type.wants_reply then layout_notes.keep(body) end
             known = line_of(message, line, count, fault)
             if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
             lines.put(body, known)
@@ -5999,7 +6057,7 @@ do
                 complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
                 local delay, seconds = request.delay, floor(request.delay)
-                item:add(field.request_in, request.number):set_generated()
+                item:add(field.request_in, number_of(request.place)):set_generated()
                 local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
                 item:add(field.response_time, time):set_generated()
             end
@@ -6138,7 +6196,7 @@ do
         local columns = pinfo.cols
         columns.protocol = "EV3"
         if count == shown and omitted == 0 then return end
-        local text = concat(pieces, "; ", shown + 1, count)
+        local text = count == shown + 1 and pieces[count] or concat(pieces, "; ", shown + 1, count)
         if omitted > 0 then text = format("%s; and %d more", text, omitted) end
         if shown > 0 then
             columns.info:append("; " .. text)

@@ -16,24 +16,34 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- Of a command that has a reply: the number of the packet with it.
-    local replies = new_notes(function(number) return format("%d", number) end, tonumber)
+    local replies = new_notes(function(place, number)
+        return format("%d %d ", place, number)
+    end, function(text, at)
+        local place, number, after = text:match("^(%d+) (%d+) ()", at)
+        return tonumber(place), tonumber(number), after
+    end)
 
-    -- Of a reply that has a command: the number of the packet with that, the seconds that the reply took, and all that
-    -- follows the command's header.
-    local requests = new_notes(function(request)
-        return format("%d %.9f ", request.number, request.delay) .. request.body
-    end, function(text)
-        local number, delay, start = text:match("^(%d+) (%S+) ()")
-        return { number = tonumber(number), delay = tonumber(delay), body = sub(text, start) }
+    -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
+    -- command's header.
+    local requests = new_notes(function(place, request)
+        local body = request.body
+        return format("%d %d %.9f %d ", place, request.place, request.delay, #body), body
+    end, function(text, at)
+        local place, command, delay, size, start = text:match("^(%d+) (%d+) (%S+) (%d+) ()", at)
+        local after = start + tonumber(size)
+        local body = sub(text, start, after - 1)
+        return tonumber(place), { place = tonumber(command), delay = tonumber(delay), body = body }, after
     end)
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size where it is known.
     local paths
-    local transfers = new_notes(function(transfer)
-        return format("%d %d ", transfer.number, transfer.done) .. (transfer.size and format("%d", transfer.size) or "")
-    end, function(text)
-        local number, done, size = text:match("^(%d+) (%d+) (%d*)")
-        return { path = paths[tonumber(number)], done = tonumber(done), size = tonumber(size) }
+    local transfers = new_notes(function(place, transfer)
+        local size = transfer.size and format("%d", transfer.size) or ""
+        return format("%d %d %d %s ", place, transfer.number, transfer.done, size)
+    end, function(text, at)
+        local place, number, done, size, after = text:match("^(%d+) (%d+) (%d+) (%d*) ()", at)
+        local path = paths[tonumber(number)]
+        return tonumber(place), { path = path, done = tonumber(done), size = tonumber(size) }, after
     end)
 
     local talks
@@ -46,8 +56,8 @@ do
     end
     forget_dialogues()
 
-    -- The command that a reply answers: `body`, what follows its header, `number`, that of its packet, `delay`, the
-    -- seconds that the reply took.
+    -- The command that a reply answers: `place`, `body`, what follows its header, `delay`, the seconds that the reply
+    -- took.
     function request_of(place)
         return requests.get(place)
     end
@@ -100,8 +110,10 @@ do
         local key = pending_key(message)
         -- Of a system command its number and handle are enough.
         local body = message.body or sub(message.text, HEADER_SIZE + 1, HEADER_SIZE + 2)
-        local command = { place = place, time = pinfo.rel_ts, body = body, number = pinfo.number, delay = 0 }
-        command.earlier = newest(talk, key)
+        local command = { place = place, time = pinfo.rel_ts, body = body, delay = 0 }
+        -- A field that is set, be it to nil, takes room: few commands have one before them.
+        local earlier = newest(talk, key)
+        if earlier then command.earlier = earlier end
         local oldest = command
         for _ = 2, MOST_PER_COUNTER do
             oldest = oldest.earlier
@@ -110,7 +122,8 @@ do
         if oldest then oldest.earlier = nil end
         if talk.count >= MOST_WAITING then talk.pending, talk.pending_before, talk.count = {}, talk.pending, 0 end
         if not talk.pending[key] then talk.count = talk.count + 1 end
-        talk.pending[key], talk.pending_before[key] = command, nil
+        talk.pending[key] = command
+        if talk.pending_before[key] then talk.pending_before[key] = nil end
     end
 
     local function can_answer(message, body)
@@ -216,7 +229,8 @@ do
         else
             local request = answered(talk, message)
             if request then
-                request.delay, request.earlier = pinfo.rel_ts - request.time, nil
+                request.delay = pinfo.rel_ts - request.time
+                if request.earlier then request.earlier = nil end
                 replies.put(request.place, pinfo.number)
                 requests.put(place, request)
                 if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end

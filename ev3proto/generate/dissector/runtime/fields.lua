@@ -81,60 +81,8 @@ for _, line in ipairs(BEACON_LINES) do
     fields[#fields + 1] = beacon_field[line.name]
 end
 
-local report_field = {}
-for _, part in ipairs(SENSOR_REPORT) do
-    local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
-    report_field[part.name] = make("ev3.daisy." .. part.name, part.name)
-    fields[#fields + 1] = report_field[part.name]
-end
-
 -- What a field can hold, by the type that the tables give a parameter or a system message's field.
 local NUMBER, FLOAT, TEXT_VALUE = "number", "float", "text"
-
-local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
-
--- A typed field of one parameter. Its kind tells which values it takes.
-local function parameter_field(abbreviation, parameter, kind)
-    local name, text = parameter.label, parameter.text
-    local made
-    if kind == TEXT_VALUE then
-        made = ProtoField.string(abbreviation, name, text)
-    elseif kind == FLOAT then
-        made = ProtoField.float(abbreviation, name, text)
-    elseif parameter.enum and not parameter.enum.is_flags then
-        made = ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
-    elseif parameter.unit then
-        made = ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
-    else
-        made = ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
-    end
-    fields[#fields + 1] = made
-    return made
-end
-
--- The field of a system message; several messages share one.
-local system_field
-do
-    local MAKE_SYSTEM_FIELD = {
-        [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
-        [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
-        [BYTES] = ProtoField.bytes,
-    }
-
-    local made_fields = {}
-
-    function system_field(declared)
-        local abbreviation = "ev3." .. declared.filter
-        local made = made_fields[abbreviation]
-        if not made then
-            local hex = declared.hexadecimal and base.HEX or nil
-            made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
-            made_fields[abbreviation] = made
-            fields[#fields + 1] = made
-        end
-        return made
-    end
-end
 
 -- Expert information, each kind with a name to filter for.
 local experts = {

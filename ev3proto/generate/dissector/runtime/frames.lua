@@ -42,7 +42,7 @@ do
         local columns = pinfo.cols
         columns.protocol = "EV3"
         if count == shown and omitted == 0 then return end
-        local text = concat(pieces, "; ", shown + 1, count)
+        local text = count == shown + 1 and pieces[count] or concat(pieces, "; ", shown + 1, count)
         if omitted > 0 then text = format("%s; and %d more", text, omitted) end
         if shown > 0 then
             columns.info:append("; " .. text)

@@ -4,6 +4,51 @@
 
 local INSTRUCTION_SETS, SYSTEM_COMMANDS
 do
+    local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
+
+    -- A typed field of one parameter. Its kind tells which values it takes.
+    local function parameter_field(abbreviation, parameter, kind)
+        local name, text = parameter.label, parameter.text
+        local made
+        if kind == TEXT_VALUE then
+            made = ProtoField.string(abbreviation, name, text)
+        elseif kind == FLOAT then
+            made = ProtoField.float(abbreviation, name, text)
+        elseif parameter.enum and not parameter.enum.is_flags then
+            made = ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
+        elseif parameter.unit then
+            made = ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
+        else
+            made = ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
+        end
+        fields[#fields + 1] = made
+        return made
+    end
+
+    -- The field of a system message; several messages share one.
+    local system_field
+    do
+        local MAKE_SYSTEM_FIELD = {
+            [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
+            [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
+            [BYTES] = ProtoField.bytes,
+        }
+
+        local made_fields = {}
+
+        function system_field(declared)
+            local abbreviation = "ev3." .. declared.filter
+            local made = made_fields[abbreviation]
+            if not made then
+                local hex = declared.hexadecimal and base.HEX or nil
+                made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
+                made_fields[abbreviation] = made
+                fields[#fields + 1] = made
+            end
+            return made
+        end
+    end
+
     local function ready_parameter(abbreviation, row)
         local parameter = {
             name = row[1], field_name = row[1], direction = row[2], type = row[3], text = row[4],

@@ -52,34 +52,42 @@ do
 
     -- Keeps what is known of messages, by place. A long capture has a great many: a table each would take several times
     -- what it says. So all that is known of some packets in a row is joined to one text, as soon as a later packet has
-    -- something; what is added to them afterwards is little, and kept beside it. `text_of` makes a text of what is
-    -- known, `read` the other way round.
-    function new_notes(text_of, read)
+    -- something; what is added to them afterwards is little, and kept beside it. `write` gives one or two texts for a
+    -- place and what is known there, `read` finds in a text at an index the place, what is known, and the next index.
+    function new_notes(write, read)
         local PAGE = 256 * OFFSETS
-        local pages, additions, open, open_number, last, last_number
-        local notes = {}
+        -- Of the last packets: place and what is known in turn. The list is used again for those that follow.
+        local open, count, open_number = {}, 0, 0
+        local pages, additions, last, last_number
+        local notes, pieces = {}, {}
 
         function notes.forget()
-            pages, additions, open, open_number, last, last_number = {}, {}, {}, 0, {}, nil
+            open, count, open_number = {}, 0, 0
+            pages, additions, last, last_number = {}, {}, {}, nil
         end
         notes.forget()
 
         local function close_page()
-            local pieces, count = {}, 0
-            for place, known in pairs(open) do
-                local text = text_of(known)
-                pieces[count + 1], pieces[count + 2] = format("%d %d ", place % PAGE, #text), text
-                count = count + 2
+            local stop = 0
+            for index = 1, count, 2 do
+                local head, rest = write(open[index], open[index + 1])
+                stop = stop + 1
+                pieces[stop] = head
+                if rest then
+                    stop = stop + 1
+                    pieces[stop] = rest
+                end
             end
-            if count > 0 then pages[open_number] = concat(pieces) end
+            if stop > 0 then pages[open_number] = concat(pieces, "", 1, stop) end
+            count = 0
         end
 
         local function read_page(number)
             local found, text, at = {}, pages[number] or "", 1
             while at <= #text do
-                local place, size, start = text:match("^(%d+) (%d+) ()", at)
-                at = start + size
-                found[number * PAGE + place] = read(sub(text, start, at - 1))
+                local place, known
+                place, known, at = read(text, at)
+                found[place] = known
             end
             return found
         end
@@ -87,20 +95,32 @@ do
         function notes.put(place, known)
             local number = floor(place / PAGE)
             if number < open_number then
-                additions[place] = text_of(known)
+                local head, rest = write(place, known)
+                additions[place] = rest and head .. rest or head
                 return
             elseif number > open_number then
                 close_page()
-                open, open_number = {}, number
+                open_number = number
             end
-            open[place] = known
+            open[count + 1] = place
+            open[count + 2] = known
+            count = count + 2
         end
 
         function notes.get(place)
             local number = floor(place / PAGE)
-            if number == open_number then return open[place] end
+            if number == open_number then
+                -- Usually it is the last one that was put.
+                for index = count - 1, 1, -2 do
+                    if open[index] == place then return open[index + 1] end
+                end
+                return nil
+            end
             local text = additions[place]
-            if text then return read(text) end
+            if text then
+                local _, known = read(text, 1)
+                return known
+            end
             if number ~= last_number then last, last_number = read_page(number), number end
             return last[place]
         end

@@ -6,6 +6,13 @@
 
 local read_message, show_message
 do
+    local report_field = {}
+    for _, part in ipairs(SENSOR_REPORT) do
+        local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
+        report_field[part.name] = make("ev3.daisy." .. part.name, part.name)
+        fields[#fields + 1] = report_field[part.name]
+    end
+
     local function add_rest(item, tvb, base, at, stop)
         if at < stop then item:add(field.rest, tvb(base + at, stop - at)) end
     end
@@ -39,11 +46,10 @@ do
         local body = message.body
         local rows = rows_of.get(body)
         if rows and rows ~= true then return rows end
-        local layout = message.type.wants_reply and {} or nil
         local is_kept = rows
         rows = is_kept and {} or scratch
-        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals, layout)
-        if layout then keep_layout(body, layout) end
+        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+        if message.type.wants_reply then layout_notes.keep(body) end
         rows_of.put(body, is_kept and rows or true)
         return rows
     end
@@ -65,10 +71,9 @@ do
         end
         local known = lines.get(body)
         if not known then
-            local layout = message.type.wants_reply and {} or nil
             local line, count, fault, complaints =
-                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals, layout)
-            if layout then keep_layout(body, layout) end
+                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+            if message.type.wants_reply then layout_notes.keep(body) end
             known = line_of(message, line, count, fault)
             if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
             lines.put(body, known)
@@ -344,7 +349,7 @@ do
                 complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
                 local delay, seconds = request.delay, floor(request.delay)
-                item:add(field.request_in, request.number):set_generated()
+                item:add(field.request_in, number_of(request.place)):set_generated()
                 local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
                 item:add(field.response_time, time):set_generated()
             end

@@ -5,6 +5,8 @@
 
 local value_of_row, say_operations, read_rows, add_rows
 do
+    local note_output, note_operation = layout_notes.note_output, layout_notes.note_operation
+
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
     -- instead of it, or after it. A value that has not the type of its parameter is text.
     function value_of_row(parameter, name, value)
@@ -72,7 +74,7 @@ do
         rows.count = count + ROW
         rows[count + 2], rows[count + 3], rows[count + 7] = at, stop - at, encoding.label
         if encoding.scope then
-            if rows.layout then note_output(rows.layout, rows.offset, parameter, encoding, value) end
+            note_output(rows.offset, parameter, encoding, value)
             local text = encoding.text or variable_text(encoding, value)
             rows[count + 1], rows[count + 4] = field.variable, text
             rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
@@ -87,13 +89,14 @@ do
     end
 
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
-    -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is noted
-    -- in `layout`, if that is given.
-    function read_rows(rows, text, at, stop, globals, locals, layout)
+    -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is
+    -- noted.
+    function read_rows(rows, text, at, stop, globals, locals)
         local pieces = rows.pieces or { count = 1 }
-        rows.count, rows.globals, rows.locals, rows.pieces, rows.layout = 0, globals, locals, pieces, layout
+        rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces
         rows.lengths = rows.lengths or {}
         rows.line, rows.operations, rows.fault = nil, 0, nil
+        layout_notes.start()
         while at < stop do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
             local code, heading = byte(text, at + 1), rows.count
@@ -121,12 +124,10 @@ do
             if not rows.line then
                 pieces[1] = operation.title
                 rows.line = concat(pieces, "", 1, pieces.count)
-                if layout then layout.first = operation end
             end
-            if next(rows.lengths) then
-                if layout then note_lengths(layout, at, rows.lengths) end
-                rows.lengths = {}
-            end
+            local has_lengths = next(rows.lengths) ~= nil
+            note_operation(at, operation, has_lengths and rows.lengths)
+            if has_lengths then rows.lengths = {} end
             rows.operations = rows.operations + 1
             at = behind
             if reason then
@@ -134,7 +135,7 @@ do
                 break
             end
         end
-        rows.behind, rows.layout = at, nil
+        rows.behind = at
     end
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
@@ -161,7 +162,7 @@ do
     local function say_argument(view, parameter, encoding, value)
         if encoding.scope then
             variable_complaints(view.complaints, view, parameter, encoding, value)
-            if view.layout then note_output(view.layout, view.offset, parameter, encoding, value) end
+            note_output(view.offset, parameter, encoding, value)
         elseif parameter.tells_length and tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
@@ -172,12 +173,12 @@ do
     local view = { complaints = {}, pieces = { count = 1 }, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted in `layout`, if that is given. Returns the line on the first one, how many there
-    -- are, the fault, and the complaints.
-    function say_operations(text, at, stop, globals, locals, layout)
+    -- What a reply will hold is noted. Returns the line on the first one, how many there are, the fault, and the
+    -- complaints.
+    function say_operations(text, at, stop, globals, locals)
         local line, count, pieces, fault = nil, 0, view.pieces, nil
         view.globals, view.locals, view.is_beyond, view.is_first, pieces.count = globals, locals, false, true, 1
-        view.layout = layout
+        layout_notes.start()
         while at < stop do
             view.offset = at
             local operation, behind, offset, reason, kind =
@@ -187,12 +188,10 @@ do
                     pieces[1] = operation.title
                     line = concat(pieces, "", 1, pieces.count)
                     view.is_first = false
-                    if layout then layout.first = operation end
                 end
-                if next(view.lengths) then
-                    if layout then note_lengths(layout, at, view.lengths) end
-                    view.lengths = {}
-                end
+                local has_lengths = next(view.lengths) ~= nil
+                note_operation(at, operation, has_lengths and view.lengths)
+                if has_lengths then view.lengths = {} end
                 count = count + 1
             end
             if reason then

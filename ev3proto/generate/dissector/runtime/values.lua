@@ -19,23 +19,51 @@ local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
 
-local note_output, note_lengths, keep_layout, read_reply
+-- Notes what a reply will hold while its command is read: start, note_output, note_operation, keep.
+local layout_notes = {}
+
+local read_reply
 do
+    local unpack = table.unpack
+
     -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
     -- parameter, encoding, index. `first` is the first operation; `lengths`, by the offset of their operation, are
     -- constants that say how long outputs are.
     local OUTPUT = 4
 
-    -- Adds an output to a layout, if this argument is one: an output parameter that names a global variable.
-    function note_output(layout, offset, parameter, encoding, index)
-        if not parameter.is_output or encoding.kind ~= GLOBAL then return end
-        local count = #layout
-        layout[count + 1], layout[count + 2], layout[count + 3], layout[count + 4] = offset, parameter, encoding, index
+    -- The layout of the command that is being read; it grows here, and is kept in a table of just its size.
+    local draft = {}
+    local draft_size, draft_lengths, draft_first
+
+    function layout_notes.start()
+        draft_size, draft_lengths, draft_first = 0, nil, nil
     end
 
-    function note_lengths(layout, offset, lengths)
-        layout.lengths = layout.lengths or {}
-        layout.lengths[offset] = lengths
+    -- Notes an output, if this argument is one: an output parameter that names a global variable.
+    function layout_notes.note_output(offset, parameter, encoding, index)
+        if not parameter.is_output or encoding.kind ~= GLOBAL then return end
+        local size = draft_size
+        draft[size + 1] = offset
+        draft[size + 2] = parameter
+        draft[size + 3] = encoding
+        draft[size + 4] = index
+        draft_size = size + OUTPUT
+    end
+
+    -- Notes an operation, when all of it has been read, with the constants that say how long its outputs are.
+    function layout_notes.note_operation(offset, operation, lengths)
+        draft_first = draft_first or operation
+        if lengths then
+            draft_lengths = draft_lengths or {}
+            draft_lengths[offset] = lengths
+        end
+    end
+
+    local function finished_layout()
+        local layout = { unpack(draft, 1, draft_size) }
+        layout.first = draft_first
+        if draft_lengths then layout.lengths = draft_lengths end
+        return layout
     end
 
     -- The type of an output that has that of the array it comes from: what fits before the next output of its
@@ -104,7 +132,7 @@ do
 
     local function note_argument(view, parameter, encoding, value)
         if encoding.scope then
-            note_output(view.layout, view.offset, parameter, encoding, value)
+            layout_notes.note_output(view.offset, parameter, encoding, value)
         elseif tells_length(parameter, encoding) then
             view.lengths = view.lengths or {}
             view.lengths[parameter.name] = value
@@ -113,25 +141,24 @@ do
 
     -- `body` is what follows a command's header.
     local function layout_of_body(body)
-        local at, layout = MEMORY_FIELD, {}
-        local view = { layout = layout }
+        local at, view = MEMORY_FIELD, {}
+        layout_notes.start()
         while at < #body do
             view.offset, view.lengths = at, nil
             local operation, after, fault = read_operation(body, at, #body, note_argument, view, true)
-            if view.lengths then note_lengths(layout, at, view.lengths) end
-            layout.first = layout.first or operation
+            layout_notes.note_operation(at, operation, view.lengths)
             if fault then break end
             at = after
         end
-        return layout
+        return finished_layout()
     end
 
     -- Those of the last commands.
     local layouts = new_memory(2048, function(layout) return 1 + #layout / OUTPUT end)
 
-    -- Remembers the layout that was found out when a command was read.
-    function keep_layout(body, layout)
-        layouts.put(body, layout)
+    -- Remembers the layout that was noted while a command was read.
+    function layout_notes.keep(body)
+        layouts.put(body, finished_layout())
     end
 
     -- The values found; they are overwritten by those of the next reply.

@@ -36,9 +36,12 @@ class Capture:
         return None if self._file is None else self._file.progress
 
     def __iter__(self) -> Iterator[Record]:
-        for event in self.events():
-            if type(event) is Record:
-                yield event
+        try:
+            for event in self._events:
+                if type(event) is Record:
+                    yield event
+        finally:
+            self.close()
 
     def events(self) -> Iterator[Event]:
         """Reads the capture.

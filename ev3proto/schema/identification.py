@@ -6,7 +6,10 @@ bits when this module is imported, and decoding an argument is looking up what w
 
 from __future__ import annotations
 
-from construct import Array, BitsInteger, BitStruct, Bitwise, Const, Flag, IfThenElse, Struct, this
+from itertools import product
+from typing import Any
+
+from construct import Array, BitsInteger, BitStruct, Bitwise, Const, Construct, Flag, IfThenElse, Struct, this
 from construct.lib import integer2bits
 
 from ev3proto.tables.encoding import (
@@ -51,8 +54,7 @@ LABEL_BYTE = BitStruct(Const(True, Flag), Const(False, Flag), Const(True, Flag),
 """The identification byte of a label (LAB1)."""
 
 
-def _long_encoding(is_variable: bool, form: object) -> Encoding | None:
-    selector, handle, address, width = form.selector, form.handle, form.address, form.width  # type: ignore[attr-defined]
+def _long_encoding(is_variable: bool, selector: bool, handle: bool, address: bool, width: int) -> Encoding | None:
     if is_variable:
         if width not in WIDTHS:
             return None
@@ -72,20 +74,29 @@ _SHORT_CONSTANT = Encoding("LC0", CONSTANT, 0)
 _SHORT_VARIABLE = {False: Encoding("LV0", LOCAL, 0), True: Encoding("GV0", GLOBAL, 0)}
 
 
+def _readings(form: Construct) -> list[tuple[Any, ...]]:
+    """The values of a form's fields, for all that its bits can be, in order.
+
+    Each field is run over its own bits: the whole byte 256 times takes ten times as long, at each import.
+    """
+    fields = []
+    for field in form.subcons:
+        size = field.sizeof()
+        bits = b"".join(integer2bits(number, size) for number in range(1 << size))
+        fields.append(Array(1 << size, field).parse(bits))
+    return list(product(*fields))
+
+
 def _survey() -> tuple[tuple[Encoding | None, ...], tuple[int | None, ...]]:
-    # Each form is run over its own bits, and all of them in one go: the whole byte 256 times takes three times as long.
-    bits = b"".join(integer2bits(number, _FORM_BITS) for number in range(1 << _FORM_BITS))
-    constants, variables, longs = (
-        Array(1 << _FORM_BITS, form).parse(bits) for form in (SHORT_CONSTANT, SHORT_VARIABLE, LONG_FORM)
-    )
+    constants, variables, longs = map(_readings, (SHORT_CONSTANT, SHORT_VARIABLE, LONG_FORM))
     # Bytes with neither of the first two bits come first, then those with the second, the first, and both.
     encodings = (
         *(_SHORT_CONSTANT for _ in constants),
-        *(_SHORT_VARIABLE[form.is_global] for form in variables),
-        *(_long_encoding(False, form) for form in longs),
-        *(_long_encoding(True, form) for form in longs),
+        *(_SHORT_VARIABLE[is_global] for is_global, _ in variables),
+        *(_long_encoding(False, *fields) for fields in longs),
+        *(_long_encoding(True, *fields) for fields in longs),
     )
-    values = (*(form.value for form in (*constants, *variables)), *[None] * (2 * len(longs)))
+    values = (*(value for *_, value in (*constants, *variables)), *[None] * (2 * len(longs)))
     return encodings, values
 
 

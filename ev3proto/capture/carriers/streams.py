@@ -39,22 +39,22 @@ class Context:
 
 
 class Stream:
-    """One direction of a connection: its pieces become events, its bytes stand in the account."""
+    """One direction of a connection: its pieces become events, its bytes stand in the account.
 
-    __slots__ = ("_account", "_conversation", "_times", "cutter", "number", "route", "time_ns")
+    packet  how far the capture was read: what is noticed from now on is noticed with this packet
+    """
 
-    def __init__(self, context: Context, conversation: Conversation, cutter: Cutter, route: Route) -> None:
+    __slots__ = ("_account", "_conversation", "_times", "cutter", "packet", "route")
+
+    def __init__(
+        self, context: Context, conversation: Conversation, cutter: Cutter, route: Route, packet: Packet
+    ) -> None:
         self._account = context.account
         self._conversation = conversation
         self._times: dict[int, int] = {}  # when the packets were captured whose bytes wait for more
         self.cutter = cutter
         self.route = route
-        self.number = 0
-        self.time_ns = 0
-
-    def reach(self, packet: Packet) -> None:
-        """Says how far the capture was read: what is noticed from now on is noticed with this packet."""
-        self.number, self.time_ns = packet.number, packet.time_ns
+        self.packet = packet
 
     def feed(self, data: bytes, number: int, time_ns: int) -> list[Event]:
         """The events that are complete with the next bytes, and the packet in which they came."""
@@ -70,6 +70,11 @@ class Stream:
         events = self._events(pieces)
         self._times = {number: times[number] for number in self.cutter.waiting}
         return events
+
+    @property
+    def waits(self) -> bool:
+        """Whether bytes wait for more."""
+        return bool(self._times)
 
     @property
     def size(self) -> int:
@@ -93,12 +98,12 @@ class Stream:
         )
         if not missing:
             reason = "the stream goes on at quite another place: what is in between is not in the capture"
-        return [*events, Skipped(b"", missing, reason, self.number, self.time_ns, self.route)]
+        return [*events, Skipped(b"", missing, reason, self.packet.number, self.packet.time_ns, self.route)]
 
     def skip(self, data: bytes, reason: str) -> Event:
         """Bytes that belong to no place in the stream any more."""
         self._account.skipped += len(data)
-        return Skipped(data, 0, reason, self.number, self.time_ns, self.route)
+        return Skipped(data, 0, reason, self.packet.number, self.packet.time_ns, self.route)
 
     def end(self) -> list[Event]:
         """Says that nothing more will come."""
@@ -119,7 +124,7 @@ class Stream:
                 account.other += size
             elif kind is PartKind.LOST:
                 account.skipped += size
-                events.append(Skipped(data, 0, reason, self.number, self.time_ns, route))
+                events.append(Skipped(data, 0, reason, self.packet.number, self.packet.time_ns, route))
             else:
                 account.texts += size
                 if kind is PartKind.UNLOCK:

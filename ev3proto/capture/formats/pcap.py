@@ -10,7 +10,7 @@ from typing import BinaryIO
 
 from construct import Bytes, Int16ul, Int32ul, Struct
 
-from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
+from ev3proto.capture.packets import MOST_PACKET, Interface, Packet, new_packet
 from ev3proto.capture.record import CaptureError
 from ev3proto.schema.packed import packed
 
@@ -65,7 +65,7 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
                 " cannot be read"
             )
         data = read(length)
-        yield Packet(number, seconds * 1_000_000_000 + fraction * unit, data, on_wire, interface)
+        yield new_packet((number, seconds * 1_000_000_000 + fraction * unit, data, on_wire, interface, None))
         if len(data) < length:
             raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {length} bytes are there")
         position += size + length

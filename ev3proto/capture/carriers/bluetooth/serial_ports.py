@@ -88,9 +88,10 @@ class SerialPorts:
                 self._claims[found.key] = _Port(self._context)
             # Other programs use the same channel: something like a frame must start with a packet.
             cutter = Cutter(self._context.schema, in_step=False, is_claimed=False)
-            self._streams[key] = Stream(self._context, conversation, cutter, _route(packet, found, serial.is_from_host))
+            route = _route(packet, found, serial.is_from_host)
+            self._streams[key] = Stream(self._context, conversation, cutter, route, packet)
         stream = self._streams[key]
-        stream.reach(packet)
+        stream.packet = packet
         claim = self._claims[found.key]
         claim.reach(serial.is_from_host, packet.number)
         before = self._account.other

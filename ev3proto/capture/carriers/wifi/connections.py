@@ -157,16 +157,20 @@ class Connections:
         if half.interface is not packet.interface:
             half.interface = packet.interface
             stream.route = self._route(packet, key, half.is_from_host)
+        is_waiting = False
         if data:
-            stream.reach(packet)
+            stream.packet = packet
             if reassembly.takes_next(sequence, len(data)):
                 # Nearly every segment of a capture: it comes in its turn, and nothing waits.
                 events = stream.feed(data, packet.number, packet.time_ns)
+                is_waiting = stream.waits
             else:
                 events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns))
+                is_waiting = True
         if events:
             events = half.claim.take(events, data)
-        self._weigh(half)
+        if is_waiting or half.size:
+            self._weigh(half)
         if flags & ACK and half.back is not None:
             events += self._acknowledge(half.back, acknowledged)
         if flags & RST:
@@ -216,7 +220,8 @@ class Connections:
         is_from_host = self._is_to_brick(key) if back is None else not back.is_from_host
         connection = self._connection(key, events)
         cutter = Cutter(self._context.schema, in_step=start is not None)
-        stream = Stream(self._context, connection.conversation, cutter, self._route(packet, key, is_from_host))
+        route = self._route(packet, key, is_from_host)
+        stream = Stream(self._context, connection.conversation, cutter, route, packet)
         half = _Half(stream, connection, packet.interface, is_from_host, start)
         half.back = back
         if back is not None:

@@ -213,12 +213,16 @@ class FrameSchema(Bytewise):
         if COMMAND_HEADER_SIZE <= size <= MAX_FRAME:
             length, counter, code, memory = unpack_command_header(frame)
             member = _DIRECT_COMMANDS.get(code)
+            instructions = self.instructions
             if (
                 member is not None
                 and length + LENGTH_FIELD == size
-                and self.instructions.is_flawless(frame, COMMAND_HEADER_SIZE, size)
+                and (
+                    instructions.is_usual(frame, COMMAND_HEADER_SIZE, size)
+                    or instructions.is_flawless(frame, COMMAND_HEADER_SIZE, size)
+                )
             ):
-                read = partial(InstructionSet.operations, self.instructions, frame, COMMAND_HEADER_SIZE)
+                read = partial(InstructionSet.operations, instructions, frame, COMMAND_HEADER_SIZE)
                 return new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, read)
         return self.read_frame(frame, strict=strict)
 

@@ -21,7 +21,7 @@ from ev3proto.text.table import table
 from ev3proto.text.tree import tree, tree_texts
 
 BODY = 1017
-MOST = 40
+MOST = 20
 """Milliseconds that a face may take. Where nothing else runs none takes half of that."""
 
 

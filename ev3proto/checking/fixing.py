@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -17,7 +18,7 @@ from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
 from ev3proto.errors import BuildError, as_bytes
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
 from ev3proto.schema.argument import encode_as, encode_integer, encode_variable
-from ev3proto.schema.frame import parse
+from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length, write_memory
 from ev3proto.semantics.footprint import Footprint, footprints
 from ev3proto.tables.declaration import Role
@@ -105,13 +106,12 @@ def fix(
         ValueError: The dialect or the carrier is unknown.
     """
     given = frame.build() if isinstance(frame, Message) else as_bytes(frame, "a frame")
-    report = check(given, dialect=dialect, carrier=carrier)
-    if not report.findings:
-        return Fix(given, (), (), report)
     fixing = _Fixing(given, dialect)
     fixing.run()
-    if fixing.frame != given:
-        report = check(fixing.frame, dialect=dialect, carrier=carrier)
+    report = check(fixing.frame, dialect=dialect, carrier=carrier)
+    if fixing.frame == given and not report.findings:
+        # What looked fixable is nothing that anybody has to know of.
+        return Fix(given, (), (), report)
     return Fix(fixing.frame, tuple(fixing.changes), tuple(fixing.unfixed), report)
 
 
@@ -158,7 +158,7 @@ class _Fixing:
         return self._found[1]
 
     def _parsed(self, frame: bytes) -> Message:
-        return parse(frame, strict=False, dialect=self._dialect)
+        return read_last(frame, self._dialect)
 
     def _length_field(self) -> None:
         size = len(self.frame) - LENGTH_FIELD
@@ -459,7 +459,13 @@ def _moved(place: Footprint, shift: int) -> bytes:
             return argument.raw[:1] + plain[1:]
         except BuildError:
             pass
-    return encode_variable(Variable(place.argument.kind, index, form.handle, form.address))
+    return _variable_bytes(form.kind, index, form.handle, form.address)
+
+
+# A frame may name one variable a thousand times.
+@lru_cache(MAX_FRAME)
+def _variable_bytes(kind: str, index: int, handle: bool, address: bool) -> bytes:
+    return encode_variable(Variable(kind, index, handle, address))
 
 
 def _encoded(operation: Operation) -> Iterator[Argument]:

@@ -143,10 +143,17 @@ def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
     results: list[Footprint | None] = [None] * MAX_FRAME
     for _, group in groupby(used, key=lambda found: found.operation.offset):
         together = list(group)
+        # Arguments that may take all bytes from their start on are a thousand at worst: the first one is enough.
+        open_from = MAX_FRAME
         for found in together:
-            if found.is_read:
-                end = MAX_FRAME if found.most is None else min(found.start + found.most, MAX_FRAME)
+            if not found.is_read:
+                continue
+            if found.most is None:
+                open_from = min(open_from, found.start)
+            else:
+                end = min(found.start + found.most, MAX_FRAME)
                 results[found.start : end] = [None] * (end - found.start)
+        results[open_from:] = [None] * (MAX_FRAME - open_from)
         for found in together:
             if not found.is_written:
                 continue

@@ -50,6 +50,10 @@ class Common:
         """How many commands are no longer waited for."""
         return self._budget.dropped
 
+    def weigh(self, thing: object, size: int, drop: Callable[[int], object]) -> None:
+        """Says how many bytes of memory something takes that waits; `drop` is called where it has to go."""
+        self._budget.update(thing, size, drop)
+
     def piece(self, row: Row, data: bytes, origin: Origin, route: Route, talk: Conversation) -> Iterator[Event]:
         """What the dissector has taken from a stream in one piece: a text, a frame, or what is neither."""
         if data.startswith((ACCEPT, _REQUEST)) or not data.strip(_TEXT_ENDS):

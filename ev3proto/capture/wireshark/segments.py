@@ -14,6 +14,9 @@ from ev3proto.capture.wireshark.row import Row
 MOST_WAITING = 4096
 """Packets of one direction whose bytes are waited for; a stream of which a packet is missing never gets further."""
 
+WAITING_SIZE = 250
+"""Bytes of memory that such a packet takes, about."""
+
 _WRAP = 1 << 32
 
 

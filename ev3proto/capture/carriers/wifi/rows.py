@@ -9,7 +9,7 @@ from ev3proto.bounded import Bounded
 from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
 from ev3proto.capture.wireshark.common import MOST_CONNECTIONS, Common, parsed
 from ev3proto.capture.wireshark.row import Row
-from ev3proto.capture.wireshark.segments import MOST_WAITING, Segments
+from ev3proto.capture.wireshark.segments import MOST_WAITING, WAITING_SIZE, Segments
 from ev3proto.errors import counted
 from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.carriers import Carrier
@@ -52,6 +52,7 @@ class Rows:
 
     def __init__(self, common: Common) -> None:
         self._common = common
+        self._late: list[Event] = []  # what was given up, as too much waits
         self._halves: Bounded[Hashable, _Half] = Bounded(MOST_CONNECTIONS)
         self._claimed: Bounded[object, None] = Bounded(MOST_CONNECTIONS)
 
@@ -82,6 +83,7 @@ class Rows:
         if found:
             self._claimed.add(key[0], None)
         if oldest is not None:
+            self._common.weigh(oldest, 0, lambda _: None)
             yield from self._lost(oldest)
         if half.route.interface != row.interface:
             half.route = self._wifi_route(row, "tcp", is_from_host)
@@ -92,6 +94,12 @@ class Rows:
             yield from self._common.piece(row, data, origin, route, talk)
         if len(half.segments.waiting) > MOST_WAITING:
             yield from self._lost(half)
+        self._common.weigh(
+            half, WAITING_SIZE * len(half.segments.waiting), lambda _: self._late.extend(self._lost(half))
+        )
+        if self._late:
+            yield from self._late
+            self._late.clear()
 
     def _lost(self, half: _Half) -> Iterator[Event]:
         size, numbers, time_ns = half.segments.lost()

@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 from support.cli import run_ev3proto_text as run
 from support.full_disk import full_disk
+from support.peak import PEAK
 
 TONE = "0e002a0080000094010182b80182e803"
 CAPTURE = "captures/wifi.pcapng"
@@ -148,3 +149,17 @@ def test_standard_output_is_closed(words: Sequence[str]) -> None:
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr.startswith("the output cannot be written: ")
     assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("words", [("decode",), ("stats",)], ids=" ".join)
+def test_raw_frames_are_not_all_kept(words: Sequence[str], tmp_path: Path) -> None:
+    """Frames of eight bytes: each took 350 bytes of memory when all were read before the first was shown."""
+    peaks = []
+    for count in (10_000, 40_000):
+        (tmp_path / "frames.bin").write_bytes(bytes.fromhex("06002a0080000001") * count)
+        call = [sys.executable, "-c", PEAK, *words, "frames.bin"]
+        done = subprocess.run(
+            call, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=True, cwd=tmp_path
+        )
+        peaks.append(int(done.stderr.splitlines()[-1]))
+    assert peaks[1] - peaks[0] < 5 << 10

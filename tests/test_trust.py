@@ -16,6 +16,7 @@ from support.cpu_time import milliseconds
 from support.effort import effort
 from support.files import Blocks
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort, datagram, segment
+from support.peak import PEAK
 from support.wireshark import Tshark
 
 import ev3proto
@@ -177,19 +178,6 @@ def test_a_frame_longer_than_any_is_not_looked_into() -> None:
     frame = struct.pack("<HHBH", 65535, 1, 0x80, 0) + b"\x40\x05" * 32765
     assert not check(frame).accepted
     assert milliseconds(lambda: check(frame), 200) <= 200
-
-
-PEAK = """
-import sys
-from ev3proto.cli.main import main
-sys.argv[0] = "ev3proto"
-try:
-    main()
-finally:
-    with open("/proc/self/status") as status:
-        print(next(line.split()[1] for line in status if line.startswith("VmHWM")), file=sys.stderr)
-"""
-"""Runs a subcommand, and says last how many KiB of memory it had at most."""
 
 
 def hostile(kind: str, count: int) -> bytes:

@@ -8,7 +8,11 @@ import json
 import re
 from pathlib import Path
 
+import pytest
 from support.cli import run_ev3proto_text as run
+
+import ev3proto.capture.series
+import ev3proto.cli.values
 
 CAPTURES = Path(__file__).parent.parent / "captures"
 PLUGGED = str(CAPTURES / "usb-plugged.pcap")
@@ -145,3 +149,19 @@ def test_comma_separated_values_have_a_thousand_columns_at_most(tmp_path: Path) 
     assert "there are 1,010 columns: the 1,000 with the most values are shown" in done.stderr
     everything = run("values", str(log), "--json")
     assert (len(everything.stdout.splitlines()), everything.stderr) == (1_011, "")
+
+
+def test_rows_beyond_what_is_kept_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ev3proto.capture.series, "MOST_CELLS", 5)
+    done = run("values", PLUGGED, "--json")
+    assert [json.loads(line)["packet"] for line in done.stdout.splitlines()] == [3, 21]
+    assert done.stderr == "2 rows omitted: 5 cells are kept; --filter chooses others\n"
+    assert done.returncode == 1
+
+
+def test_a_table_has_only_as_many_rows_as_fit(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ev3proto.cli.values, "MOST_PRINTED", 4)
+    done = run("values", PLUGGED, *BATTERY)
+    assert len(done.stdout.splitlines()) == 2
+    assert done.stderr == "and 1 row more: --csv and --json print all of them\n"
+    assert len(run("values", PLUGGED, *BATTERY, "--csv").stdout.splitlines()) == 3

@@ -1,0 +1,15 @@
+"""How much memory a subcommand takes: run in a process of its own, which says it last."""
+
+from __future__ import annotations
+
+PEAK = """
+import sys
+from ev3proto.cli.main import main
+sys.argv[0] = "ev3proto"
+try:
+    main()
+finally:
+    with open("/proc/self/status") as status:
+        print(next(line.split()[1] for line in status if line.startswith("VmHWM")), file=sys.stderr)
+"""
+"""Runs a subcommand, and says last how many KiB of memory it had at most."""

@@ -26,10 +26,11 @@ def check_encodings(context: CheckContext) -> Iterator[Finding]:
                 yield _finding(operation, cmd, has_jumps)
         for argument in operation.arguments:
             # What `_is_longer` asks, without a call: arguments are many, and hardly any is too long.
-            _, form, value, _, _ = argument
-            shorter = _SHORTER.get(id(form))
-            if shorter is not None and type(value) is int and value in shorter:
-                yield _finding(operation, argument, has_jumps)
+            shorter = _SHORTER.get(id(argument.form))
+            if shorter is not None:
+                value = argument.value
+                if type(value) is int and value in shorter:
+                    yield _finding(operation, argument, has_jumps)
 
 
 _SHORT_FORMS = len(SHORT)

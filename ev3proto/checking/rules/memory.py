@@ -8,7 +8,7 @@ from itertools import groupby
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext
-from ev3proto.checking.report import Finding
+from ev3proto.checking.report import Finding, new_finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
@@ -29,7 +29,7 @@ def check_memory(context: CheckContext, command: DirectCommand) -> Iterator[Find
     shared: list[Footprint] = []
     for operation in context.operations:
         for found in footprints(operation.parsed, operation.arguments):
-            (shared if found.is_global else local).append(found)
+            (shared if found.argument.form.kind == GLOBAL else local).append(found)
     yield from _places(local, command.local_size)
     yield from _places(shared, command.global_size)
     if not context.is_whole:
@@ -55,11 +55,11 @@ def _places(used: list[Footprint], asked: int) -> Iterator[Finding]:
 
 
 def _about(found: Footprint, code: codes.Code, message: str, help_: str) -> Finding:
-    argument, schema = found.argument, found.operation[0]
-    parameter, form, _, offset, _ = argument
-    width = form.width
+    argument = found.argument
+    width = argument.form.width
     assert width is not None  # a variable is no text
-    return code.finding(offset, 1 + width, message, help_, schema.declaration.name, parameter.name)
+    operation, parameter = found.operation.full_name, argument.parameter.name
+    return new_finding(code.severity, code.code, argument.offset, 1 + width, message, help_, operation, parameter)
 
 
 def _misaligned(found: Footprint, asked: int) -> Finding:
@@ -116,7 +116,7 @@ def _memory(is_global: bool) -> tuple[str, int]:
 def _beyond(found: Footprint, asked: int) -> Finding:
     """A variable that lies beyond its memory, in whole or in part."""
     is_global = found.is_global
-    texts = _beyond_texts(found.argument.name, is_global, found.start, found.end, asked)
+    texts = _beyond_texts(found.argument.parameter.name, is_global, found.start, found.start + found.size, asked)
     return _about(found, codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS, *texts)
 
 

@@ -22,11 +22,10 @@ def check_values(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
     for operation in operations:
         known_parameters = operation.facts.parameters
         for number, argument in enumerate(operation.arguments):
-            parameter, form, value, _, _ = argument
-            kind = form.kind
-            if kind in _VARIABLES:
+            if argument.form.kind in _VARIABLES:
                 continue
-            known = known_parameters[number] if number < len(known_parameters) else parameter_facts(parameter)
+            value = argument.value
+            known = known_parameters[number] if number < len(known_parameters) else parameter_facts(argument.parameter)
             # A range looks at all of its numbers, one by one, for what is no whole number.
             if type(value) is int and value in known.numbers:
                 continue

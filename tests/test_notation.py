@@ -462,7 +462,7 @@ def test_a_long_line_takes_no_more_than_its_length(unit: str) -> None:
         return seconds(lambda: (list(read_text(["{" + line, line])), read_argument(line)))
 
     # Eight times the length is eight times the work, or 64 times if it were quadratic.
-    most = effort(12_000, 160_000)
+    most = effort(8_000, 160_000)
     assert taken(most) < 25 * taken(most // 8) + 0.2
 
 

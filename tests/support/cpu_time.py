@@ -20,7 +20,7 @@ MOST_GROWTH = 2.2**3
 
 Linear work takes 8 times as long, quadratic work 64 times."""
 
-_LEAST = 0.02
+_LEAST = 0.012
 """Seconds that the work on the short input takes at least."""
 _ROUNDS = 12
 _ROUNDS_OF_A_MILLISECOND = 5_700

@@ -8,7 +8,8 @@ is that of the processor, so that other programs on the machine disturb little; 
 is measured is a setting: EV3PROTO_TSHARK, as for the tests.
 
 The goals are 1.6 for one line with tshark 4.0 and 2.3 with 4.4 and later, 2.3 for -V, and 150 bytes a packet in a
-capture of 300,000. They are not reached where commands never come twice. The limits below are what it must not exceed.
+capture of 300,000. One line comes near them where commands come again, and misses them where they never do; -V misses
+them in both. The limits below are what it must not exceed.
 """
 
 from __future__ import annotations

@@ -5325,7 +5325,7 @@ local function stated_length(parameter, lengths, most)
     return floor(math.abs(length))
 end
 
--- Whether an argument is a number in the frame itself that tells how long another parameter is.
+-- Whether an argument is a number in the frame itself that says how long another parameter is.
 local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
@@ -5617,9 +5617,9 @@ do
             end
             pieces.count, pieces[1] = 1, operation.heading
             rows.offset = at
-            local _, behind
-            _, behind, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
-            rows[heading + 3], rows[heading + 5] = behind - at, concat(pieces, "", 1, pieces.count)
+            local _, after
+            _, after, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
+            rows[heading + 3], rows[heading + 5] = after - at, concat(pieces, "", 1, pieces.count)
             if not rows.line then
                 pieces[1] = operation.title
                 rows.line = concat(pieces, "", 1, pieces.count)
@@ -5628,13 +5628,13 @@ do
             note_operation(at, operation, has_lengths and rows.lengths)
             if has_lengths then rows.lengths = {} end
             rows.operations = rows.operations + 1
-            at = behind
+            at = after
             if reason then
                 rows.fault = { at = offset, reason = reason, kind = kind }
                 break
             end
         end
-        rows.behind = at
+        rows.after = at
     end
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
@@ -5680,7 +5680,7 @@ do
         layout_notes.start()
         while at < stop do
             view.offset = at
-            local operation, behind, offset, reason, kind =
+            local operation, after, offset, reason, kind =
                 read_operation(text, at, stop, say_argument, view, line ~= nil)
             if operation then
                 if not line then
@@ -5697,7 +5697,7 @@ do
                 fault = { at = offset, reason = reason, kind = kind }
                 break
             end
-            at = behind
+            at = after
         end
         local complaints = view.complaints
         if not complaints[1] then return line, count, fault, nil end
@@ -5800,7 +5800,7 @@ do
         memory:add_le(field.locals, range)
         local rows = message.rows
         add_rows(item, tvb, base, rows)
-        if rows.fault then add_rest(item, tvb, base, rows.behind, stop) end
+        if rows.fault then add_rest(item, tvb, base, rows.after, stop) end
     end
 
     local function say_direct_reply(message, place, is_shown)
@@ -5995,9 +5995,9 @@ do
         at = payload
         for _, declared in ipairs(stop - payload >= SENSOR_REPORT_SIZE and SENSOR_REPORT or {}) do
             -- The last part takes what is left.
-            local behind = declared.size and at + declared.size or stop
-            if behind > at then added:add(report_field[declared.name], tvb(base + at, behind - at)) end
-            at = behind
+            local after = declared.size and at + declared.size or stop
+            if after > at then added:add(report_field[declared.name], tvb(base + at, after - at)) end
+            at = after
         end
     end
 

@@ -92,7 +92,7 @@ do
         memory:add_le(field.locals, range)
         local rows = message.rows
         add_rows(item, tvb, base, rows)
-        if rows.fault then add_rest(item, tvb, base, rows.behind, stop) end
+        if rows.fault then add_rest(item, tvb, base, rows.after, stop) end
     end
 
     local function say_direct_reply(message, place, is_shown)
@@ -287,9 +287,9 @@ do
         at = payload
         for _, declared in ipairs(stop - payload >= SENSOR_REPORT_SIZE and SENSOR_REPORT or {}) do
             -- The last part takes what is left.
-            local behind = declared.size and at + declared.size or stop
-            if behind > at then added:add(report_field[declared.name], tvb(base + at, behind - at)) end
-            at = behind
+            local after = declared.size and at + declared.size or stop
+            if after > at then added:add(report_field[declared.name], tvb(base + at, after - at)) end
+            at = after
         end
     end
 

@@ -118,9 +118,9 @@ do
             end
             pieces.count, pieces[1] = 1, operation.heading
             rows.offset = at
-            local _, behind
-            _, behind, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
-            rows[heading + 3], rows[heading + 5] = behind - at, concat(pieces, "", 1, pieces.count)
+            local _, after
+            _, after, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
+            rows[heading + 3], rows[heading + 5] = after - at, concat(pieces, "", 1, pieces.count)
             if not rows.line then
                 pieces[1] = operation.title
                 rows.line = concat(pieces, "", 1, pieces.count)
@@ -129,13 +129,13 @@ do
             note_operation(at, operation, has_lengths and rows.lengths)
             if has_lengths then rows.lengths = {} end
             rows.operations = rows.operations + 1
-            at = behind
+            at = after
             if reason then
                 rows.fault = { at = offset, reason = reason, kind = kind }
                 break
             end
         end
-        rows.behind = at
+        rows.after = at
     end
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
@@ -181,7 +181,7 @@ do
         layout_notes.start()
         while at < stop do
             view.offset = at
-            local operation, behind, offset, reason, kind =
+            local operation, after, offset, reason, kind =
                 read_operation(text, at, stop, say_argument, view, line ~= nil)
             if operation then
                 if not line then
@@ -198,7 +198,7 @@ do
                 fault = { at = offset, reason = reason, kind = kind }
                 break
             end
-            at = behind
+            at = after
         end
         local complaints = view.complaints
         if not complaints[1] then return line, count, fault, nil end

@@ -14,7 +14,7 @@ local function stated_length(parameter, lengths, most)
     return floor(math.abs(length))
 end
 
--- Whether an argument is a number in the frame itself that tells how long another parameter is.
+-- Whether an argument is a number in the frame itself that says how long another parameter is.
 local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end

@@ -54,7 +54,7 @@ LIMITS = {
     "`stats`: bricks, files, and unanswered commands, faults, skipped pieces one by one": (
         f"{statistics.MOST_PEERS}, {statistics.MOST_TRANSFERS}, {statistics.MOST_LISTED}"
     ),
-    "`timeline`: marks one by one": f"{collecting.MOST_MARKS:,}, about 130 MiB",
+    "`timeline`: marks one by one": f"{collecting.MOST_MARKS:,}, about 150 MiB with the library that draws them",
     "`values`: rows and values together": f"{series.MOST_CELLS:,}, about 160 MiB",
     "`values`: columns of a table, and with `--csv`": f"{values.MOST_SHOWN}, {values.MOST_COLUMNS['csv']:,}",
     "`values`: cells of a table": f"{values.MOST_PRINTED:,}, about 100 MiB",

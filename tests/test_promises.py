@@ -45,7 +45,9 @@ LIMITS = {
     "Adapters whose own address is remembered": f"{adapters.MOST_ADAPTERS}",
     "Interfaces of a section of a pcapng file": f"{pcapng.MOST_INTERFACES}, names of {pcapng.MOST_NAME:,} bytes",
     "One packet": f"{packets.MOST_PACKET // MIB} MiB",
-    "Messages of records that are kept after they were read": f"{record.MOST_READ // KIB} KiB of frames, up to 25 MiB",
+    "Messages of records that are kept after they were read": (
+        f"{record.MOST_READ // KIB} KiB of frames, up to {200 * record.MOST_READ // MIB} MiB"
+    ),
     "A line of text": f"{MAX_LINE // MIB} MiB",
     "An array or a dump over several lines": f"{MAX_COLLECTED // KIB} KiB",
     "A file of nothing but frames": f"{texts.MOST_RAW // MIB} MiB",

@@ -3948,6 +3948,7 @@ local fields = {}
 
 local field = {
     bytes = ProtoField.bytes("ev3.bytes", "Bytes", base.NONE, "all of a frame, or of a text between frames"),
+    brick = ProtoField.string("ev3.brick", "Brick", "the brick that it goes to or comes from, whatever carries it"),
     length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
     counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil,
         "chosen by the sender, echoed in the reply"),
@@ -4004,9 +4005,13 @@ end
 -- Whether a program reads the output, and wants the bytes of whatever is recognised. People see them below anyway.
 local gives_bytes = false
 
+-- The brick of the packet that is dissected, where somebody looks at the tree.
+local brick
+
 -- The item of a frame, or of a text around frames.
 local function add_item(tree, range, said)
     local item = tree:add(ev3, range, "EV3: " .. said)
+    if brick then item:add(field.brick, brick):set_generated() end
     if gives_bytes then item:add(field.bytes, range) end
     return item
 end
@@ -4184,7 +4189,7 @@ do
         local title = cmd_name and opcode_name .. " " .. cmd_name or opcode_name
         local operation = {
             name = name,
-            title = title, heading = format("0x%02X ", number) .. title,
+            title = title, addition = cmd_name and " " .. cmd_name or "",
             cmd_name = cmd_name,
             fixed = {}, reply_head = "reply to " .. title .. ":",
         }
@@ -5615,11 +5620,13 @@ do
                 rows[cmd + 7] = offset > at + 2 and ENCODINGS[byte(text, at + 2)].label
                 rows[cmd + 8] = false
             end
-            pieces.count, pieces[1] = 1, operation.heading
+            pieces.count, pieces[1] = 1, operation.addition
             rows.offset = at
             local _, after
             _, after, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
-            rows[heading + 3], rows[heading + 5] = after - at, concat(pieces, "", 1, pieces.count)
+            -- Wireshark puts a space between the field's own text and what is added to it.
+            local addition = sub(concat(pieces, "", 1, pieces.count), 2)
+            rows[heading + 3], rows[heading + 6] = after - at, addition ~= "" and addition
             if not rows.line then
                 pieces[1] = operation.title
                 rows.line = concat(pieces, "", 1, pieces.count)
@@ -5644,7 +5651,7 @@ do
             local start, size, encoding = base + rows[at + 1], rows[at + 2], rows[at + 6]
             local range = tvb(start, size)
             if encoding == true then
-                heading = add(item, rows[at], range, rows[at + 3], rows[at + 4])
+                heading = add(item, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
             else
                 local added = add(heading, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
                 local complaints = rows[at + 7]
@@ -6758,6 +6765,7 @@ do
         end
         local talk = not pinfo.visited and talk_of(device_key(pinfo))
         start_line(number, tvb:offset())
+        brick = is_shown and device_key(pinfo)
         local said, item = dissect_message(tvb, 0, message, talk, place_of(number, tvb:offset()), pinfo, tree,
             is_shown, line)
         if line then
@@ -6778,6 +6786,7 @@ do
     local function dissect_other_report(tvb, text, pinfo, tree)
         local low, high = byte(text, 1, 2)
         start_line(pinfo.number, tvb:offset())
+        brick = device_key(pinfo)
         say((dissect_no_frame(tvb, 0, #text, low + high * 0x100, tree, has_tree(tree))))
         show(pinfo)
         return #text
@@ -6986,6 +6995,7 @@ do
     local function add_part(tree, tvb, size, number)
         local range = tvb(math.max(tvb:len() - size, 0))
         local item = tree:add(ev3, range, "EV3: part of a frame")
+        item:add(field.brick, brick):set_generated()
         item:add(field.fragment, range)
         local list = begun[number] or continued[number]
         if not begun[number] and list then item:add(field.fragments, list[1]):set_generated() end
@@ -7018,6 +7028,7 @@ do
         end
         local is_shown, whole, size = has_tree(tree), tvb, #piece
         start_line(number, tvb:offset())
+        brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
         if may_be_whole then
             local before = waiting[number]
             if before then
@@ -7076,8 +7087,9 @@ do
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
-    -- Where answers to beacons go to, and the packets that went there; the places where bricks listen by what their
-    -- beacons say; the buffers that were left to others; whether connections on other ports were found to be ours.
+    -- Where answers to beacons go to, with the brick there, and the packets that went there; the places where bricks
+    -- listen by what their beacons say; the buffers that were left to others; whether connections on other ports were
+    -- found to be ours.
     local bricks, answers, announced, declined, has_found
 
     -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
@@ -7217,6 +7229,7 @@ do
         local captured, offset, is_shown = #text, tvb:offset(), has_tree(tree)
         local step, joint = step_of(known, text, offset, pinfo)
         start_line(number, offset)
+        brick = is_shown and (talk or connection_of(pinfo)).name
         -- Nearly always one frame is all there is.
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
         if step ~= "lost" and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
@@ -7247,6 +7260,15 @@ do
         return captured
     end
 
+    -- A connection is named after the end of it that is the brick.
+    local function name_brick(talk, pinfo, to_brick)
+        local address, port = pinfo.src, pinfo.src_port
+        if to_brick then
+            address, port = pinfo.dst, pinfo.dst_port
+        end
+        talk.name = tostring(address) .. ":" .. port
+    end
+
     -- The first time that a buffer of a connection is seen: whether it is ours, or whether more is needed to tell.
     local function claim(talk, text, pinfo, to_brick)
         if talk.is_claimed then return OURS end
@@ -7256,8 +7278,7 @@ do
         local verdict = judge_segment(text, to_brick)
         if verdict == OURS then
             talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
-            talk.name = to_brick and tostring(pinfo.dst) .. ":" .. pinfo.dst_port
-                or tostring(pinfo.src) .. ":" .. pinfo.src_port
+            name_brick(talk, pinfo, to_brick)
         elseif not verdict then
             talk.strange = strange + 1
         end
@@ -7267,6 +7288,7 @@ do
     local function dissect_first(tvb, text, pinfo, tree, number, port)
         local talk, known = connection_of(pinfo)
         local is_forced = not ports[port] and not is_named[port] and not talk.is_claimed
+        if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
         local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
         local reported = verdict == PART and tvb:reported_len()
         if reported and #text < reported then
@@ -7304,6 +7326,7 @@ do
         if judge_text(text) ~= OURS then return false end
         local talk, known = connection_of(pinfo)
         talk.is_claimed, talk.is_found, talk.claimed_in = true, true, pinfo.number
+        name_brick(talk, pinfo, true)
         has_found = true
         pinfo.conversation = ev3
         dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk, known)
@@ -7313,9 +7336,10 @@ do
     -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
     local function remember_brick(pinfo, named)
         local address = tostring(pinfo.src) .. " "
-        bricks[address .. pinfo.src_port], bricks[address .. BEACON_PORT] = true, true
+        local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
+        bricks[address .. pinfo.src_port], bricks[address .. BEACON_PORT] = name, name
         if named then
-            bricks[address .. named], announced[address .. named] = true, true
+            bricks[address .. named], announced[address .. named] = name, true
             if not ports[named] and not is_named[named] and #named_ports < MOST_NAMED then
                 named_ports[#named_ports + 1], is_named[named] = named, true
                 take_port(named)
@@ -7323,7 +7347,7 @@ do
         end
     end
 
-    local function dissect_beacon(tvb, text, tree)
+    local function dissect_beacon(tvb, text, tree, address)
         local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
         local at, values = 0, {}
         local port
@@ -7343,25 +7367,28 @@ do
         end
         local said = "beacon: " .. concat(values, " ")
         if item then item:set_text("EV3: " .. said) end
+        if item and port then item:add(field.brick, address .. ":" .. port):set_generated() end
         return said, port
     end
 
     -- A beacon that a brick broadcasts, or whatever a host answers to it.
     local function dissect_udp(tvb, pinfo, tree)
         local text, number = tvb:raw(), pinfo.number
+        brick = nil
         local head = BEACON_LINES[1].label .. ": "
         local said
         if sub(text, 1, #head) == head then
             local port
-            said, port = dissect_beacon(tvb, text, tree)
+            said, port = dissect_beacon(tvb, text, tree, tostring(pinfo.src))
             if not pinfo.visited then remember_brick(pinfo, port) end
         else
             if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-                answers[number] = true
+                answers[number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
             end
             local is_forced = pinfo.match_uint ~= BEACON_PORT and pinfo.match_uint ~= 0
             if not answers[number] and not is_forced then return 0 end
             said = "answer to a beacon"
+            brick = answers[number]
             if has_tree(tree) then
                 add_item(tree, tvb(), said):add(field.beacon_answer, tvb())
             end
@@ -7375,7 +7402,7 @@ do
     -- An answer goes to the port that the beacon came from, which is known by nothing else.
     local function guess_udp(tvb, pinfo, tree)
         if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-            answers[pinfo.number] = true
+            answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
         end
         if not answers[pinfo.number] then return false end
         dissect_udp(tvb, pinfo, tree)

@@ -137,13 +137,14 @@ def test_a_command_in_the_tree(tshark: Tshark) -> None:
     text = tshark.run(WIFI, "-V", "-Y", "frame.number == 11")
     assert text[text.index("EV3: ") :].rstrip().splitlines() == [
         "EV3: SOUND TONE volume=5 frequency=440 duration=250",
+        "    [Brick: 192.0.2.10:5555]",
         "    Length: 14",
         "    Message counter: 1",
         "    Type: DIRECT_COMMAND_NO_REPLY (0x80)",
         "    Memory asked for: 0x0000",
         "        .... ..00 0000 0000 = Global memory: 0 bytes",
         "        0000 00.. .... .... = Local memory: 0 bytes",
-        "    0x94 SOUND TONE volume=5 frequency=440 duration=250",
+        "    Opcode: SOUND (0x94) TONE volume=5 frequency=440 duration=250",
         "        CMD: SOUND.TONE",
         "        VOLUME: 5 %",
         "            Encoding: LC0",

@@ -645,16 +645,17 @@ def test_a_frame_is_shown_up_to_its_fault(tshark: Tshark) -> None:
         == """\
 EV3: PROGRAM_STOP prgid=USER_SLOT (+1 operation) [fault at offset 15: the string DURATION runs past the end of the \
 frame: the zero that ends it is missing]
+    [Brick: 192.0.2.10:5555]
     Length: 15
     Message counter: 1
     Type: DIRECT_COMMAND_NO_REPLY (0x80)
     Memory asked for: 0x0000
         .... ..00 0000 0000 = Global memory: 0 bytes
         0000 00.. .... .... = Local memory: 0 bytes
-    0x02 PROGRAM_STOP prgid=USER_SLOT
+    Opcode: PROGRAM_STOP (0x02) prgid=USER_SLOT
         PRGID: USER_SLOT (1)
             Encoding: LC0
-    0x94 SOUND TONE volume=5 frequency=440
+    Opcode: SOUND (0x94) TONE volume=5 frequency=440
         CMD: SOUND.TONE
         VOLUME: 5 %
             Encoding: LC0
@@ -676,13 +677,14 @@ def test_a_variable_that_the_brick_refuses_is_told_of_where_it_stands(tshark: Ts
         tree(tshark, one_frame(tshark, frame))
         == """\
 EV3: UI_READ GET_VBATT
+    [Brick: 192.0.2.10:5555]
     Length: 8
     Message counter: 4
     Type: DIRECT_COMMAND_NO_REPLY (0x80)
     Memory asked for: 0x0008
         .... ..00 0000 1000 = Global memory: 8 bytes
         0000 00.. .... .... = Local memory: 0 bytes
-    0x81 UI_READ GET_VBATT
+    Opcode: UI_READ (0x81) GET_VBATT
         CMD: UI_READ.GET_VBATT
         VALUE: GV(1)
             [Expert Info (Error/Protocol): VALUE: the index of a DATAF must be a multiple of 4, the brick refuses GV(1)]
@@ -713,6 +715,7 @@ def test_a_reply_shorter_than_what_was_asked_is_read_as_far_as_it_goes(tshark: T
         said
         == """\
 EV3: reply to UI_READ GET_VBATT: 7.92 V
+    [Brick: 192.0.2.10:5555]
     Length: 9
     Message counter: 9
     Type: DIRECT_REPLY (0x02)
@@ -729,6 +732,7 @@ def test_no_frame(tshark: Tshark) -> None:
         tree(tshark, one_frame(tshark, b"no frame"))
         == """\
 EV3: no frame (8 bytes)
+    [Brick: 192.0.2.10:5555]
     Not read: 6e 6f 20 66 72 61 6d 65
     [Expert Info (Error/Malformed): no frame can start here: its length field would say 28526, a frame has 3 to 1022 \
 bytes after it]

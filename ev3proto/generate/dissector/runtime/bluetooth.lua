@@ -138,6 +138,7 @@ do
     local function add_part(tree, tvb, size, number)
         local range = tvb(math.max(tvb:len() - size, 0))
         local item = tree:add(ev3, range, "EV3: part of a frame")
+        item:add(field.brick, brick):set_generated()
         item:add(field.fragment, range)
         local list = begun[number] or continued[number]
         if not begun[number] and list then item:add(field.fragments, list[1]):set_generated() end
@@ -170,6 +171,7 @@ do
         end
         local is_shown, whole, size = has_tree(tree), tvb, #piece
         start_line(number, tvb:offset())
+        brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
         if may_be_whole then
             local before = waiting[number]
             if before then

@@ -12,6 +12,7 @@ local fields = {}
 
 local field = {
     bytes = ProtoField.bytes("ev3.bytes", "Bytes", base.NONE, "all of a frame, or of a text between frames"),
+    brick = ProtoField.string("ev3.brick", "Brick", "the brick that it goes to or comes from, whatever carries it"),
     length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
     counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil,
         "chosen by the sender, echoed in the reply"),
@@ -68,9 +69,13 @@ end
 -- Whether a program reads the output, and wants the bytes of whatever is recognised. People see them below anyway.
 local gives_bytes = false
 
+-- The brick of the packet that is dissected, where somebody looks at the tree.
+local brick
+
 -- The item of a frame, or of a text around frames.
 local function add_item(tree, range, said)
     local item = tree:add(ev3, range, "EV3: " .. said)
+    if brick then item:add(field.brick, brick):set_generated() end
     if gives_bytes then item:add(field.bytes, range) end
     return item
 end

@@ -131,7 +131,7 @@ do
         local title = cmd_name and opcode_name .. " " .. cmd_name or opcode_name
         local operation = {
             name = name,
-            title = title, heading = format("0x%02X ", number) .. title,
+            title = title, addition = cmd_name and " " .. cmd_name or "",
             cmd_name = cmd_name,
             fixed = {}, reply_head = "reply to " .. title .. ":",
         }

@@ -116,11 +116,13 @@ do
                 rows[cmd + 7] = offset > at + 2 and ENCODINGS[byte(text, at + 2)].label
                 rows[cmd + 8] = false
             end
-            pieces.count, pieces[1] = 1, operation.heading
+            pieces.count, pieces[1] = 1, operation.addition
             rows.offset = at
             local _, after
             _, after, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
-            rows[heading + 3], rows[heading + 5] = after - at, concat(pieces, "", 1, pieces.count)
+            -- Wireshark puts a space between the field's own text and what is added to it.
+            local addition = sub(concat(pieces, "", 1, pieces.count), 2)
+            rows[heading + 3], rows[heading + 6] = after - at, addition ~= "" and addition
             if not rows.line then
                 pieces[1] = operation.title
                 rows.line = concat(pieces, "", 1, pieces.count)
@@ -145,7 +147,7 @@ do
             local start, size, encoding = base + rows[at + 1], rows[at + 2], rows[at + 6]
             local range = tvb(start, size)
             if encoding == true then
-                heading = add(item, rows[at], range, rows[at + 3], rows[at + 4])
+                heading = add(item, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
             else
                 local added = add(heading, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
                 local complaints = rows[at + 7]

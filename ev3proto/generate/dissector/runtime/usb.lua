@@ -46,6 +46,7 @@ do
         end
         local talk = not pinfo.visited and talk_of(device_key(pinfo))
         start_line(number, tvb:offset())
+        brick = is_shown and device_key(pinfo)
         local said, item = dissect_message(tvb, 0, message, talk, place_of(number, tvb:offset()), pinfo, tree,
             is_shown, line)
         if line then
@@ -66,6 +67,7 @@ do
     local function dissect_other_report(tvb, text, pinfo, tree)
         local low, high = byte(text, 1, 2)
         start_line(pinfo.number, tvb:offset())
+        brick = device_key(pinfo)
         say((dissect_no_frame(tvb, 0, #text, low + high * 0x100, tree, has_tree(tree))))
         show(pinfo)
         return #text

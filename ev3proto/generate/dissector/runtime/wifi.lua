@@ -8,8 +8,9 @@ do
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
-    -- Where answers to beacons go to, and the packets that went there; the places where bricks listen by what their
-    -- beacons say; the buffers that were left to others; whether connections on other ports were found to be ours.
+    -- Where answers to beacons go to, with the brick there, and the packets that went there; the places where bricks
+    -- listen by what their beacons say; the buffers that were left to others; whether connections on other ports were
+    -- found to be ours.
     local bricks, answers, announced, declined, has_found
 
     -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
@@ -149,6 +150,7 @@ do
         local captured, offset, is_shown = #text, tvb:offset(), has_tree(tree)
         local step, joint = step_of(known, text, offset, pinfo)
         start_line(number, offset)
+        brick = is_shown and (talk or connection_of(pinfo)).name
         -- Nearly always one frame is all there is.
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
         if step ~= "lost" and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
@@ -179,6 +181,15 @@ do
         return captured
     end
 
+    -- A connection is named after the end of it that is the brick.
+    local function name_brick(talk, pinfo, to_brick)
+        local address, port = pinfo.src, pinfo.src_port
+        if to_brick then
+            address, port = pinfo.dst, pinfo.dst_port
+        end
+        talk.name = tostring(address) .. ":" .. port
+    end
+
     -- The first time that a buffer of a connection is seen: whether it is ours, or whether more is needed to tell.
     local function claim(talk, text, pinfo, to_brick)
         if talk.is_claimed then return OURS end
@@ -188,8 +199,7 @@ do
         local verdict = judge_segment(text, to_brick)
         if verdict == OURS then
             talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
-            talk.name = to_brick and tostring(pinfo.dst) .. ":" .. pinfo.dst_port
-                or tostring(pinfo.src) .. ":" .. pinfo.src_port
+            name_brick(talk, pinfo, to_brick)
         elseif not verdict then
             talk.strange = strange + 1
         end
@@ -199,6 +209,7 @@ do
     local function dissect_first(tvb, text, pinfo, tree, number, port)
         local talk, known = connection_of(pinfo)
         local is_forced = not ports[port] and not is_named[port] and not talk.is_claimed
+        if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
         local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
         local reported = verdict == PART and tvb:reported_len()
         if reported and #text < reported then
@@ -236,6 +247,7 @@ do
         if judge_text(text) ~= OURS then return false end
         local talk, known = connection_of(pinfo)
         talk.is_claimed, talk.is_found, talk.claimed_in = true, true, pinfo.number
+        name_brick(talk, pinfo, true)
         has_found = true
         pinfo.conversation = ev3
         dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk, known)
@@ -245,9 +257,10 @@ do
     -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
     local function remember_brick(pinfo, named)
         local address = tostring(pinfo.src) .. " "
-        bricks[address .. pinfo.src_port], bricks[address .. BEACON_PORT] = true, true
+        local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
+        bricks[address .. pinfo.src_port], bricks[address .. BEACON_PORT] = name, name
         if named then
-            bricks[address .. named], announced[address .. named] = true, true
+            bricks[address .. named], announced[address .. named] = name, true
             if not ports[named] and not is_named[named] and #named_ports < MOST_NAMED then
                 named_ports[#named_ports + 1], is_named[named] = named, true
                 take_port(named)
@@ -255,7 +268,7 @@ do
         end
     end
 
-    local function dissect_beacon(tvb, text, tree)
+    local function dissect_beacon(tvb, text, tree, address)
         local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
         local at, values = 0, {}
         local port
@@ -275,25 +288,28 @@ do
         end
         local said = "beacon: " .. concat(values, " ")
         if item then item:set_text("EV3: " .. said) end
+        if item and port then item:add(field.brick, address .. ":" .. port):set_generated() end
         return said, port
     end
 
     -- A beacon that a brick broadcasts, or whatever a host answers to it.
     local function dissect_udp(tvb, pinfo, tree)
         local text, number = tvb:raw(), pinfo.number
+        brick = nil
         local head = BEACON_LINES[1].label .. ": "
         local said
         if sub(text, 1, #head) == head then
             local port
-            said, port = dissect_beacon(tvb, text, tree)
+            said, port = dissect_beacon(tvb, text, tree, tostring(pinfo.src))
             if not pinfo.visited then remember_brick(pinfo, port) end
         else
             if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-                answers[number] = true
+                answers[number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
             end
             local is_forced = pinfo.match_uint ~= BEACON_PORT and pinfo.match_uint ~= 0
             if not answers[number] and not is_forced then return 0 end
             said = "answer to a beacon"
+            brick = answers[number]
             if has_tree(tree) then
                 add_item(tree, tvb(), said):add(field.beacon_answer, tvb())
             end
@@ -307,7 +323,7 @@ do
     -- An answer goes to the port that the beacon came from, which is known by nothing else.
     local function guess_udp(tvb, pinfo, tree)
         if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-            answers[pinfo.number] = true
+            answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
         end
         if not answers[pinfo.number] then return false end
         dissect_udp(tvb, pinfo, tree)

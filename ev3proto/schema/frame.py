@@ -117,6 +117,7 @@ def _direct_reply(member: MessageType, counter: int, memory: bytes) -> DirectRep
 
 
 _DIRECT_COMMANDS = {member.value: member for member in MessageType if member.kind == "direct-command"}
+_DIRECT_REPLIES = {member.value: member for member in MessageType if member.kind == "direct-reply"}
 
 
 class FrameSchema(Bytewise):
@@ -212,17 +213,20 @@ class FrameSchema(Bytewise):
         size = len(frame)
         if COMMAND_HEADER_SIZE <= size <= MAX_FRAME:
             length, counter, code, memory = unpack_command_header(frame)
-            member = _DIRECT_COMMANDS.get(code)
+            is_whole = length + LENGTH_FIELD == size
+            if is_whole and code in _DIRECT_REPLIES:
+                return _direct_reply(_DIRECT_REPLIES[code], counter, frame[HEADER_SIZE:])
             instructions = self.instructions
             if (
-                member is not None
-                and length + LENGTH_FIELD == size
+                is_whole
+                and code in _DIRECT_COMMANDS
                 and (
                     instructions.is_usual(frame, COMMAND_HEADER_SIZE, size)
                     or instructions.is_flawless(frame, COMMAND_HEADER_SIZE, size)
                 )
             ):
                 read = partial(InstructionSet.operations, instructions, frame, COMMAND_HEADER_SIZE)
+                member = _DIRECT_COMMANDS[code]
                 return new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, read)
         return self.read_frame(frame, strict=strict)
 

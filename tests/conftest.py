@@ -7,6 +7,7 @@ With EV3PROTO_THOROUGH it draws many, others each time, and keeps those that fai
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -17,6 +18,10 @@ from hypothesis.internal.constants_ast import Constants
 from support import scratch
 from support.effort import THOROUGH
 from support.wireshark import Tshark
+
+# Hundreds of processes are started, and without compiled modules each would compile the package anew.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
 
 settings.register_profile(
     "usual", max_examples=50, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]

@@ -33,7 +33,7 @@ def generate(*arguments: str) -> subprocess.CompletedProcess[str]:
 # The files
 
 
-@pytest.mark.parametrize("path", FILES)
+@each("path", FILES)
 def test_the_files_are_up_to_date(path: str) -> None:
     if (ROOT / path).read_bytes() != FILES[path].encode():
         pytest.fail(f"{path} is out of date: run {everything.COMMAND}", pytrace=False)

@@ -455,6 +455,17 @@ def test_few_are_hidden_where_they_are_cut(tshark: Tshark, carrier: str) -> None
     assert invented.total() <= 0.001 * len(expected)
 
 
+def test_a_gap_after_a_connection_whose_first_frame_came_in_pieces(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(good(1)[:7])
+    connection.send(good(1)[7:] + good(2)[:9])
+    connection.segment(True, good(2)[9:])
+    connection.send(good(3))
+    assert counters(tshark, capture) == [[], [1], [3]]
+    check_no_errors(tshark, capture.data())
+
+
 @pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
 def test_where_packets_are_missing_only_the_frames_in_them_are(tshark: Tshark, carrier: str) -> None:
     """Three packets in a hundred are not in the capture, and frames are cut anywhere."""

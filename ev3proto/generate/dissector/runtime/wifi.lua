@@ -131,7 +131,7 @@ do
                 return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0
             end
             -- What was asked for did not come. The rest of a segment follows the frame that was asked for all the same.
-            local is_rest = pending and not is_lost and offset > usual and may_go(text, types_of(pinfo))
+            local is_rest = pending and usual and not is_lost and offset > usual and may_go(text, types_of(pinfo))
             return is_rest and "likely" or "lost", 0
         end
 

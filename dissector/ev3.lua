@@ -60,9 +60,9 @@ local MESSAGE_TYPES = {
     [0x08] = { name = "DAISY_REPLY", carries = "daisy" },
     [0x09] = { name = "DAISY_REPLY_ERROR", carries = "daisy", is_error = true },
 }
-local MESSAGE_TYPE_NAMES = {}
+local NAMES = { message_types = {}, opcodes = {}, system_commands = {} }
 for number, declared in pairs(MESSAGE_TYPES) do
-    MESSAGE_TYPE_NAMES[number] = declared.name
+    NAMES.message_types[number] = declared.name
 end
 
 -- Arguments ----------------------------------------------------------------------------------------------------------
@@ -3682,9 +3682,8 @@ local OPERATIONS = {
         dialects = { "xtended", "compat" },
     },
 }
-local OPCODE_NAMES = {}
 for _, row in ipairs(OPERATIONS) do
-    OPCODE_NAMES[row[1]] = OPCODE_NAMES[row[1]] or row[2]
+    NAMES.opcodes[row[1]] = NAMES.opcodes[row[1]] or row[2]
 end
 
 -- System commands ----------------------------------------------------------------------------------------------------
@@ -3843,46 +3842,47 @@ local SYSTEM = {
         bootloader = true,
     },
 }
-local SYSTEM_NAMES = {}
 for _, row in ipairs(SYSTEM) do
-    SYSTEM_NAMES[row[1]] = row[2]
+    NAMES.system_commands[row[1]] = row[2]
 end
 
-local STATUS_NAMES = {
-    [0] = "SUCCESS", [1] = "UNKNOWN_HANDLE", [2] = "HANDLE_NOT_READY", [3] = "CORRUPT_FILE",
-    [4] = "NO_HANDLES_AVAILABLE", [5] = "NO_PERMISSION", [6] = "ILLEGAL_PATH", [7] = "FILE_EXITS", [8] = "END_OF_FILE",
-    [9] = "SIZE_ERROR", [10] = "UNKNOWN_ERROR", [11] = "ILLEGAL_FILENAME", [12] = "ILLEGAL_CONNECTION",
+local STATUS = {
+    names = {
+        [0] = "SUCCESS", [1] = "UNKNOWN_HANDLE", [2] = "HANDLE_NOT_READY", [3] = "CORRUPT_FILE",
+        [4] = "NO_HANDLES_AVAILABLE", [5] = "NO_PERMISSION", [6] = "ILLEGAL_PATH", [7] = "FILE_EXITS",
+        [8] = "END_OF_FILE", [9] = "SIZE_ERROR", [10] = "UNKNOWN_ERROR", [11] = "ILLEGAL_FILENAME",
+        [12] = "ILLEGAL_CONNECTION",
+    },
+    fails = {
+        [0] = false, [1] = true, [2] = true, [3] = true, [4] = true, [5] = true, [6] = true, [7] = true, [8] = false,
+        [9] = true, [10] = true, [11] = true, [12] = true,
+    },
+    success = 0, end_of_file = 8,
 }
-local STATUS_FAILS = {
-    [0] = false, [1] = true, [2] = true, [3] = true, [4] = true, [5] = true, [6] = true, [7] = true, [8] = false,
-    [9] = true, [10] = true, [11] = true, [12] = true,
-}
-local SUCCESS = 0
-local END_OF_FILE = 8
 
 -- Daisy chain --------------------------------------------------------------------------------------------------------
 --
 -- What bricks say to each other when they are joined by USB.
 
-local DAISY_NAMES = {
-    [160] = "DOWNSTREAM", [161] = "UPSTREAM", [162] = "INFO", [163] = "UNLOCK_SLAVE", [164] = "SET_TYPE",
-    [165] = "DOWNSTREAM_WITH_BUSY",
+local DAISY = {
+    names = {
+        [160] = "DOWNSTREAM", [161] = "UPSTREAM", [162] = "INFO", [163] = "UNLOCK_SLAVE", [164] = "SET_TYPE",
+        [165] = "DOWNSTREAM_WITH_BUSY",
+    },
+    carries_operations = { [160] = true, [165] = true },
+    most_layers = 4,
+    sensor_report = {
+        { name = "layer", size = 1 },
+        { name = "port", size = 1 },
+        { name = "status", size = 1 },
+        { name = "type", size = 1 },
+        { name = "mode", size = 1 },
+        { name = "data", size = 32 },
+        { name = "checksum", size = 1 },
+        { name = "busy" },
+    },
+    sensor_report_size = 38,
 }
-local DAISY_CARRIES_OPERATIONS = { [160] = true, [165] = true }
-local MOST_LAYERS = 4
-
--- The data of a sensor in a daisy reply, part by part; the last one has what is left.
-local SENSOR_REPORT = {
-    { name = "layer", size = 1 },
-    { name = "port", size = 1 },
-    { name = "status", size = 1 },
-    { name = "type", size = 1 },
-    { name = "mode", size = 1 },
-    { name = "data", size = 32 },
-    { name = "checksum", size = 1 },
-    { name = "busy" },
-}
-local SENSOR_REPORT_SIZE = 38
 
 -- Claims -------------------------------------------------------------------------------------------------------------
 --
@@ -3910,29 +3910,28 @@ local CLAIMS = {
 --
 -- How a brick shows itself.
 
--- Vendor and product in one number: the brick, and its bootloader.
-local USB_PRODUCTS = { 0x06940005, 0x06940006 }
-local RFCOMM_CHANNEL = 1
+-- Of USB, vendor and product in one number: the brick, and its bootloader.
+local CARRIERS = {
+    usb_products = { 0x06940005, 0x06940006 },
+    rfcomm_channel = 1, tcp_port = 5555, beacon_port = 3015,
+    beacon_lines = {
+        { name = "serial", label = "Serial-Number" },
+        { name = "port", label = "Port" },
+        { name = "name", label = "Name" },
+        { name = "protocol", label = "Protocol" },
+    },
+}
 
 -- WiFi ---------------------------------------------------------------------------------------------------------------
 --
 -- What goes back and forth before any frame does.
 
-local TCP_PORT = 5555
-local BEACON_PORT = 3015
-local BEACON_LINES = {
-    { name = "serial", label = "Serial-Number" },
-    { name = "port", label = "Port" },
-    { name = "name", label = "Name" },
-    { name = "protocol", label = "Protocol" },
+-- What unlocks the brick over WiFi, and its answer. No frame has a length that starts like one of them.
+local UNLOCK = {
+    pattern = "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: EV3()", request = "GET /target?sn=",
+    most_bytes = 128, endings = 2, answer = "Accept:EV340\r\n\r\n",
+    starts = { [71] = true, [65] = true },
 }
-local UNLOCK_PATTERN = "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: EV3()"
-local UNLOCK_REQUEST = "GET /target?sn="
-local MOST_UNLOCK = 128
-local UNLOCK_ENDINGS = 2
-local ACCEPT = "Accept:EV340\r\n\r\n"
--- The bytes that the two texts start with. No frame has such a length.
-local TEXT_STARTS = { [71] = true, [65] = true }
 
 -- Fields ------------------------------------------------------------------------------------------------------------
 --
@@ -3952,13 +3951,13 @@ local field = {
     length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
     counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil,
         "chosen by the sender, echoed in the reply"),
-    type = ProtoField.uint8("ev3.cmd_type", "Type", base.HEX, MESSAGE_TYPE_NAMES),
+    type = ProtoField.uint8("ev3.cmd_type", "Type", base.HEX, NAMES.message_types),
     memory_sizes = ProtoField.uint16("ev3.vars", "Memory asked for", base.HEX),
     globals = ProtoField.uint16("ev3.globals", "Global memory", base.UNIT_STRING, { " byte", " bytes" }, GLOBAL_MASK,
         "bytes of the reply's payload"),
     locals = ProtoField.uint16("ev3.locals", "Local memory", base.UNIT_STRING, { " byte", " bytes" }, LOCAL_MASK),
 
-    opcode = ProtoField.uint8("ev3.op", "Opcode", base.HEX, OPCODE_NAMES),
+    opcode = ProtoField.uint8("ev3.op", "Opcode", base.HEX, NAMES.opcodes),
     cmd = ProtoField.string("ev3.cmd", "CMD", "opcode and CMD by name, such as SOUND.TONE"),
     encoding = ProtoField.string("ev3.argument.encoding", "Encoding", "how the argument is encoded"),
     variable = ProtoField.string("ev3.argument.variable", "Variable",
@@ -3971,10 +3970,10 @@ local field = {
         "in a reply: the operation whose outputs these are, such as UI_READ.GET_VBATT"),
     list = ProtoField.none("ev3.values", "Values"),
 
-    system_command = ProtoField.uint8("ev3.sys_cmd", "System command", base.HEX, SYSTEM_NAMES),
-    status = ProtoField.uint8("ev3.reply_status", "Status", base.HEX, STATUS_NAMES),
+    system_command = ProtoField.uint8("ev3.sys_cmd", "System command", base.HEX, NAMES.system_commands),
+    status = ProtoField.uint8("ev3.reply_status", "Status", base.HEX, STATUS.names),
 
-    daisy_command = ProtoField.uint8("ev3.daisy.command", "Sub-command", base.HEX, DAISY_NAMES),
+    daisy_command = ProtoField.uint8("ev3.daisy.command", "Sub-command", base.HEX, DAISY.names),
     layer_from = ProtoField.uint8("ev3.daisy.layer_from", "From layer"),
     layer_to = ProtoField.uint8("ev3.daisy.layer_to", "To layer"),
     daisy_payload = ProtoField.bytes("ev3.daisy.payload", "Payload"),
@@ -4017,7 +4016,7 @@ local function add_item(tree, range, said)
 end
 
 local beacon_field = {}
-for _, line in ipairs(BEACON_LINES) do
+for _, line in ipairs(CARRIERS.beacon_lines) do
     beacon_field[line.name] = ProtoField.string("ev3.beacon." .. line.name, line.label)
     fields[#fields + 1] = beacon_field[line.name]
 end
@@ -4883,11 +4882,11 @@ do
         local uses = {}
         if message.type.carries == "direct" then
             add_uses(uses, body, MEMORY_FIELD)
-        elseif message.type.carries == "daisy" and DAISY_NAMES[byte(body, 1)] then
+        elseif message.type.carries == "daisy" and DAISY.names[byte(body, 1)] then
             local inside = {}
-            local is_code = DAISY_CARRIES_OPERATIONS[byte(body, 1)] and add_uses(inside, body, DAISY_PAYLOAD)
+            local is_code = DAISY.carries_operations[byte(body, 1)] and add_uses(inside, body, DAISY_PAYLOAD)
             uses = is_code and inside or {}
-            uses[DAISY_NAMES[byte(body, 1)]] = 1
+            uses[DAISY.names[byte(body, 1)]] = 1
         end
         if not next(uses) then uses["(no operation)"] = 1 end
         return uses
@@ -5255,7 +5254,7 @@ do
     -- The same for a reply. `request` is what follows the header of the command that it answers.
     local function follow_reply(talk, message, request)
         local command, values = message.command, message.fields
-        local failed = message.type.is_error or STATUS_FAILS[message.status] ~= false
+        local failed = message.type.is_error or STATUS.fails[message.status] ~= false
         local transfer
         if command.transfer == "begin" then
             transfer = talk.begun[message.counter]
@@ -5267,7 +5266,7 @@ do
             local handle = values.handle or asked_handle(request)
             transfer = handle and talk.open[handle]
             -- The brick takes a handle back when a file is closed, complete or in trouble.
-            if handle and (command.transfer == "close" or failed or message.status == END_OF_FILE) then
+            if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
                 talk.open[handle] = nil
             end
         end
@@ -5722,7 +5721,7 @@ end
 local read_message, show_message
 do
     local report_field = {}
-    for _, part in ipairs(SENSOR_REPORT) do
+    for _, part in ipairs(DAISY.sensor_report) do
         local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
         report_field[part.name] = make("ev3.daisy." .. part.name, part.name)
         fields[#fields + 1] = report_field[part.name]
@@ -5914,13 +5913,13 @@ do
     end
 
     local function status_text(status)
-        return STATUS_NAMES[status] or format("status %d", status)
+        return STATUS.names[status] or format("status %d", status)
     end
 
     -- Commands and replies. Their fields were read with the frame, as the notes on files need them.
     local function say_system_message(message, place)
         local command, status = message.command, message.status
-        if status and (STATUS_FAILS[status] ~= false or message.type.is_error) then
+        if status and (STATUS.fails[status] ~= false or message.type.is_error) then
             complain_of(message, "failed", "the command failed: " .. status_text(status))
         end
         if not command then
@@ -5929,7 +5928,7 @@ do
         end
         local line = command.name .. subject_text(message, place)
         if message.type.is_command then return line end
-        return "reply: " .. (status ~= SUCCESS and line .. " " .. status_text(status) or line)
+        return "reply: " .. (status ~= STATUS.success and line .. " " .. status_text(status) or line)
     end
 
     local function add_system_message(message, item, tvb, base)
@@ -5952,14 +5951,14 @@ do
             return message.type.name
         end
         local number, from, to = byte(text, at + 1, at + 3)
-        local name = DAISY_NAMES[number]
+        local name = DAISY.names[number]
         if not name then
             message.fault = { at = at, reason = format("0x%02X is no daisy sub-command", number), kind = "fault" }
         end
         local payload = at + DAISY_PAYLOAD
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
-        if payload < stop and DAISY_CARRIES_OPERATIONS[number] then
+        if payload < stop and DAISY.carries_operations[number] then
             read_rows(scratch, text, payload, stop)
             if not scratch.fault then
                 message.rows = scratch
@@ -6000,7 +5999,7 @@ do
         if payload == stop then return end
         local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
         at = payload
-        for _, declared in ipairs(stop - payload >= SENSOR_REPORT_SIZE and SENSOR_REPORT or {}) do
+        for _, declared in ipairs(stop - payload >= DAISY.sensor_report_size and DAISY.sensor_report or {}) do
             -- The last part takes what is left.
             local after = declared.size and at + declared.size or stop
             if after > at then added:add(report_field[declared.name], tvb(base + at, after - at)) end
@@ -6098,7 +6097,7 @@ do
         end
         local declared = type.is_command and message.command.request or message.command.reply
         -- Replies to commands that failed may end before any field.
-        local is_complete = type.is_command or (message.status == SUCCESS and not type.is_error)
+        local is_complete = type.is_command or (message.status == STATUS.success and not type.is_error)
         message.fields, message.rest, message.fault = read_fields(text, start, stop, declared, is_complete)
     end
 
@@ -6312,11 +6311,11 @@ do
         elseif type.carries == "daisy" then
             local at = HEADER_SIZE
             if type.is_command then
-                if not DAISY_NAMES[byte(text, at + 1)] then return false end
+                if not DAISY.names[byte(text, at + 1)] then return false end
                 at = at + 1
             end
             local from, to = byte(text, at + 1, at + 2)
-            return to ~= nil and from <= MOST_LAYERS and to <= MOST_LAYERS
+            return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
         end
         return true
     end
@@ -6470,9 +6469,9 @@ local dissect_stream, dissect_no_frame, judge_text
 do
     -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
-        local serial, newline, behind = text:match(UNLOCK_PATTERN, at + 1)
+        local serial, newline, behind = text:match(UNLOCK.pattern, at + 1)
         if not serial then return nil end
-        for _ = 1, UNLOCK_ENDINGS do
+        for _ = 1, UNLOCK.endings do
             if sub(text, behind, behind + #newline - 1) == newline then behind = behind + #newline end
         end
         return behind - 1, serial
@@ -6486,7 +6485,7 @@ do
             local range = tvb(at, behind - at)
             local item = add_item(tree, range, said)
             item:add(field.unlock, range)
-            item:add(field.unlock_serial, tvb(at + #UNLOCK_REQUEST, #serial))
+            item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial))
         end
         return said, behind
     end
@@ -6494,8 +6493,8 @@ do
     -- What the brick answers to it. The firmware sends the text's zero, too: it is one where it cannot be the start of
     -- a frame's length.
     local function dissect_accept(tvb, text, at, tree, is_shown)
-        local behind = at + #ACCEPT
-        if sub(text, at + 1, behind) ~= ACCEPT then return nil end
+        local behind = at + #UNLOCK.answer
+        if sub(text, at + 1, behind) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, behind + 1, behind + 2)
         if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
         if is_shown then
@@ -6518,14 +6517,14 @@ do
     -- Whether one of the texts may have begun here, and goes on in the next segment.
     local function is_part_of_text(text, at)
         local part = sub(text, at + 1)
-        if starts_with(ACCEPT, part) or starts_with(UNLOCK_REQUEST, part) then return true end
-        return #part < MOST_UNLOCK and starts_with(part, UNLOCK_REQUEST)
+        if starts_with(UNLOCK.answer, part) or starts_with(UNLOCK.request, part) then return true end
+        return #part < UNLOCK.most_bytes and starts_with(part, UNLOCK.request)
     end
 
     -- What data tell that should begin with one of the texts: OURS, PART, or nil.
     function judge_text(text)
-        if not TEXT_STARTS[byte(text, 1)] then return nil end
-        if sub(text, 1, #ACCEPT) == ACCEPT or match_unlock(text, 0) then return OURS end
+        if not UNLOCK.starts[byte(text, 1)] then return nil end
+        if sub(text, 1, #UNLOCK.answer) == UNLOCK.answer or match_unlock(text, 0) then return OURS end
         return is_part_of_text(text, 0) and PART or nil
     end
 
@@ -6585,7 +6584,7 @@ do
             is_open = place <= #text - least
         end
         if not place or is_open == false then place = #text end
-        for _, start in ipairs({ UNLOCK_REQUEST, ACCEPT }) do
+        for _, start in ipairs({ UNLOCK.request, UNLOCK.answer }) do
             local hit = find(text, start, at + 1, true)
             if hit and hit - 1 < place then place, is_open = hit - 1, false end
         end
@@ -6613,7 +6612,7 @@ do
     local function is_misleading(text, at, size, accepts)
         local stop, captured = at + size, #text
         local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
-        local is_chained = stop >= captured or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)]
+        local is_chained = stop >= captured or may_follow(text, stop) or UNLOCK.starts[byte(text, stop + 1)]
         if not type or accepts and not accepts(type) then
             return not is_chained or at == 0 and (stop > captured or has_frame_inside(text, at, stop))
         end
@@ -6627,7 +6626,7 @@ do
     local function hides_gap(text, at, size, stream)
         local stop = at + size
         local may_go_on = not stream.is_last
-        if stop >= #text or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)] then
+        if stop >= #text or may_follow(text, stop) or UNLOCK.starts[byte(text, stop + 1)] then
             if #text - stop >= HEADER_SIZE then return false end
             if is_flawless(read_message(sub(text, at + 1, stop)), true) then return false end
             may_go_on = false
@@ -6652,7 +6651,7 @@ do
         while at < captured do
             local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
             local said, behind
-            if TEXT_STARTS[low] then
+            if UNLOCK.starts[low] then
                 said, behind = dissect_text(tvb, text, at, tree, is_shown)
                 if not said and not is_last and is_part_of_text(text, at) then return at, nil, true, step end
                 is_ours = is_ours or said ~= nil
@@ -6846,7 +6845,7 @@ do
 
     local function register()
         local products = DissectorTable.get("usb.product")
-        for _, product in ipairs(USB_PRODUCTS) do
+        for _, product in ipairs(CARRIERS.usb_products) do
             products:add(product, ev3)
         end
         ev3:register_heuristic("usb.interrupt", guess_usb)
@@ -7070,8 +7069,8 @@ do
     -- The channel of the serial port profile, whichever side opened it.
     local function register()
         local channels = DissectorTable.get("btrfcomm.dlci")
-        channels:add(2 * RFCOMM_CHANNEL, ev3)
-        channels:add(2 * RFCOMM_CHANNEL + 1, ev3)
+        channels:add(2 * CARRIERS.rfcomm_channel, ev3)
+        channels:add(2 * CARRIERS.rfcomm_channel + 1, ev3)
     end
 
     add_carrier({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })
@@ -7186,7 +7185,7 @@ do
         local function may_go(text, accepts)
             local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
             if type and accepts and not accepts(type) then return false end
-            return may_start(text, 0) or TEXT_STARTS[byte(text, 1)] ~= nil
+            return may_start(text, 0) or UNLOCK.starts[byte(text, 1)] ~= nil
         end
 
         -- TCP puts segments together where that was asked for: such a buffer begins anew, others after their headers.
@@ -7320,8 +7319,8 @@ do
     -- A connection on any other port, which begins with the unlock text. From then on its packets come here.
     local function guess_tcp(tvb, pinfo, tree)
         if pinfo.visited then return false end
-        local size = #UNLOCK_REQUEST
-        if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK_REQUEST then return false end
+        local size = #UNLOCK.request
+        if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK.request then return false end
         local text = tvb:raw()
         if judge_text(text) ~= OURS then return false end
         local talk, known = connection_of(pinfo)
@@ -7337,7 +7336,7 @@ do
     local function remember_brick(pinfo, named)
         local address = tostring(pinfo.src) .. " "
         local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
-        bricks[address .. pinfo.src_port], bricks[address .. BEACON_PORT] = name, name
+        bricks[address .. pinfo.src_port], bricks[address .. CARRIERS.beacon_port] = name, name
         if named then
             bricks[address .. named], announced[address .. named] = name, true
             if not ports[named] and not is_named[named] and #named_ports < MOST_NAMED then
@@ -7351,7 +7350,7 @@ do
         local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
         local at, values = 0, {}
         local port
-        for _, line in ipairs(BEACON_LINES) do
+        for _, line in ipairs(CARRIERS.beacon_lines) do
             local head = line.label .. ": "
             local stop = find(text, "\r\n", at + 1, true)
             if not stop or sub(text, at + 1, at + #head) ~= head then
@@ -7375,7 +7374,7 @@ do
     local function dissect_udp(tvb, pinfo, tree)
         local text, number = tvb:raw(), pinfo.number
         brick = nil
-        local head = BEACON_LINES[1].label .. ": "
+        local head = CARRIERS.beacon_lines[1].label .. ": "
         local said
         if sub(text, 1, #head) == head then
             local port
@@ -7385,7 +7384,7 @@ do
             if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
                 answers[number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
             end
-            local is_forced = pinfo.match_uint ~= BEACON_PORT and pinfo.match_uint ~= 0
+            local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
             if not answers[number] and not is_forced then return 0 end
             said = "answer to a beacon"
             brick = answers[number]
@@ -7409,7 +7408,7 @@ do
         return true
     end
 
-    local listened = tostring(TCP_PORT)
+    local listened = tostring(CARRIERS.tcp_port)
 
     -- Takes the ports of a preference such as 5555,6000-6003, or gives them back to whom they belonged.
     local function take_ports()
@@ -7439,7 +7438,7 @@ do
         ev3.prefs.tcp_ports = Pref.range("TCP ports", listened, "TCP ports on which bricks listen", 65535)
         take_ports()
         ev3:register_heuristic("tcp", guess_tcp)
-        DissectorTable.get("udp.port"):add(BEACON_PORT, ev3)
+        DissectorTable.get("udp.port"):add(CARRIERS.beacon_port, ev3)
         ev3:register_heuristic("udp", guess_udp)
     end
 

@@ -62,7 +62,7 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
     yield "Daisy chain", "What bricks say to each other when they are joined by USB.", _daisy()
     yield "Claims", "When traffic is taken for this protocol, and when it is left to others.", _claims()
     yield "USB and Bluetooth", "How a brick shows itself.", _carriers()
-    yield "WiFi", "What goes back and forth before any frame does.", _wifi()
+    yield "WiFi", "What goes back and forth before any frame does.", _unlock()
 
 
 def _heading(title: str, text: str) -> str:
@@ -112,8 +112,8 @@ def _frames() -> Iterator[str]:
         facts |= {name: True for name in ("is_command", "wants_reply", "is_error") if getattr(member, name)}
         yield f"    [{hexadecimal(member)}] = {literal(Table(named=facts), 1, 13)},\n"
     yield "}\n"
-    yield "local MESSAGE_TYPE_NAMES = {}\n"
-    yield "for number, declared in pairs(MESSAGE_TYPES) do\n    MESSAGE_TYPE_NAMES[number] = declared.name\nend\n\n"
+    yield "local NAMES = { message_types = {}, opcodes = {}, system_commands = {} }\n"
+    yield "for number, declared in pairs(MESSAGE_TYPES) do\n    NAMES.message_types[number] = declared.name\nend\n\n"
 
 
 def _encodings() -> Iterator[str]:
@@ -170,8 +170,7 @@ def _operations() -> Iterator[str]:
     for opcode in OPCODES:
         yield f"    {literal(_opcode(opcode), 1, 5)},\n"
     yield "}\n"
-    yield "local OPCODE_NAMES = {}\n"
-    yield "for _, row in ipairs(OPERATIONS) do\n    OPCODE_NAMES[row[1]] = OPCODE_NAMES[row[1]] or row[2]\nend\n\n"
+    yield "for _, row in ipairs(OPERATIONS) do\n    NAMES.opcodes[row[1]] = NAMES.opcodes[row[1]] or row[2]\nend\n\n"
 
 
 def _opcode(opcode: Opcode) -> Table:
@@ -221,12 +220,14 @@ def _system() -> Iterator[str]:
     for command in SYSTEM:
         yield f"    {literal(_system_command(command), 1, 5)},\n"
     yield "}\n"
-    yield "local SYSTEM_NAMES = {}\n"
-    yield "for _, row in ipairs(SYSTEM) do\n    SYSTEM_NAMES[row[1]] = row[2]\nend\n\n"
-    yield _assign("STATUS_NAMES", Table(named={status.value: status.name for status in SystemStatus}))
-    yield _assign("STATUS_FAILS", Table(named={status.value: status.is_failure for status in SystemStatus}))
-    yield _assign("SUCCESS", SystemStatus.SUCCESS.value)
-    yield _assign("END_OF_FILE", SystemStatus.END_OF_FILE.value)
+    yield "for _, row in ipairs(SYSTEM) do\n    NAMES.system_commands[row[1]] = row[2]\nend\n\n"
+    statuses: dict[Any, object] = {
+        "names": Table(named={status.value: status.name for status in SystemStatus}),
+        "fails": Table(named={status.value: status.is_failure for status in SystemStatus}),
+        "success": SystemStatus.SUCCESS.value,
+        "end_of_file": SystemStatus.END_OF_FILE.value,
+    }
+    yield _assign("STATUS", Table(named=statuses))
     yield "\n"
 
 
@@ -255,17 +256,21 @@ def _system_field(command: SystemCommand, field: Field) -> Table:
 
 
 def _daisy() -> Iterator[str]:
-    yield _assign("DAISY_NAMES", Table(named={member.value: member.name for member in daisy.DaisyCommand}))
-    operations = {member.value: True for member in daisy.DaisyCommand if member.carries_operations}
-    yield _assign("DAISY_CARRIES_OPERATIONS", Table(named=operations))
-    yield _assign("MOST_LAYERS", daisy.MOST_LAYERS)
-    yield "\n-- The data of a sensor in a daisy reply, part by part; the last one has what is left.\n"
+    # The data of a sensor stand in a daisy reply part by part; the last one has what is left.
     rows = []
     for part in SENSOR_REPORT.subcons:
         size = _size_of(part)
         rows.append(Table(named={"name": part.name} | ({} if size is None else {"size": size})))
-    yield _assign("SENSOR_REPORT", Table(rows))
-    yield _assign("SENSOR_REPORT_SIZE", sum(_size_of(part) or 0 for part in SENSOR_REPORT.subcons))
+    chain: dict[Any, object] = {
+        "names": Table(named={member.value: member.name for member in daisy.DaisyCommand}),
+        "carries_operations": Table(
+            named={member.value: True for member in daisy.DaisyCommand if member.carries_operations}
+        ),
+        "most_layers": daisy.MOST_LAYERS,
+        "sensor_report": Table(rows),
+        "sensor_report_size": sum(_size_of(part) or 0 for part in SENSOR_REPORT.subcons),
+    }
+    yield _assign("DAISY", Table(named=chain))
     yield "\n"
 
 
@@ -278,10 +283,17 @@ def _size_of(part: object) -> int | None:
 
 
 def _carriers() -> Iterator[str]:
-    yield "-- Vendor and product in one number: the brick, and its bootloader.\n"
     products = (carriers.USB_PRODUCT, carriers.USB_BOOTLOADER)
-    yield _assign("USB_PRODUCTS", Table([Name(f"0x{carriers.USB_VENDOR:04X}{product:04X}") for product in products]))
-    yield _assign("RFCOMM_CHANNEL", carriers.RFCOMM_CHANNEL)
+    lines = [Table(named={"name": name, "label": label}) for name, label in discovery.BEACON_LINES.items()]
+    places: dict[Any, object] = {
+        "usb_products": Table([Name(f"0x{carriers.USB_VENDOR:04X}{product:04X}") for product in products]),
+        "rfcomm_channel": carriers.RFCOMM_CHANNEL,
+        "tcp_port": discovery.TCP_PORT,
+        "beacon_port": discovery.BEACON_PORT,
+        "beacon_lines": Table(lines),
+    }
+    yield "-- Of USB, vendor and product in one number: the brick, and its bootloader.\n"
+    yield _assign("CARRIERS", Table(named=places))
 
 
 def _claims() -> Iterator[str]:
@@ -300,23 +312,22 @@ def _claims() -> Iterator[str]:
     yield _assign("CLAIMS", Table(named=rule))
 
 
-def _wifi() -> Iterator[str]:
-    yield _assign("TCP_PORT", discovery.TCP_PORT)
-    yield _assign("BEACON_PORT", discovery.BEACON_PORT)
-    lines = [Table(named={"name": name, "label": label}) for name, label in discovery.BEACON_LINES.items()]
-    yield _assign("BEACON_LINES", Table(lines))
-    pieces = (
+def _unlock() -> Iterator[str]:
+    pattern = (
         f"^{_plain(discovery.UNLOCK_REQUEST)}([%w_:]*) ?{_plain(discovery.UNLOCK_VERSION)}"
         f"(\r?\n){_plain(discovery.UNLOCK_PROTOCOL)}()"
     )
-    yield _assign("UNLOCK_PATTERN", pieces)
-    yield _assign("UNLOCK_REQUEST", discovery.UNLOCK_REQUEST)
-    yield _assign("MOST_UNLOCK", discovery.MOST_UNLOCK)
-    yield _assign("UNLOCK_ENDINGS", discovery.UNLOCK_ENDINGS)
-    yield _assign("ACCEPT", discovery.ACCEPT.decode("ascii"))
     first = {ord(discovery.UNLOCK_REQUEST[0]): True, discovery.ACCEPT[0]: True}
-    yield "-- The bytes that the two texts start with. No frame has such a length.\n"
-    yield _assign("TEXT_STARTS", Table(named=first))
+    texts: dict[Any, object] = {
+        "pattern": pattern,
+        "request": discovery.UNLOCK_REQUEST,
+        "most_bytes": discovery.MOST_UNLOCK,
+        "endings": discovery.UNLOCK_ENDINGS,
+        "answer": discovery.ACCEPT.decode("ascii"),
+        "starts": Table(named=first),
+    }
+    yield "-- What unlocks the brick over WiFi, and its answer. No frame has a length that starts like one of them.\n"
+    yield _assign("UNLOCK", Table(named=texts))
     yield "\n"
 
 

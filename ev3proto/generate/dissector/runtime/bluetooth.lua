@@ -213,8 +213,8 @@ do
     -- The channel of the serial port profile, whichever side opened it.
     local function register()
         local channels = DissectorTable.get("btrfcomm.dlci")
-        channels:add(2 * RFCOMM_CHANNEL, ev3)
-        channels:add(2 * RFCOMM_CHANNEL + 1, ev3)
+        channels:add(2 * CARRIERS.rfcomm_channel, ev3)
+        channels:add(2 * CARRIERS.rfcomm_channel + 1, ev3)
     end
 
     add_carrier({ dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register })

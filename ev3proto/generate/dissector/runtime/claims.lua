@@ -67,11 +67,11 @@ do
         elseif type.carries == "daisy" then
             local at = HEADER_SIZE
             if type.is_command then
-                if not DAISY_NAMES[byte(text, at + 1)] then return false end
+                if not DAISY.names[byte(text, at + 1)] then return false end
                 at = at + 1
             end
             local from, to = byte(text, at + 1, at + 2)
-            return to ~= nil and from <= MOST_LAYERS and to <= MOST_LAYERS
+            return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
         end
         return true
     end

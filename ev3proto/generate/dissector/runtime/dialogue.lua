@@ -185,7 +185,7 @@ do
     -- The same for a reply. `request` is what follows the header of the command that it answers.
     local function follow_reply(talk, message, request)
         local command, values = message.command, message.fields
-        local failed = message.type.is_error or STATUS_FAILS[message.status] ~= false
+        local failed = message.type.is_error or STATUS.fails[message.status] ~= false
         local transfer
         if command.transfer == "begin" then
             transfer = talk.begun[message.counter]
@@ -197,7 +197,7 @@ do
             local handle = values.handle or asked_handle(request)
             transfer = handle and talk.open[handle]
             -- The brick takes a handle back when a file is closed, complete or in trouble.
-            if handle and (command.transfer == "close" or failed or message.status == END_OF_FILE) then
+            if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
                 talk.open[handle] = nil
             end
         end

@@ -16,13 +16,13 @@ local field = {
     length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
     counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil,
         "chosen by the sender, echoed in the reply"),
-    type = ProtoField.uint8("ev3.cmd_type", "Type", base.HEX, MESSAGE_TYPE_NAMES),
+    type = ProtoField.uint8("ev3.cmd_type", "Type", base.HEX, NAMES.message_types),
     memory_sizes = ProtoField.uint16("ev3.vars", "Memory asked for", base.HEX),
     globals = ProtoField.uint16("ev3.globals", "Global memory", base.UNIT_STRING, { " byte", " bytes" }, GLOBAL_MASK,
         "bytes of the reply's payload"),
     locals = ProtoField.uint16("ev3.locals", "Local memory", base.UNIT_STRING, { " byte", " bytes" }, LOCAL_MASK),
 
-    opcode = ProtoField.uint8("ev3.op", "Opcode", base.HEX, OPCODE_NAMES),
+    opcode = ProtoField.uint8("ev3.op", "Opcode", base.HEX, NAMES.opcodes),
     cmd = ProtoField.string("ev3.cmd", "CMD", "opcode and CMD by name, such as SOUND.TONE"),
     encoding = ProtoField.string("ev3.argument.encoding", "Encoding", "how the argument is encoded"),
     variable = ProtoField.string("ev3.argument.variable", "Variable",
@@ -35,10 +35,10 @@ local field = {
         "in a reply: the operation whose outputs these are, such as UI_READ.GET_VBATT"),
     list = ProtoField.none("ev3.values", "Values"),
 
-    system_command = ProtoField.uint8("ev3.sys_cmd", "System command", base.HEX, SYSTEM_NAMES),
-    status = ProtoField.uint8("ev3.reply_status", "Status", base.HEX, STATUS_NAMES),
+    system_command = ProtoField.uint8("ev3.sys_cmd", "System command", base.HEX, NAMES.system_commands),
+    status = ProtoField.uint8("ev3.reply_status", "Status", base.HEX, STATUS.names),
 
-    daisy_command = ProtoField.uint8("ev3.daisy.command", "Sub-command", base.HEX, DAISY_NAMES),
+    daisy_command = ProtoField.uint8("ev3.daisy.command", "Sub-command", base.HEX, DAISY.names),
     layer_from = ProtoField.uint8("ev3.daisy.layer_from", "From layer"),
     layer_to = ProtoField.uint8("ev3.daisy.layer_to", "To layer"),
     daisy_payload = ProtoField.bytes("ev3.daisy.payload", "Payload"),
@@ -81,7 +81,7 @@ local function add_item(tree, range, said)
 end
 
 local beacon_field = {}
-for _, line in ipairs(BEACON_LINES) do
+for _, line in ipairs(CARRIERS.beacon_lines) do
     beacon_field[line.name] = ProtoField.string("ev3.beacon." .. line.name, line.label)
     fields[#fields + 1] = beacon_field[line.name]
 end

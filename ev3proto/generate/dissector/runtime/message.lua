@@ -7,7 +7,7 @@
 local read_message, show_message
 do
     local report_field = {}
-    for _, part in ipairs(SENSOR_REPORT) do
+    for _, part in ipairs(DAISY.sensor_report) do
         local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
         report_field[part.name] = make("ev3.daisy." .. part.name, part.name)
         fields[#fields + 1] = report_field[part.name]
@@ -199,13 +199,13 @@ do
     end
 
     local function status_text(status)
-        return STATUS_NAMES[status] or format("status %d", status)
+        return STATUS.names[status] or format("status %d", status)
     end
 
     -- Commands and replies. Their fields were read with the frame, as the notes on files need them.
     local function say_system_message(message, place)
         local command, status = message.command, message.status
-        if status and (STATUS_FAILS[status] ~= false or message.type.is_error) then
+        if status and (STATUS.fails[status] ~= false or message.type.is_error) then
             complain_of(message, "failed", "the command failed: " .. status_text(status))
         end
         if not command then
@@ -214,7 +214,7 @@ do
         end
         local line = command.name .. subject_text(message, place)
         if message.type.is_command then return line end
-        return "reply: " .. (status ~= SUCCESS and line .. " " .. status_text(status) or line)
+        return "reply: " .. (status ~= STATUS.success and line .. " " .. status_text(status) or line)
     end
 
     local function add_system_message(message, item, tvb, base)
@@ -237,14 +237,14 @@ do
             return message.type.name
         end
         local number, from, to = byte(text, at + 1, at + 3)
-        local name = DAISY_NAMES[number]
+        local name = DAISY.names[number]
         if not name then
             message.fault = { at = at, reason = format("0x%02X is no daisy sub-command", number), kind = "fault" }
         end
         local payload = at + DAISY_PAYLOAD
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
-        if payload < stop and DAISY_CARRIES_OPERATIONS[number] then
+        if payload < stop and DAISY.carries_operations[number] then
             read_rows(scratch, text, payload, stop)
             if not scratch.fault then
                 message.rows = scratch
@@ -285,7 +285,7 @@ do
         if payload == stop then return end
         local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
         at = payload
-        for _, declared in ipairs(stop - payload >= SENSOR_REPORT_SIZE and SENSOR_REPORT or {}) do
+        for _, declared in ipairs(stop - payload >= DAISY.sensor_report_size and DAISY.sensor_report or {}) do
             -- The last part takes what is left.
             local after = declared.size and at + declared.size or stop
             if after > at then added:add(report_field[declared.name], tvb(base + at, after - at)) end
@@ -383,7 +383,7 @@ do
         end
         local declared = type.is_command and message.command.request or message.command.reply
         -- Replies to commands that failed may end before any field.
-        local is_complete = type.is_command or (message.status == SUCCESS and not type.is_error)
+        local is_complete = type.is_command or (message.status == STATUS.success and not type.is_error)
         message.fields, message.rest, message.fault = read_fields(text, start, stop, declared, is_complete)
     end
 

@@ -62,11 +62,11 @@ do
         local uses = {}
         if message.type.carries == "direct" then
             add_uses(uses, body, MEMORY_FIELD)
-        elseif message.type.carries == "daisy" and DAISY_NAMES[byte(body, 1)] then
+        elseif message.type.carries == "daisy" and DAISY.names[byte(body, 1)] then
             local inside = {}
-            local is_code = DAISY_CARRIES_OPERATIONS[byte(body, 1)] and add_uses(inside, body, DAISY_PAYLOAD)
+            local is_code = DAISY.carries_operations[byte(body, 1)] and add_uses(inside, body, DAISY_PAYLOAD)
             uses = is_code and inside or {}
-            uses[DAISY_NAMES[byte(body, 1)]] = 1
+            uses[DAISY.names[byte(body, 1)]] = 1
         end
         if not next(uses) then uses["(no operation)"] = 1 end
         return uses

@@ -7,9 +7,9 @@ local dissect_stream, dissect_no_frame, judge_text
 do
     -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
-        local serial, newline, behind = text:match(UNLOCK_PATTERN, at + 1)
+        local serial, newline, behind = text:match(UNLOCK.pattern, at + 1)
         if not serial then return nil end
-        for _ = 1, UNLOCK_ENDINGS do
+        for _ = 1, UNLOCK.endings do
             if sub(text, behind, behind + #newline - 1) == newline then behind = behind + #newline end
         end
         return behind - 1, serial
@@ -23,7 +23,7 @@ do
             local range = tvb(at, behind - at)
             local item = add_item(tree, range, said)
             item:add(field.unlock, range)
-            item:add(field.unlock_serial, tvb(at + #UNLOCK_REQUEST, #serial))
+            item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial))
         end
         return said, behind
     end
@@ -31,8 +31,8 @@ do
     -- What the brick answers to it. The firmware sends the text's zero, too: it is one where it cannot be the start of
     -- a frame's length.
     local function dissect_accept(tvb, text, at, tree, is_shown)
-        local behind = at + #ACCEPT
-        if sub(text, at + 1, behind) ~= ACCEPT then return nil end
+        local behind = at + #UNLOCK.answer
+        if sub(text, at + 1, behind) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, behind + 1, behind + 2)
         if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
         if is_shown then
@@ -55,14 +55,14 @@ do
     -- Whether one of the texts may have begun here, and goes on in the next segment.
     local function is_part_of_text(text, at)
         local part = sub(text, at + 1)
-        if starts_with(ACCEPT, part) or starts_with(UNLOCK_REQUEST, part) then return true end
-        return #part < MOST_UNLOCK and starts_with(part, UNLOCK_REQUEST)
+        if starts_with(UNLOCK.answer, part) or starts_with(UNLOCK.request, part) then return true end
+        return #part < UNLOCK.most_bytes and starts_with(part, UNLOCK.request)
     end
 
     -- What data tell that should begin with one of the texts: OURS, PART, or nil.
     function judge_text(text)
-        if not TEXT_STARTS[byte(text, 1)] then return nil end
-        if sub(text, 1, #ACCEPT) == ACCEPT or match_unlock(text, 0) then return OURS end
+        if not UNLOCK.starts[byte(text, 1)] then return nil end
+        if sub(text, 1, #UNLOCK.answer) == UNLOCK.answer or match_unlock(text, 0) then return OURS end
         return is_part_of_text(text, 0) and PART or nil
     end
 
@@ -122,7 +122,7 @@ do
             is_open = place <= #text - least
         end
         if not place or is_open == false then place = #text end
-        for _, start in ipairs({ UNLOCK_REQUEST, ACCEPT }) do
+        for _, start in ipairs({ UNLOCK.request, UNLOCK.answer }) do
             local hit = find(text, start, at + 1, true)
             if hit and hit - 1 < place then place, is_open = hit - 1, false end
         end
@@ -150,7 +150,7 @@ do
     local function is_misleading(text, at, size, accepts)
         local stop, captured = at + size, #text
         local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
-        local is_chained = stop >= captured or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)]
+        local is_chained = stop >= captured or may_follow(text, stop) or UNLOCK.starts[byte(text, stop + 1)]
         if not type or accepts and not accepts(type) then
             return not is_chained or at == 0 and (stop > captured or has_frame_inside(text, at, stop))
         end
@@ -164,7 +164,7 @@ do
     local function hides_gap(text, at, size, stream)
         local stop = at + size
         local may_go_on = not stream.is_last
-        if stop >= #text or may_follow(text, stop) or TEXT_STARTS[byte(text, stop + 1)] then
+        if stop >= #text or may_follow(text, stop) or UNLOCK.starts[byte(text, stop + 1)] then
             if #text - stop >= HEADER_SIZE then return false end
             if is_flawless(read_message(sub(text, at + 1, stop)), true) then return false end
             may_go_on = false
@@ -189,7 +189,7 @@ do
         while at < captured do
             local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
             local said, behind
-            if TEXT_STARTS[low] then
+            if UNLOCK.starts[low] then
                 said, behind = dissect_text(tvb, text, at, tree, is_shown)
                 if not said and not is_last and is_part_of_text(text, at) then return at, nil, true, step end
                 is_ours = is_ours or said ~= nil

@@ -127,7 +127,7 @@ do
 
     local function register()
         local products = DissectorTable.get("usb.product")
-        for _, product in ipairs(USB_PRODUCTS) do
+        for _, product in ipairs(CARRIERS.usb_products) do
             products:add(product, ev3)
         end
         ev3:register_heuristic("usb.interrupt", guess_usb)

@@ -107,7 +107,7 @@ do
         local function may_go(text, accepts)
             local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
             if type and accepts and not accepts(type) then return false end
-            return may_start(text, 0) or TEXT_STARTS[byte(text, 1)] ~= nil
+            return may_start(text, 0) or UNLOCK.starts[byte(text, 1)] ~= nil
         end
 
         -- TCP puts segments together where that was asked for: such a buffer begins anew, others after their headers.
@@ -241,8 +241,8 @@ do
     -- A connection on any other port, which begins with the unlock text. From then on its packets come here.
     local function guess_tcp(tvb, pinfo, tree)
         if pinfo.visited then return false end
-        local size = #UNLOCK_REQUEST
-        if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK_REQUEST then return false end
+        local size = #UNLOCK.request
+        if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK.request then return false end
         local text = tvb:raw()
         if judge_text(text) ~= OURS then return false end
         local talk, known = connection_of(pinfo)
@@ -258,7 +258,7 @@ do
     local function remember_brick(pinfo, named)
         local address = tostring(pinfo.src) .. " "
         local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
-        bricks[address .. pinfo.src_port], bricks[address .. BEACON_PORT] = name, name
+        bricks[address .. pinfo.src_port], bricks[address .. CARRIERS.beacon_port] = name, name
         if named then
             bricks[address .. named], announced[address .. named] = name, true
             if not ports[named] and not is_named[named] and #named_ports < MOST_NAMED then
@@ -272,7 +272,7 @@ do
         local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
         local at, values = 0, {}
         local port
-        for _, line in ipairs(BEACON_LINES) do
+        for _, line in ipairs(CARRIERS.beacon_lines) do
             local head = line.label .. ": "
             local stop = find(text, "\r\n", at + 1, true)
             if not stop or sub(text, at + 1, at + #head) ~= head then
@@ -296,7 +296,7 @@ do
     local function dissect_udp(tvb, pinfo, tree)
         local text, number = tvb:raw(), pinfo.number
         brick = nil
-        local head = BEACON_LINES[1].label .. ": "
+        local head = CARRIERS.beacon_lines[1].label .. ": "
         local said
         if sub(text, 1, #head) == head then
             local port
@@ -306,7 +306,7 @@ do
             if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
                 answers[number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
             end
-            local is_forced = pinfo.match_uint ~= BEACON_PORT and pinfo.match_uint ~= 0
+            local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
             if not answers[number] and not is_forced then return 0 end
             said = "answer to a beacon"
             brick = answers[number]
@@ -330,7 +330,7 @@ do
         return true
     end
 
-    local listened = tostring(TCP_PORT)
+    local listened = tostring(CARRIERS.tcp_port)
 
     -- Takes the ports of a preference such as 5555,6000-6003, or gives them back to whom they belonged.
     local function take_ports()
@@ -360,7 +360,7 @@ do
         ev3.prefs.tcp_ports = Pref.range("TCP ports", listened, "TCP ports on which bricks listen", 65535)
         take_ports()
         ev3:register_heuristic("tcp", guess_tcp)
-        DissectorTable.get("udp.port"):add(BEACON_PORT, ev3)
+        DissectorTable.get("udp.port"):add(CARRIERS.beacon_port, ev3)
         ev3:register_heuristic("udp", guess_udp)
     end
 

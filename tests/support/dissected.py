@@ -228,7 +228,7 @@ def packets(tshark: Tshark, capture: Path, *words: str) -> list[tuple[int, Tree]
 
 def is_message(layer: Tree) -> bool:
     """Whether a layer is a message, not one of the texts before them or a part of a frame."""
-    return bool(layer.children) and layer.children[0].name == "ev3.msg_len"
+    return any(child.name == "ev3.msg_len" for child in layer.children[:2])
 
 
 def shown(packet: int, layer: Tree) -> Record:
@@ -249,7 +249,10 @@ def unshown(layer: Tree, data: bytes) -> str:
     return f"the bytes at {sorted(left)} are not shown" if left else ""
 
 
-GENERATED = ("ev3.transfer.path", "ev3.transfer.done", "ev3.transfer.size", "ev3.request_in", "ev3.response_in")
+GENERATED = (
+    *("ev3.brick", "ev3.request_in", "ev3.response_in"),
+    *("ev3.transfer.path", "ev3.transfer.done", "ev3.transfer.size"),
+)
 ABOUT_VARIABLES = ("misaligned", "beyond_memory")
 FAULTS = ("fault", "unknown_opcode", "unknown_cmd", "cut_off", "no_boundary")
 

@@ -190,6 +190,7 @@ def standing(target: str, recording: Recording | None = None, **options: Any) ->
         found.thread.join(30)
         assert not found.thread.is_alive()
         found.wire.close()
+        assert not [each.name for each in threading.enumerate() if each.name == "hands replies on late"]
 
 
 def through(found: Standing) -> EV3:

@@ -116,7 +116,7 @@ class Proxy:
         self._pairing: Pairing[Record] = Pairing(_MOST_WAITING)
         self._client: socket.socket | None = None
         self._is_over = threading.Event()
-        self._delayed: queue.Queue[tuple[float, socket.socket, bytes]] = queue.Queue(_MOST_WAITING)
+        self._delayed: queue.Queue[tuple[float, socket.socket, bytes] | None] = queue.Queue(_MOST_WAITING)
         self._listening = _listen(options)
         self.port: int = self._listening.getsockname()[1]
 
@@ -124,8 +124,9 @@ class Proxy:
         """Serves clients until `stop` is called or the brick is gone."""
         reader = threading.Thread(target=self._from_brick, name="reads from the brick", daemon=True)
         reader.start()
+        late = threading.Thread(target=self._deliver_late, name="hands replies on late", daemon=True)
         if self._options.faults.delay:
-            threading.Thread(target=self._deliver_late, name="hands replies on late", daemon=True).start()
+            late.start()
         try:
             while not self._is_over.is_set():
                 try:
@@ -137,6 +138,10 @@ class Proxy:
         finally:
             self.stop()
             reader.join()
+            if late.is_alive():
+                with contextlib.suppress(queue.Full):  # then it waits for no other, but for the time of one
+                    self._delayed.put_nowait(None)
+                late.join()
 
     def stop(self) -> None:
         """Ends everything; may be called from another thread, or when a signal comes."""
@@ -262,8 +267,8 @@ class Proxy:
 
     def _deliver_late(self) -> None:
         """Hands replies on when they are due, in their order."""
-        while True:
-            due, client, frame = self._delayed.get()
+        while (waiting := self._delayed.get()) is not None:
+            due, client, frame = waiting
             if self._is_over.wait(max(0.0, due - time.monotonic())):
                 return
             _deliver(client, frame)

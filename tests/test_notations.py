@@ -176,12 +176,28 @@ NO_FRAMES = (
     "the face of a bad cab faded",
     "Serial-Number: 0016532a2b2c",
     "font-size: 12px; color: #0f0000; #ffffff",
+    "46031b3d04dc90994ca317a7c55c4289  file1630.bin",
+    "9c2e79b57d0c4d70045d080062aa0918524ac0f7  file7444.bin",
+    "9a02893b80af2f4f6b916a467724570ca05f2d13ef98fe7a092827956e6ba505",
+    "fe80::3105:02ff:fee5:d970",
+    "inet6 fe80::e39b:05ff:fe28:1a50/64 scope link",
+    "const odd = _.without([1, 2, 1, 0, 3, 1, 4], 0, 1);",
+    r"3[0-1]|[1-2]\d|0[1-9]|[1-9]| [1-9]",
+    r"5[0-3]|[0-4]\d|\d",
+    'd="M15 7a4,4 0 0 1 4,4 V 58 H 18 V 37 a 4,4 0 0 1 4,-4 z"',
+    "rusersd\t\t100002\trusers\nnfs\t\t100003\tnfsprog\nypserv\t\t100004\typprog\nmountd\t\t100005\tmount\n"
+    "ypbind\t\t100007\nwalld\t\t100008\trwall shutdown\nyppasswdd\t100009\typpasswd",
 )
 
 
 @pytest.mark.parametrize("text", NO_FRAMES)
 def test_what_is_no_frame_and_does_not_look_like_one(text: str) -> None:
     assert pieces(f"first\n{text}\nlast\n") == []
+
+
+def test_long_lists_of_addresses_are_no_frames() -> None:
+    addresses = [":".join(f"{(13 * place + line) % 251:02x}" for place in range(6)) for line in range(4000)]
+    assert pieces("\n".join(addresses)) == []
 
 
 BATTERY = "08 00 01 00 00 04 00 81 01 60"

@@ -32,6 +32,8 @@ LOOKS = 7
 NEARLY = 2
 _PLAUSIBLE = 4
 """The high byte of a length field is less than this in nearly all frames there are: they have up to 1023 bytes."""
+_MOST_MISSING = 8
+"""So many times the numbers that stand there may be missing of a frame in decimal numbers."""
 HASHES = (16, 20, 28, 32, 48, 64)
 """Bytes of the sums that people print beside files: MD5, SHA-1, SHA-2."""
 _TYPE_AT = HEADER_SIZE - 1
@@ -127,6 +129,11 @@ def _goes_on(data: bytes, at: int) -> bool:
     return end <= len(data) and is_frame_size(end - at)
 
 
+def may_begin(data: bytes | bytearray) -> bool:
+    """Whether a frame may begin there: its length and its type are possible."""
+    return len(data) >= HEADER_SIZE and is_frame_size(frame_size(data)) and data[_TYPE_AT] in _TYPES
+
+
 def covered(spans: list[Span]) -> int:
     """How many bytes the frames have."""
     return sum(span.end - span.start for span in spans)
@@ -150,8 +157,10 @@ def reason(data: bytes, *, is_dense: bool, is_decimal: bool) -> str | None:
     says = frame_size(data)
     is_near = abs(says - len(data)) <= NEARLY and is_frame_size(says)
     has_type = data[_TYPE_AT] in _TYPES
-    if has_type and (is_decimal or (is_dense and len(data) in HASHES)):
-        has_type = data[1] < _PLAUSIBLE and (not is_decimal or any(data[2:]))
+    if is_dense and len(data) in HASHES and not (is_near and has_type):
+        return None
+    if has_type and is_decimal:
+        has_type = data[1] < _PLAUSIBLE and any(data[2:]) and says <= _MOST_MISSING * len(data)
     if not is_near and not has_type:
         return None
     if says > len(data):

@@ -49,7 +49,11 @@ class Labelled:
         after = b""
         for index in range(len(parts) - 1, -1, -1):
             after = parts[index].data + after
-            if len(after) >= LEAST and frame_size(after) == len(after) and is_something(after) and is_flawless(after):
+            if len(after) < LEAST or frame_size(after) != len(after) or not is_something(after):
+                continue
+            # A column of numbers has parts of one size, those of a frame differ.
+            is_column = len({len(part.data) for part in parts[index:]}) == 1 and index < len(parts) - 1
+            if not is_column and is_flawless(after):
                 self._parts.clear()
                 return _pasted(parts[index:], after)
         return None

@@ -15,6 +15,8 @@ from ev3proto.text.paste.scanner import Row, Scanner
 
 _ADDRESS = late_pattern(r"(?:[0-9a-fA-F]{2}([:-]))(?:[0-9a-fA-F]{2}\1){4}[0-9a-fA-F]{2}")
 _UUID = late_pattern(r"[{(\"']*[0-9a-fA-F]{8}-(?:[0-9a-fA-F]{4}-){3}[0-9a-fA-F]{12}[})\"'.,;]*")
+_SHORT_IPV6 = late_pattern(r"\W*[0-9a-fA-F:]*::[0-9a-fA-F:]*(?:[%/]\w+)?\W*")
+_DECIMALS = late_pattern(r"[\[({]?(?:\d{1,3}(?:\s*[,;]\s*|\s+|(?=[\])}]|$)))+[\])}]?;?")
 _STRACE_DUMP = late_pattern(r" \| 00000  ")
 """The first row of what `strace -e write` prints below a call which has the same bytes as a string."""
 _DENSE = late_pattern(r"[\"'<(]*(?:[0-9a-fA-F]{2}[:-]?)+[\"'>),;.]*")
@@ -99,7 +101,7 @@ class Reader:
 def _is_worth(piece: Pasted) -> bool:
     """Whether a piece that is no frame is reported: the text says that it is meant as one, or it looks like one."""
     text = piece.text.strip()
-    if _ADDRESS.fullmatch(text) or _UUID.fullmatch(text):
+    if _ADDRESS.fullmatch(text) or _UUID.fullmatch(text) or _SHORT_IPV6.fullmatch(text):
         return False
     if not piece.data and piece.time is not None and piece.direction is None:
         # A log has many other numbers.
@@ -107,4 +109,5 @@ def _is_worth(piece: Pasted) -> bool:
     if piece.problem is not None or piece.cut or piece.direction is not None or piece.text.startswith("0x|"):
         return True
     is_dense = _DENSE.fullmatch(piece.text) is not None
-    return reason(piece.data, is_dense=is_dense, is_decimal=False) is not None
+    is_decimal = _DECIMALS.fullmatch(text) is not None
+    return reason(piece.data, is_dense=is_dense, is_decimal=is_decimal) is not None

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from ev3proto.text.paste.fitting import Span, covered, frames_in, is_flawless, is_whole
+from ev3proto.text.paste.fitting import HASHES, LOOKS, Span, covered, frames_in, is_flawless, is_something, is_whole
 from ev3proto.text.paste.pieces import LEAST
 from ev3proto.text.paste.values import BASES, Run, Style, reading, readings
+
+_MANY_GAPS = 4
 
 
 @dataclass(slots=True)
@@ -169,6 +171,9 @@ def _found_best(run: Run) -> tuple[Reading, list[Reading]]:
             spans = frames_in(stretch.data, starts, ends, unknown, is_hid=is_hid)
             if name in BASES and not is_whole(stretch.data, spans):
                 spans = []
+            elif spans:
+                is_all = one.is_complete and len(parts) == 1 and is_whole(stretch.data, spans)
+                spans = [span for span in spans if is_likely(run, stretch, span, is_all=is_all)]
             if spans:
                 one.spans.append((stretch, spans))
         tried.append(one)
@@ -180,6 +185,22 @@ def _found_best(run: Run) -> tuple[Reading, list[Reading]]:
     if len(equals) > 1 and equals[0].spans:
         return next((one for one in equals if one.is_flawless), equals[0]), tried
     return equals[0], tried
+
+
+def is_likely(run: Run, stretch: Stretch, span: Span, *, is_all: bool) -> bool:
+    """Whether a frame is meant as one, be it all of a run (`is_all`) or among other values.
+
+    Unpadded numbers with all kinds of marks between them, as in expressions and drawings, are a frame by chance; so are
+    some of the digits of a hash.
+    """
+    if len(run.values) == 1:
+        return is_all or len(stretch.data) not in HASHES
+    places = stretch.places[span.start : span.end]
+    gaps = {run.gaps[place] for place in places[1:]} - {"", "\n"}
+    if len(gaps) < (_MANY_GAPS if is_all else 2) or all(len(run.values[place].text) == 2 for place in places):
+        return True
+    data = stretch.data[span.start : span.end]
+    return len(data) >= LOOKS and is_something(data) and is_flawless(data)
 
 
 def plain_bytes(run: Run) -> bytes | None:

@@ -21,7 +21,7 @@ from ev3proto.text.paste.blanking import (
 )
 from ev3proto.text.paste.columns import repeated_rows, without_columns
 from ev3proto.text.paste.direction import direction_of
-from ev3proto.text.paste.fitting import HASHES, bare_reason, is_flawless, is_something, reason
+from ev3proto.text.paste.fitting import HASHES, bare_reason, is_flawless, is_something, may_begin, reason
 from ev3proto.text.paste.head import NO_HEAD, Direction, Head, announced, head_before
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_TEXT, Pasted, short
 from ev3proto.text.paste.readings import (
@@ -212,6 +212,8 @@ class Scanner:
             return
         rows = [row for row in pending.rows if row.run is not None]
         if pending.size > MAX_COLLECTED:
+            if not any(may_begin(data) for data in pending.data.values()):
+                return
             problem = f"the bytes that start here go on after {MAX_COLLECTED // 1024} KiB of text, which is too much"
             yield Pasted(b"", rows[0].number, short(rows[0].line, MAX_TEXT), problem=problem)
             return
@@ -508,9 +510,10 @@ class Scanner:
         if len(data) == 6 and classes <= {":", "-"}:
             return None
         is_dense = not classes or classes <= {":", "-"}
-        is_decimal = stretch.name == "decimal" and all(
-            run.values[place].style is Style.BARE for place in places[start:end]
-        )
+        texts = [run.values[place].text for place in places[start:end]]
+        is_decimal = (
+            stretch.name == "decimal" or (min(map(len, texts)) == 1 and all(map(str.isdecimal, texts)))
+        ) and all(run.values[place].style is Style.BARE for place in places[start:end])
         return reason(data, is_dense=is_dense, is_decimal=is_decimal)
 
 

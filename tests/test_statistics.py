@@ -342,6 +342,13 @@ def test_only_what_the_filter_lets_through() -> None:
     assert found["account"]["captured"] == 9226
 
 
+@pytest.mark.parametrize("chosen", ["kind == direct-command", "kind == direct-command && !unanswered"])
+def test_a_command_whose_reply_the_filter_keeps_back_has_one(chosen: str) -> None:
+    found = json.loads(run(str(CAPTURES / "usb-plugged.pcap"), "--json", "--filter", chosen).stdout)
+    assert {kind: amount["messages"] for kind, amount in found["whole"]["kinds"].items()} == {"direct-command": 4}
+    assert (found["whole"]["unanswered"], found["unanswered"]) == (0, [])
+
+
 def test_what_is_no_capture() -> None:
     done = run(str(CAPTURES / "README.md"))
     assert (done.returncode, done.stdout) == (1, "")

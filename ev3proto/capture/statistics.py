@@ -394,6 +394,11 @@ class Statistics:
         else:
             self._skip(event)
 
+    def look(self, event: Event) -> None:
+        """Looks at an event that may not be counted: a reply to a command that was counted is one all the same."""
+        if isinstance(event, Record):
+            self._answered(event)
+
     def summary(self, account: Account | None = None) -> Summary:
         """What there was so far. Commands whose reply did not come are unanswered.
 
@@ -431,7 +436,7 @@ class Statistics:
         elif message.type.is_command:
             carried = _carried(message)
             tally.command(record, carried)
-            if message.wants_reply:
+            if message.wants_reply and record.answered is None:
                 self._wait(record, carried)
         else:
             request = record.request

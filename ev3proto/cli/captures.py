@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -92,8 +92,11 @@ class CaptureSource:
         """What complaints call it."""
         return "standard input" if self.name == "-" else visible(self.name)
 
-    def events(self) -> Iterator[Event]:
+    def events(self, look: Callable[[Event], None] | None = None) -> Iterator[Event]:
         """Reads the capture. What cannot be read is complained about; nothing is raised.
+
+        Args:
+            look: With a filter it is called with each event before that is chosen, also with those that are not.
 
         Yields:
             All events, or with a filter the frames that it lets through and nothing else.
@@ -105,7 +108,8 @@ class CaptureSource:
         from ev3proto.capture.filter import Choosing
 
         choosing = Choosing(chosen, self.options.memory * MIB)
-        yield from choosing.chosen(self._all_events())
+        events = self._all_events()
+        yield from choosing.chosen(events if look is None else _looked_at(events, look))
         if choosing.given_up:
             complain(
                 f"{self.label}: {choosing.given_up} commands were taken for unanswered before the capture ended: what"
@@ -375,3 +379,9 @@ def reading_options(command: F) -> F:
     for option in reversed(_OPTIONS):
         option(called)
     return called  # type: ignore[return-value]
+
+
+def _looked_at(events: Iterable[Event], look: Callable[[Event], None]) -> Iterator[Event]:
+    for event in events:
+        look(event)
+        yield event

@@ -29,8 +29,7 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
     """Counts what is in captures, or in texts that have frames; of several files together.
 
     Messages by kind and by operation, latencies, errors, commands that got no reply, the files that were moved, and
-    where every captured byte went. Everything but the last is about the frames that --filter lets through: a command
-    whose reply it keeps back has none.
+    where every captured byte went. Everything but the last is about the frames that --filter lets through.
 
     \b
       ev3proto stats robot.pcapng
@@ -45,7 +44,7 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
     units = set()
     for file in files:
         source = CaptureSource(file, reading)
-        for event in source.events():
+        for event in source.events(statistics.look):
             statistics.add(event)
         units.add(source.unit)
         account.add(source.account)

@@ -4327,6 +4327,7 @@ do
     -- what it says. So all that is known of some packets in a row is joined to one text, as soon as a later packet has
     -- something; what is added to them afterwards is little, and kept beside it. `write` gives one or two texts for a
     -- place and what is known there, `read` finds in a text at an index the place, what is known, and the next index.
+    -- Both are given the first place of those packets, to count from: most numbers are short then.
     function new_notes(write, read)
         local PAGE = 256 * OFFSETS
         -- Of the last packets: place and what is known in turn. The list is used again for those that follow.
@@ -4341,9 +4342,9 @@ do
         notes.forget()
 
         local function close_page()
-            local stop = 0
+            local stop, base = 0, open_number * PAGE
             for index = 1, count, 2 do
-                local head, rest = write(open[index], open[index + 1])
+                local head, rest = write(base, open[index], open[index + 1])
                 stop = stop + 1
                 pieces[stop] = head
                 if rest then
@@ -4356,10 +4357,10 @@ do
         end
 
         local function read_page(number)
-            local found, text, at = {}, pages[number] or "", 1
+            local found, text, at, base = {}, pages[number] or "", 1, number * PAGE
             while at <= #text do
                 local place, known
-                place, known, at = read(text, at)
+                place, known, at = read(base, text, at)
                 found[place] = known
             end
             return found
@@ -4368,7 +4369,7 @@ do
         function notes.put(place, known)
             local number = floor(place / PAGE)
             if number < open_number then
-                local head, rest = write(place, known)
+                local head, rest = write(number * PAGE, place, known)
                 additions[place] = rest and head .. rest or head
                 return
             elseif number > open_number then
@@ -4391,7 +4392,7 @@ do
             end
             local text = additions[place]
             if text then
-                local _, known = read(text, 1)
+                local _, known = read(number * PAGE, text, 1)
                 return known
             end
             if number ~= last_number then last, last_number = read_page(number), number end
@@ -5085,34 +5086,35 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- Of a command that has a reply: the number of the packet with it.
-    local replies = new_notes(function(place, number)
-        return format("%d %d ", place, number)
-    end, function(text, at)
+    local replies = new_notes(function(base, place, number)
+        return format("%d %d ", place - base, number)
+    end, function(base, text, at)
         local place, number, after = text:match("^(%d+) (%d+) ()", at)
-        return tonumber(place), tonumber(number), after
+        return base + tonumber(place), tonumber(number), after
     end)
 
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
-    local requests = new_notes(function(place, request)
+    local requests = new_notes(function(base, place, request)
         local body = request.body
-        return format("%d %d %.9f %d ", place, request.place, request.delay, #body), body
-    end, function(text, at)
-        local place, command, delay, size, start = text:match("^(%d+) (%d+) (%S+) (%d+) ()", at)
+        return format("%d %d %.9f %d ", place - base, place - request.place, request.delay, #body), body
+    end, function(base, text, at)
+        local place, command, delay, size, start = text:match("^(%d+) (%-?%d+) (%S+) (%d+) ()", at)
         local after = start + tonumber(size)
         local body = sub(text, start, after - 1)
-        return tonumber(place), { place = tonumber(command), delay = tonumber(delay), body = body }, after
+        place = base + tonumber(place)
+        return place, { place = place - tonumber(command), delay = tonumber(delay), body = body }, after
     end)
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size where it is known.
     local paths
-    local transfers = new_notes(function(place, transfer)
+    local transfers = new_notes(function(base, place, transfer)
         local size = transfer.size and format("%d", transfer.size) or ""
-        return format("%d %d %d %s ", place, transfer.number, transfer.done, size)
-    end, function(text, at)
+        return format("%d %d %d %s ", place - base, transfer.number, transfer.done, size)
+    end, function(base, text, at)
         local place, number, done, size, after = text:match("^(%d+) (%d+) (%d+) (%d*) ()", at)
         local path = paths[tonumber(number)]
-        return tonumber(place), { path = path, done = tonumber(done), size = tonumber(size) }, after
+        return base + tonumber(place), { path = path, done = tonumber(done), size = tonumber(size) }, after
     end)
 
     local talks

@@ -16,34 +16,35 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- Of a command that has a reply: the number of the packet with it.
-    local replies = new_notes(function(place, number)
-        return format("%d %d ", place, number)
-    end, function(text, at)
+    local replies = new_notes(function(base, place, number)
+        return format("%d %d ", place - base, number)
+    end, function(base, text, at)
         local place, number, after = text:match("^(%d+) (%d+) ()", at)
-        return tonumber(place), tonumber(number), after
+        return base + tonumber(place), tonumber(number), after
     end)
 
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
-    local requests = new_notes(function(place, request)
+    local requests = new_notes(function(base, place, request)
         local body = request.body
-        return format("%d %d %.9f %d ", place, request.place, request.delay, #body), body
-    end, function(text, at)
-        local place, command, delay, size, start = text:match("^(%d+) (%d+) (%S+) (%d+) ()", at)
+        return format("%d %d %.9f %d ", place - base, place - request.place, request.delay, #body), body
+    end, function(base, text, at)
+        local place, command, delay, size, start = text:match("^(%d+) (%-?%d+) (%S+) (%d+) ()", at)
         local after = start + tonumber(size)
         local body = sub(text, start, after - 1)
-        return tonumber(place), { place = tonumber(command), delay = tonumber(delay), body = body }, after
+        place = base + tonumber(place)
+        return place, { place = place - tonumber(command), delay = tonumber(delay), body = body }, after
     end)
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size where it is known.
     local paths
-    local transfers = new_notes(function(place, transfer)
+    local transfers = new_notes(function(base, place, transfer)
         local size = transfer.size and format("%d", transfer.size) or ""
-        return format("%d %d %d %s ", place, transfer.number, transfer.done, size)
-    end, function(text, at)
+        return format("%d %d %d %s ", place - base, transfer.number, transfer.done, size)
+    end, function(base, text, at)
         local place, number, done, size, after = text:match("^(%d+) (%d+) (%d+) (%d*) ()", at)
         local path = paths[tonumber(number)]
-        return tonumber(place), { path = path, done = tonumber(done), size = tonumber(size) }, after
+        return base + tonumber(place), { path = path, done = tonumber(done), size = tonumber(size) }, after
     end)
 
     local talks

@@ -54,6 +54,7 @@ do
     -- what it says. So all that is known of some packets in a row is joined to one text, as soon as a later packet has
     -- something; what is added to them afterwards is little, and kept beside it. `write` gives one or two texts for a
     -- place and what is known there, `read` finds in a text at an index the place, what is known, and the next index.
+    -- Both are given the first place of those packets, to count from: most numbers are short then.
     function new_notes(write, read)
         local PAGE = 256 * OFFSETS
         -- Of the last packets: place and what is known in turn. The list is used again for those that follow.
@@ -68,9 +69,9 @@ do
         notes.forget()
 
         local function close_page()
-            local stop = 0
+            local stop, base = 0, open_number * PAGE
             for index = 1, count, 2 do
-                local head, rest = write(open[index], open[index + 1])
+                local head, rest = write(base, open[index], open[index + 1])
                 stop = stop + 1
                 pieces[stop] = head
                 if rest then
@@ -83,10 +84,10 @@ do
         end
 
         local function read_page(number)
-            local found, text, at = {}, pages[number] or "", 1
+            local found, text, at, base = {}, pages[number] or "", 1, number * PAGE
             while at <= #text do
                 local place, known
-                place, known, at = read(text, at)
+                place, known, at = read(base, text, at)
                 found[place] = known
             end
             return found
@@ -95,7 +96,7 @@ do
         function notes.put(place, known)
             local number = floor(place / PAGE)
             if number < open_number then
-                local head, rest = write(place, known)
+                local head, rest = write(number * PAGE, place, known)
                 additions[place] = rest and head .. rest or head
                 return
             elseif number > open_number then
@@ -118,7 +119,7 @@ do
             end
             local text = additions[place]
             if text then
-                local _, known = read(text, 1)
+                local _, known = read(number * PAGE, text, 1)
                 return known
             end
             if number ~= last_number then last, last_number = read_page(number), number end

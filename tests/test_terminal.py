@@ -9,6 +9,7 @@ import json
 import os
 import struct
 import sys
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -339,7 +340,9 @@ def test_what_a_brick_answers(tmp_path: Path, capture: bytes) -> None:
 
 def test_what_tshark_says(tmp_path: Path, tshark: Tshark, capture: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
     """A tshark that reads a file in place of an interface, and one that only complains."""
-    monkeypatch.setenv("TMPDIR", str(tshark.folder))  # where this tshark finds the dissector
+    # This tshark finds the dissector there. The subcommand may be run in a copy of this process, or in one of its own.
+    monkeypatch.setattr(tempfile, "tempdir", str(tshark.folder))
+    monkeypatch.setenv("TMPDIR", str(tshark.folder))
     copy = tshark.folder / "steering.pcap"
     copy.write_bytes(Path(os.fsdecode(capture)).read_bytes())
     reading, complaining = tmp_path / "reading", tmp_path / "complaining"

@@ -83,7 +83,7 @@ class Series:
         kept = (
             replace(row, cells={name: row.cells[name] for name in row.cells if name in chosen}) for row in self.rows
         )
-        return Series(units, [row for row in kept if row.cells])
+        return replace(self, units=units, rows=[row for row in kept if row.cells])
 
 
 def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST_CELLS) -> Series:

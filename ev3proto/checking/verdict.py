@@ -116,7 +116,6 @@ def _sizes() -> tuple[int, ...]:
 
 
 _SIZES = _sizes()
-
 _OBJECT_END = with_effect(Effect.ENDS_CODE).opcode.number
 
 # Rule 1. As many zeros as the longest operation reads whose last byte in the frame counts 127 parameters.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.captures import MOST_COMPLAINTS, CaptureOptions, reading_options
+from ev3proto.cli.captures import MIB, MOST_COMPLAINTS, CaptureOptions, reading_options
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain
 from ev3proto.cli.show import Show
@@ -57,7 +57,7 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
             dialect=reading.dialect,
             ports=reading.ports,
             tshark=reading.tshark,
-            memory=reading.memory << 20,
+            memory=reading.memory * MIB,
             on_start=lambda: complain(f"Capturing on {names}. Ctrl-C ends it."),
         )
         with stopped_by_signals(capture.stop):

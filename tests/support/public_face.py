@@ -18,6 +18,7 @@ import re
 import sys
 import textwrap
 from collections.abc import Callable, Iterator
+from functools import cached_property
 from importlib import import_module
 from itertools import groupby
 from pathlib import Path
@@ -134,8 +135,9 @@ def _names(module: ModuleType) -> list[str]:
 
 
 def _attribute(value: Any) -> str:
-    if isinstance(value, property):
-        return f": {_annotation(inspect.signature(value.fget).return_annotation)}" if value.fget else ""
+    if isinstance(value, property | cached_property):
+        read = value.fget if isinstance(value, property) else value.func
+        return f": {_annotation(inspect.signature(read).return_annotation)}" if read else ""
     if isinstance(value, classmethod | staticmethod):
         return f"{_signature(value.__func__)} ({type(value).__name__})"
     return _signature(value) if inspect.isfunction(value) else ""

@@ -302,6 +302,11 @@ def _claims() -> Iterator[str]:
         "counted": Table(named=claims.NXT_COUNTED),
         "answered": Table(named=dict.fromkeys(claims.NXT_ANSWERED, True)),
         "any_length": claims.NXT_ANY_LENGTH,
+        "direct": claims.NXT_DIRECT,
+        "system": claims.NXT_SYSTEM,
+        "reply": claims.NXT_REPLY,
+        "reply_flag": claims.NXT_REPLY_FLAG,
+        "count_at": claims.NXT_COUNT_AT,
     }
     rule = {
         "never_sent": Table(named={operations()[name].opcode.number: True for name in claims.NEVER_SENT}),

@@ -7,6 +7,7 @@ import enum
 import inspect
 import re
 from collections.abc import Iterator
+from functools import cached_property
 from importlib import import_module
 from types import ModuleType
 from typing import Any
@@ -77,7 +78,7 @@ def _class(name: str, value: type) -> Iterator[str]:
     for member, found in vars(value).items():
         if member.startswith("_"):
             continue
-        if isinstance(found, property):
+        if isinstance(found, property | cached_property):
             yield f"`.{member}`: {plain(_first_line(found))}"
             yield ""
         elif inspect.isfunction(found) or isinstance(found, classmethod | staticmethod):

@@ -231,7 +231,7 @@ class Connections:
 
     def _connection(self, key: Key, events: list[Event]) -> _Connection:
         """The connection between two ends. Where there are too many, the one unused for longest is ended for it."""
-        ends = frozenset((key[:2], key[2:]))
+        ends = _ends(key)
         connection, oldest = self._connections.use(ends, lambda: _Connection(ends, self._context))
         if oldest is not None:
             for way, half in oldest.halves.items():

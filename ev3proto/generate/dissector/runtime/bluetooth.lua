@@ -46,13 +46,16 @@ do
 
     -- Whether a frame may be a telegram of LEGO's NXT: its kind and command are where the counter would be.
     local function may_be_of_nxt(text)
-        local low, high, kind, command, _, count = byte(text, 1, 6)
+        local nxt = CLAIMS.nxt
+        local low, high, kind, command = byte(text, 1, 4)
+        local count = byte(text, nxt.count_at + 1)
         if not count then return false end
-        if kind % 0x80 == 1 then return command == CLAIMS.nxt.any_length end
-        if kind % 0x80 == 2 then return CLAIMS.nxt.answered[command] ~= nil end
-        if kind % 0x80 ~= 0 then return false end
-        local fixed = CLAIMS.nxt.counted[command]
-        return low + high * 0x100 == (fixed and fixed + count or CLAIMS.nxt.lengths[command])
+        kind = kind % nxt.reply_flag
+        if kind == nxt.system then return command == nxt.any_length end
+        if kind == nxt.reply then return nxt.answered[command] ~= nil end
+        if kind ~= nxt.direct then return false end
+        local fixed = nxt.counted[command]
+        return low + high * 0x100 == (fixed and fixed + count or nxt.lengths[command])
     end
 
     local function is_claim(message)

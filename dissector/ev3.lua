@@ -5008,27 +5008,36 @@ do
         return free
     end
 
+    -- Writes a file whole, or leaves none. Returns why it could not be written, nil where it was.
+    local function write_file(path, data)
+        local file, why = io.open(path, "wb")
+        -- Lua puts the path before what it says of a file that cannot be opened.
+        if not file then return (gsub(why, "^.*: ", "")) end
+        local written, short = file:write(data)
+        local closed, late = file:close()
+        if written and closed then return nil end
+        os.remove(path)
+        return short or late
+    end
+
     -- Writes the files into a folder that exists. Files that are there stay as they are. Returns a line on each.
     local function export_files(folder)
         if not folder:find("%S") then return "Nothing was written: name a folder that exists" end
         local taken, lines = {}, {}
         for _, transfer in ipairs(files) do
             local path = folder .. "/" .. safe_name(transfer.path, taken)
-            local there = io.open(path, "rb")
+            local there, outcome = io.open(path, "rb"), nil
             if there then
                 there:close()
-                lines[#lines + 1] = path .. ": kept, it was there before"
+                outcome = "kept, it was there before"
             else
                 local data = concat(transfer.pieces)
-                local file, reason = io.open(path, "wb")
-                if file then
-                    file:write(data)
-                    file:close()
-                end
+                local failure = write_file(path, data)
                 local is_whole = not transfer.size or #data == transfer.size
-                lines[#lines + 1] = path .. ": "
-                    .. (file and plural(#data, "byte") .. (is_whole and "" or ", not all of it") or tostring(reason))
+                outcome = failure and "not written: " .. failure
+                    or plural(#data, "byte") .. (is_whole and "" or ", not all of it")
             end
+            lines[#lines + 1] = path .. ": " .. outcome
         end
         return lines[1] and concat(lines, "\n") or "no files were moved in this capture"
     end

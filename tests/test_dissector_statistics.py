@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import struct
+import subprocess
 from pathlib import Path
 
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
@@ -65,6 +66,22 @@ def test_files_are_exported(tshark: Tshark) -> None:
         ("values.rtf", 2710),
     ]
     assert "first.rbf: kept, it was there before" in tshark.run(CAPTURES / "wifi.pcapng", *words)
+
+
+def test_what_cannot_be_exported_is_said_and_leaves_nothing(tshark: Tshark) -> None:
+    """A folder that is missing, and a disk with room for 2,560 bytes a file: first.rbf fits, values.rtf does not."""
+    capture = tshark.place(CAPTURES / "wifi.pcapng")
+    missing = tshark.folder / "missing"
+    said = tshark.run(capture, "-q", "-o", f"ev3.export:{missing}")
+    assert f"{missing}/values.rtf: not written: No such file or directory" in said.splitlines()
+
+    folder = export_folder(tshark, "full")
+    full_disk = ["sh", "-c", "trap '' XFSZ; ulimit -f 5; exec \"$@\"", "sh"]
+    words = [str(tshark.path), *tshark.words, "-r", str(capture), "-q", "-o", f"ev3.export:{folder}"]
+    done = subprocess.run([*full_disk, *words], capture_output=True, text=True, check=True)
+    assert f"{folder}/values.rtf: not written: File too large" in done.stdout.splitlines()
+    assert f"{folder}/first.rbf: 2500 bytes" in done.stdout.splitlines()
+    assert [path.name for path in folder.iterdir()] == ["first.rbf"]
 
 
 def test_exported_files_stay_in_their_folder(tshark: Tshark) -> None:

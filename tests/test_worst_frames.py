@@ -25,11 +25,26 @@ MOST = 20
 """Milliseconds that a face may take. Where nothing else runs none takes half of that."""
 
 
+def _command(body: bytes, *, kind: int = 0, memory: int = 0) -> bytes:
+    return (5 + len(body)).to_bytes(2, "little") + bytes((1, 0, kind, *memory.to_bytes(2, "little"))) + body
+
+
 def _frame(*operations: str, kind: int = 0, memory: int = 0) -> bytes:
     """A frame as full as can be of operations, over and over."""
     unit = bytes.fromhex("".join(operations))
-    body = unit * (BODY // len(unit))
-    return (5 + len(body)).to_bytes(2, "little") + bytes((1, 0, kind, *memory.to_bytes(2, "little"))) + body
+    return _command(unit * (BODY // len(unit)), kind=kind, memory=memory)
+
+
+def _global(index: int) -> bytes:
+    return bytes((0xE1, index)) if index < 256 else bytes((0xE2, *index.to_bytes(2, "little")))
+
+
+def _one_gap() -> bytes:
+    """All of global memory is full of misaligned numbers. The last one can move, then the one before it, and so on."""
+    indexes = (1, *range(1, 1010, 4))
+    return bytes.fromhex("306060") + b"".join(
+        b"\x3a" + _global(one) + _global(other) for one, other in zip(indexes[::2], indexes[1::2], strict=True)
+    )
 
 
 FRAMES = {
@@ -48,6 +63,8 @@ FRAMES = {
     "variables of four bytes": _frame("69696969"),
     "variables that no memory has": _frame("46464646"),
     "handles": _frame("30D1016A"),
+    "numbers that make room for one another": _command(_one_gap()),
+    "results that are all read at the end": _command(bytes.fromhex("307F60" * 338 + "306041"), kind=0x80, memory=32),
     "sounds that cut one another off": _frame("94010101010101", kind=0x80),
     "values out of range": _frame("940181C882C8008301000000", kind=0x80),
     "long encodings": _frame("94830100000083010000008301000000"),

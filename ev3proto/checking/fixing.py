@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import pairwise
 from typing import Any
 
 from ev3proto.checking.checking import check
+from ev3proto.checking.moving import Layout, multiple
 from ev3proto.checking.report import Report
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
 from ev3proto.errors import BuildError, as_bytes
@@ -20,13 +20,10 @@ from ev3proto.messages import Argument, DirectCommand, Message, Operation, Varia
 from ev3proto.schema.argument import encode_as, encode_integer, encode_variable
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length, write_memory
-from ev3proto.semantics.footprint import Footprint, footprints
+from ev3proto.semantics.footprint import Footprint, Taken, footprints
 from ev3proto.tables.declaration import Role
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
-
-_WIDEST = 4
-"""The largest alignment; all others divide it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,7 +190,7 @@ class _Fixing:
             found = [place for place in self._places() if place.argument.kind == scope]
             rigid = {place.argument.offset for place in found if keeps_size[place.argument.offset]}
             # No variable moves where a reply would not carry it: it may still turn out that one is wanted.
-            layout = _Layout(found, size, MOST_IN_REPLY if scope == GLOBAL else MAX_LOCALS, rigid)
+            layout = Layout(found, size, MOST_IN_REPLY if scope == GLOBAL else MAX_LOCALS, rigid)
             for block, shift in layout.moves():
                 pieces |= {place.argument.offset: (place.argument, _moved(place, shift)) for place in block}
                 moved += [(place, shift) for place in block]
@@ -210,12 +207,12 @@ class _Fixing:
         moves_by_variable: dict[tuple[str, int], tuple[Footprint, int]] = {}
         for place, shift in moved:
             found = moves_by_variable.get((place.argument.kind, place.start))
-            if found is None or _multiple(place) > _multiple(found[0]):
+            if found is None or multiple(place) > multiple(found[0]):
                 moves_by_variable[place.argument.kind, place.start] = place, shift
         for place, shift in moves_by_variable.values():
             why = (
-                f"{place.full_name} needs a multiple of {_multiple(place)}"
-                if place.start % _multiple(place)
+                f"{place.full_name} needs a multiple of {multiple(place)}"
+                if place.start % multiple(place)
                 else "it lies within one that moves"
             )
             if place.argument.kind == GLOBAL and place.argument.parameter.is_output:
@@ -227,10 +224,10 @@ class _Fixing:
         if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:
             return
         found = self._places()
-        read = [place for place in found if place.argument.kind == GLOBAL and place.is_read]
+        read = Taken(place for place in found if place.argument.kind == GLOBAL and place.is_read)
         for place in found:
             is_result = place.argument.kind == GLOBAL and place.is_written and place.end <= MOST_IN_REPLY
-            if not is_result or any(place.start < other.end and other.start < place.end for other in read):
+            if not is_result or read.has_some_of(place):
                 continue
             member = MessageType.DIRECT_COMMAND_REPLY
             self._set(TYPE_OFFSET, bytes((member,)))
@@ -303,150 +300,13 @@ def _most(command: DirectCommand, scope: str) -> int:
     return MOST_IN_REPLY if command.wants_reply else GRANTED_GLOBALS
 
 
-def _multiple(place: Footprint) -> int:
-    """What the index of a variable must be a multiple of: 1, 2 or 4."""
-    return max(place.validator_alignment, place.cpu_alignment)
-
-
 def _variable(place: Footprint, shift: int = 0) -> Variable:
     return Variable(place.argument.kind, place.start + shift)
 
 
-class _Layout:
-    """The variables of one memory, and how to move those that are misaligned.
-
-    left  blocks that cannot be moved, and why not
-    """
-
-    def __init__(self, found: list[Footprint], stated: int, most: int, rigid: set[int]) -> None:
-        """`stated` bytes were asked for, `most` can be used; `rigid` arguments (by offset) keep their length."""
-        self.left: list[tuple[tuple[Footprint, ...], str]] = []
-        self._most = most
-        self._rigid = rigid
-        self._blocks = _blocks([place for place in found if place.end <= most], min(stated, most))
-        for place in found:
-            if place.end > most and place.start % _multiple(place):
-                self.left.append(((place,), f"it reaches beyond the {most} bytes that there are"))
-
-    def moves(self) -> Iterator[tuple[tuple[Footprint, ...], int]]:
-        """Blocks of variables that have to move, and by how many bytes; all others stay where they are."""
-        taken = [_mask(block.start, block.end) for block in self._blocks]
-        waiting = [number for number, block in enumerate(self._blocks) if not _is_aligned(block.places, 0)]
-        before = -1
-        # A block that moves may make room for one that had none.
-        while waiting and len(waiting) != before:
-            before = len(waiting)
-            for number in tuple(waiting):
-                block = self._blocks[number]
-                occupied = 0
-                for other, mask in enumerate(taken):
-                    occupied |= mask if other != number else 0
-                shift = self._shift(block, occupied)
-                if shift is not None:
-                    taken[number] = _mask(block.start + shift, block.end + shift)
-                    waiting.remove(number)
-                    yield block.places, shift
-        for number in waiting:
-            block = self._blocks[number]
-            self.left.append((block.places, self._obstacle(block)))
-
-    def _shift(self, block: _Block, occupied: int) -> int | None:
-        """The shortest way to a place that is free and aligned; up rather than down."""
-        if block.is_open:
-            return None
-        # Bit by bit, the offsets where it would lie in free bytes only, and then those where it is aligned, too.
-        free = _mask(0, self._most) & ~occupied
-        places = free
-        for shift in range(1, block.end - block.start):
-            places &= free >> shift
-        ways = [way for way in range(_WIDEST) if _is_aligned(block.places, way)]
-        aligned = 0
-        for way in ways:
-            aligned |= _EVERY_WIDEST << (block.start + way) % _WIDEST
-        places &= aligned & ~(1 << block.start)
-        while places:
-            above, below = places >> block.start, places & _mask(0, block.start)
-            up = (above & -above).bit_length() - 1 if above else self._most
-            down = block.start - below.bit_length() + 1 if below else self._most
-            way = up if up <= down else -down
-            if self._keeps_lengths(block, way):
-                return way
-            places &= ~(1 << block.start + way)
-        return None
-
-    def _keeps_lengths(self, block: _Block, way: int) -> bool:
-        rigid = [place for place in block.places if place.argument.offset in self._rigid]
-        return all(len(_moved(place, way)) == place.argument.length for place in rigid)
-
-    def _obstacle(self, block: _Block) -> str:
-        """Why a block has no other place."""
-        if not any(_is_aligned(block.places, way) for way in range(_WIDEST)):
-            return "what shares its bytes wants another place"
-        if block.is_open:
-            return "it is not known how many bytes it takes"
-        if any(place.argument.offset in self._rigid for place in block.places):
-            return "elsewhere it would need a longer encoding, and a jump counts these bytes"
-        return "there is no room elsewhere"
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Block:
-    """Variables that have to stay together: the bytes from `start` to `end`, and all that is used of them."""
-
-    start: int
-    end: int
-    places: tuple[Footprint, ...]
-
-    @property
-    def is_open(self) -> bool:
-        """Whether nobody can tell where it ends."""
-        return any(not place.is_exact for place in self.places)
-
-    @property
-    def is_shared(self) -> bool:
-        """Whether other variables may lie within it on purpose: it is an array, or something is read from it."""
-        return any(place.is_array or place.is_read for place in self.places)
-
-    def belongs_to(self, other: _Block) -> bool:
-        """Whether one lies within the other on purpose. Results that share bytes do so by mistake, and may part."""
-        is_within = self.start >= other.start and self.end <= other.end
-        is_around = other.start >= self.start and other.end <= self.end
-        return (is_within or is_around) and (self.start == other.start or self.is_shared or other.is_shared)
-
-
-def _blocks(found: list[Footprint], stated: int) -> list[_Block]:
-    """What has to stay together, in the order of the first bytes."""
-    starts = sorted({place.start for place in found})
-    following = dict(pairwise([*starts, stated]))
-    together: dict[tuple[int, int], list[Footprint]] = {}
-    for place in found:
-        # Of an array of unknown length it is assumed that the sender left room for it, up to the next variable.
-        end = max(place.end, following[place.start]) if not place.is_exact else place.end
-        together.setdefault((place.start, end), []).append(place)
-    blocks: list[_Block] = []
-    for (start, end), block_uses in sorted(together.items()):
-        whole = _Block(start, end, tuple(block_uses))
-        # Most others end before this one begins, and have nothing to do with it.
-        while parts := [block for block in blocks if block.end >= whole.start and whole.belongs_to(block)]:
-            blocks = [block for block in blocks if block not in parts]
-            for part in parts:
-                whole = _Block(min(part.start, whole.start), max(part.end, whole.end), part.places + whole.places)
-        blocks.append(whole)
-    return blocks
-
-
-def _mask(start: int, end: int) -> int:
-    """Bytes of memory as the bits of a number."""
-    return ((1 << end - start) - 1) << start
-
-
-def _is_aligned(block: Iterable[Footprint], shift: int) -> bool:
-    return all((place.start + shift) % _multiple(place) == 0 for place in block)
-
-
 def _left(block: Iterable[Footprint], why: str) -> str:
-    place = next(place for place in block if place.start % _multiple(place))
-    return f"{_variable(place)} is no multiple of {_multiple(place)}, as {place.full_name} needs it, but stays: {why}"
+    place = next(place for place in block if place.start % multiple(place))
+    return f"{_variable(place)} is no multiple of {multiple(place)}, as {place.full_name} needs it, but stays: {why}"
 
 
 def _moved(place: Footprint, shift: int) -> bytes:
@@ -510,7 +370,3 @@ def _replaced(frame: bytes, pieces: Mapping[int, tuple[Argument, bytes]]) -> byt
         done += [frame[at:offset], new]
         at = offset + argument.length
     return with_length(b"".join((*done, frame[at:])))
-
-
-_EVERY_WIDEST = sum(1 << offset for offset in range(0, MAX_FRAME, _WIDEST))
-"""Bits at the multiples of that."""

@@ -6,9 +6,11 @@ as the number of bytes in an array, is worked out for each operation in a frame 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from bisect import bisect_left
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import accumulate
 
 from ev3proto.messages import Argument, Operation, OperationReader, Variable
 from ev3proto.tables.declaration import LISTS, Direction, Parameter, Role, Type
@@ -126,6 +128,24 @@ class Footprint:
     def full_name(self) -> str:
         """`VALUE of UI_READ.GET_VBATT`."""
         return f"{self.argument.name} of {self.operation.full_name}"
+
+
+class Taken:
+    """The bytes that some variables of one memory take. It tells at once whether another one has any of them.
+
+    A frame may have hundreds of variables, so to ask each of them for each other one takes long.
+    """
+
+    def __init__(self, found: Iterable[Footprint]) -> None:
+        places = sorted([(it.start, it.end) for it in found])
+        self._starts = [start for start, _ in places]
+        # For each place, where the furthest of those up to it ends.
+        self._ends = list(accumulate([end for _, end in places], max))
+
+    def has_some_of(self, found: Footprint) -> bool:
+        """Whether there is a byte that this variable takes, too."""
+        before = bisect_left(self._starts, found.end)
+        return before > 0 and self._ends[before - 1] > found.start
 
 
 def footprints(operation: Operation, arguments: Sequence[Argument] | None = None) -> list[Footprint]:

@@ -12,7 +12,7 @@ from ev3proto.checking.report import Finding, new_finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
-from ev3proto.semantics.footprint import Footprint, footprints
+from ev3proto.semantics.footprint import Footprint, Taken, footprints
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 
@@ -231,15 +231,11 @@ def _asked_for(command: DirectCommand, local: list[Footprint], shared: list[Foot
 
 def _unread(used: list[Footprint]) -> Footprint | None:
     """The first result that no operation reads."""
-    read = [found for found in used if found.is_read]
+    read = Taken(found for found in used if found.is_read)
     for found in used:
-        if found.is_written and found.size and not any(_have_common(found, other) for other in read):
+        if found.is_written and found.size and not read.has_some_of(found):
             return found
     return None
-
-
-def _have_common(found: Footprint, other: Footprint) -> bool:
-    return found.start < other.end and other.start < found.end
 
 
 def _unused(scope: str, asked: int, used: list[Footprint]) -> Iterator[Finding]:

@@ -118,7 +118,7 @@ def _sizes() -> tuple[int, ...]:
 _SIZES = _sizes()
 _OBJECT_END = with_effect(Effect.ENDS_CODE).opcode.number
 
-# Rule 1. As many zeros as the longest operation reads whose last byte in the frame counts 127 parameters.
+# Rule 1. More zeros than an operation reads after the parameter that reaches beyond the end.
 _BEYOND = bytes((_OBJECT_END,)) + bytes(160)
 
 _Kinds = tuple[int, ...]
@@ -238,12 +238,12 @@ def _special(data: bytes, at: int, end: int, kind: int, before: int) -> int | _R
     if kind == _VALUES:
         # Rule 10. Each value takes a byte at least: more of them than there are bytes end beyond the code.
         count = _value(data, before)[0] & 0xFFFFFFFF
-        return _Refusal(Reason.CUT_OFF, before, count >= SPINNING) if count > end - at else _skip(data, at, count)
+        return _Refusal(Reason.CUT_OFF, before, count >= SPINNING) if count > end - at else _skip(data, at, end, count)
     value, after = _value(data, at)
     if kind == _COUNT:
         # Rule 9. What does not pass leaves the operation good all the same (rule 3), and empty.
         is_count = not first & _VARIABLE and 0 <= value <= RANGES[Type.COUNT].high
-        return _skip(data, after, value) if is_count else after
+        return _skip(data, after, end, value) if is_count else after
     if not first & _VARIABLE:
         # Rule 11.
         return after if 0 <= value < LABELS else _Refusal(Reason.LABEL, at)
@@ -280,9 +280,12 @@ def _long_value(data: bytes, at: int) -> tuple[int, int]:
     return (0, data.index(0, at + 1) + 1) if unpack is None else (unpack(data, at)[0], at + size)
 
 
-def _skip(data: bytes, at: int, count: int) -> int:
-    """The offset after so many arguments, none of which is looked at."""
+def _skip(data: bytes, at: int, end: int, count: int) -> int:
+    """The offset after so many arguments, none of which is looked at; or after the first that reaches beyond `end`."""
     for _ in range(count):
+        if at > end:
+            # Rule 1. What follows has no end that would matter.
+            break
         size = _SIZES[data[at]]
         at = at + size if size else data.index(0, at + 1) + 1
     return at

@@ -4275,7 +4275,7 @@ local instructions = INSTRUCTION_SETS[dialect]
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local new_memory, forget_memories, place_of, number_of, new_notes
+local new_memory, forget_memories, place_of, number_of, new_notes, new_texts
 do
     local forgetting = {}
 
@@ -4323,14 +4323,20 @@ do
         return floor(place / OFFSETS)
     end
 
-    -- Keeps what is known of messages, by place. A long capture has a great many: a table each would take several times
-    -- what it says. So all that is known of some packets in a row is joined to one text, as soon as a later packet has
-    -- something; what is added to them afterwards is little, and kept beside it. `write` gives one or two texts for a
-    -- place and what is known there, `read` finds in a text at an index the place, what is known, and the next index.
-    -- Both are given the first place of those packets, to count from: most numbers are short then.
-    function new_notes(write, read)
+    -- What is kept for good lies outside of Lua, in byte arrays: Lua lets all that it holds double before it frees
+    -- anything.
+    local new_bytes, pack, unpack = ByteArray.new, Struct.pack, Struct.unpack
+    local NUMBER_SIZE = 8
+
+    -- Keeps what is known of messages, by place: 1 or 3 numbers each. What is known of some packets in a row is packed, as
+    -- soon as a later packet has something; what is added to them afterwards is little, and kept beside it.
+    function new_notes(width)
         local PAGE = 256 * OFFSETS
-        -- Of the last packets: place and what is known in turn. The list is used again for those that follow.
+        local step = width + 1
+        -- Numbers that are packed at once.
+        local most = 60 * step
+        local FORMAT, FULL_FORMAT = ("d"):rep(width), ("d"):rep(most)
+        -- Of the last packets: place and numbers in turn. The list is used again for those that follow.
         local open, count, open_number = {}, 0, 0
         local pages, additions, last, last_number
         local notes, pieces = {}, {}
@@ -4342,64 +4348,100 @@ do
         notes.forget()
 
         local function close_page()
-            local stop, base = 0, open_number * PAGE
-            for index = 1, count, 2 do
-                local head, rest = write(base, open[index], open[index + 1])
+            if count == 0 then return end
+            local stop = 0
+            for first = 1, count, most do
+                local size = math.min(most, count - first + 1)
                 stop = stop + 1
-                pieces[stop] = head
-                if rest then
-                    stop = stop + 1
-                    pieces[stop] = rest
-                end
+                pieces[stop] = pack(size == most and FULL_FORMAT or ("d"):rep(size),
+                    table.unpack(open, first, first + size - 1))
             end
-            if stop > 0 then pages[open_number] = concat(pieces, "", 1, stop) end
+            pages[open_number] = new_bytes(concat(pieces, "", 1, stop), true)
             count = 0
         end
 
+        -- A page is by place where its numbers begin.
         local function read_page(number)
-            local found, text, at, base = {}, pages[number] or "", 1, number * PAGE
-            while at <= #text do
-                local place, known
-                place, known, at = read(base, text, at)
-                found[place] = known
+            local found, page = {}, pages[number]
+            if not page then return found end
+            local text = page:raw()
+            for at = 1, #text, step * NUMBER_SIZE do
+                found[unpack("d", text, at)] = sub(text, at + NUMBER_SIZE, at + step * NUMBER_SIZE - 1)
             end
             return found
         end
 
-        function notes.put(place, known)
+        function notes.put(place, first, second, third)
             local number = floor(place / PAGE)
             if number < open_number then
-                local head, rest = write(number * PAGE, place, known)
-                additions[place] = rest and head .. rest or head
+                additions[place] = pack(FORMAT, first, second, third)
                 return
             elseif number > open_number then
                 close_page()
                 open_number = number
             end
-            open[count + 1] = place
-            open[count + 2] = known
-            count = count + 2
+            local at = count
+            open[at + 1], open[at + 2] = place, first
+            if second then open[at + 3], open[at + 4] = second, third end
+            count = at + step
         end
 
+        -- The numbers of a place; nothing where it has none.
         function notes.get(place)
             local number = floor(place / PAGE)
             if number == open_number then
-                -- Usually it is the last one that was put.
-                for index = count - 1, 1, -2 do
-                    if open[index] == place then return open[index + 1] end
+                for at = count - width, 1, -step do
+                    if open[at] == place then return table.unpack(open, at + 1, at + width) end
                 end
                 return nil
             end
             local text = additions[place]
-            if text then
-                local _, known = read(number * PAGE, text, 1)
-                return known
+            if not text then
+                if number ~= last_number then last, last_number = read_page(number), number end
+                text = last[place]
+                if not text then return nil end
             end
-            if number ~= last_number then last, last_number = read_page(number), number end
-            return last[place]
+            return unpack(FORMAT, text)
         end
 
         return notes
+    end
+
+    -- Keeps texts, each by a number that tells where it is. One that comes again soon has the number that it had.
+    function new_texts()
+        local PAGE, MOST_LENGTH = 0x10000, 0x10000
+        local pages, pieces, count, size
+        local recent = new_memory(1024)
+        local texts = {}
+
+        function texts.forget()
+            pages, pieces, count, size = {}, {}, 0, 0
+        end
+        texts.forget()
+
+        function texts.put(text)
+            local known = recent.get(text)
+            if known then return known end
+            if size >= PAGE / 2 then
+                pages[#pages + 1] = new_bytes(concat(pieces, "", 1, count), true)
+                count, size = 0, 0
+            end
+            known = (#pages * PAGE + size) * MOST_LENGTH + #text
+            count = count + 1
+            pieces[count], size = text, size + #text
+            recent.put(text, known)
+            return known
+        end
+
+        function texts.get(number)
+            local length = number % MOST_LENGTH
+            local at = floor(number / MOST_LENGTH)
+            local page, start = pages[floor(at / PAGE) + 1], at % PAGE
+            if page then return page:raw(start, length) end
+            return sub(concat(pieces, "", 1, count), start + 1, start + length)
+        end
+
+        return texts
     end
 end
 
@@ -5095,36 +5137,19 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- Of a command that has a reply: the number of the packet with it.
-    local replies = new_notes(function(base, place, number)
-        return format("%d %d ", place - base, number)
-    end, function(base, text, at)
-        local place, number, after = text:match("^(%d+) (%d+) ()", at)
-        return base + tonumber(place), tonumber(number), after
-    end)
+    local replies = new_notes(1)
 
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
-    local requests = new_notes(function(base, place, request)
-        local body = request.body
-        return format("%d %d %.9f %d ", place - base, place - request.place, request.delay, #body), body
-    end, function(base, text, at)
-        local place, command, delay, size, start = text:match("^(%d+) (%-?%d+) (%S+) (%d+) ()", at)
-        local after = start + tonumber(size)
-        local body = sub(text, start, after - 1)
-        place = base + tonumber(place)
-        return place, { place = place - tonumber(command), delay = tonumber(delay), body = body }, after
-    end)
+    local requests, bodies = new_notes(3), new_texts()
 
-    -- Of a message on a file: the file's path, by its number here, the bytes done, and the size where it is known.
+    -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
+    -- known.
+    local transfers = new_notes(3)
     local paths
-    local transfers = new_notes(function(base, place, transfer)
-        local size = transfer.size and format("%d", transfer.size) or ""
-        return format("%d %d %d %s ", place - base, transfer.number, transfer.done, size)
-    end, function(base, text, at)
-        local place, number, done, size, after = text:match("^(%d+) (%d+) (%d+) (%d*) ()", at)
-        local path = paths[tonumber(number)]
-        return base + tonumber(place), { path = path, done = tonumber(done), size = tonumber(size) }, after
-    end)
+
+    -- The command that the message before this one answered, and the place of that message.
+    local answer, answer_place
 
     local talks
 
@@ -5132,24 +5157,30 @@ do
         replies.forget()
         requests.forget()
         transfers.forget()
-        paths, talks = {}, {}
+        bodies.forget()
+        paths, talks, answer, answer_place = {}, {}, nil, nil
     end
     forget_dialogues()
 
     -- The command that a reply answers: `place`, `body`, what follows its header, `delay`, the seconds that the reply
     -- took.
     function request_of(place)
-        return requests.get(place)
+        if place == answer_place then return answer end
+        local command, delay, body = requests.get(place)
+        return command and { place = command, delay = delay, body = bodies.get(body) }
     end
 
     -- The number of the packet with the reply to a command.
     function reply_to(place)
-        return replies.get(place)
+        local number = replies.get(place)
+        return number and floor(number)
     end
 
     -- The file that a message is about: path, size, bytes done.
     function transfer_at(place)
-        return transfers.get(place)
+        local path, done, size = transfers.get(place)
+        if not path then return nil end
+        return { path = paths[path], done = floor(done), size = size >= 0 and floor(size) or nil }
     end
 
     -- All that is known of the messages between one computer and one brick, who have that key.
@@ -5311,15 +5342,15 @@ do
             if request then
                 request.delay = pinfo.rel_ts - request.time
                 if request.earlier then request.earlier = nil end
-                replies.put(request.place, pinfo.number)
-                requests.put(place, request)
+                replies.put(request.place, number_of(place))
+                requests.put(place, request.place, request.delay, bodies.put(request.body))
+                answer, answer_place = request, place
                 if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
             end
             transfer = is_on_file and follow_reply(talk, message, request and request.body)
         end
         if transfer then
-            local known = { number = transfer.number, path = transfer.path, size = transfer.size, done = transfer.done }
-            transfers.put(place, known)
+            transfers.put(place, transfer.number, transfer.done, transfer.size or -1)
         end
     end
 end

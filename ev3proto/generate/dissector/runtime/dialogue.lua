@@ -16,36 +16,19 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- Of a command that has a reply: the number of the packet with it.
-    local replies = new_notes(function(base, place, number)
-        return format("%d %d ", place - base, number)
-    end, function(base, text, at)
-        local place, number, after = text:match("^(%d+) (%d+) ()", at)
-        return base + tonumber(place), tonumber(number), after
-    end)
+    local replies = new_notes(1)
 
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
-    local requests = new_notes(function(base, place, request)
-        local body = request.body
-        return format("%d %d %.9f %d ", place - base, place - request.place, request.delay, #body), body
-    end, function(base, text, at)
-        local place, command, delay, size, start = text:match("^(%d+) (%-?%d+) (%S+) (%d+) ()", at)
-        local after = start + tonumber(size)
-        local body = sub(text, start, after - 1)
-        place = base + tonumber(place)
-        return place, { place = place - tonumber(command), delay = tonumber(delay), body = body }, after
-    end)
+    local requests, bodies = new_notes(3), new_texts()
 
-    -- Of a message on a file: the file's path, by its number here, the bytes done, and the size where it is known.
+    -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
+    -- known.
+    local transfers = new_notes(3)
     local paths
-    local transfers = new_notes(function(base, place, transfer)
-        local size = transfer.size and format("%d", transfer.size) or ""
-        return format("%d %d %d %s ", place - base, transfer.number, transfer.done, size)
-    end, function(base, text, at)
-        local place, number, done, size, after = text:match("^(%d+) (%d+) (%d+) (%d*) ()", at)
-        local path = paths[tonumber(number)]
-        return base + tonumber(place), { path = path, done = tonumber(done), size = tonumber(size) }, after
-    end)
+
+    -- The command that the message before this one answered, and the place of that message.
+    local answer, answer_place
 
     local talks
 
@@ -53,24 +36,30 @@ do
         replies.forget()
         requests.forget()
         transfers.forget()
-        paths, talks = {}, {}
+        bodies.forget()
+        paths, talks, answer, answer_place = {}, {}, nil, nil
     end
     forget_dialogues()
 
     -- The command that a reply answers: `place`, `body`, what follows its header, `delay`, the seconds that the reply
     -- took.
     function request_of(place)
-        return requests.get(place)
+        if place == answer_place then return answer end
+        local command, delay, body = requests.get(place)
+        return command and { place = command, delay = delay, body = bodies.get(body) }
     end
 
     -- The number of the packet with the reply to a command.
     function reply_to(place)
-        return replies.get(place)
+        local number = replies.get(place)
+        return number and floor(number)
     end
 
     -- The file that a message is about: path, size, bytes done.
     function transfer_at(place)
-        return transfers.get(place)
+        local path, done, size = transfers.get(place)
+        if not path then return nil end
+        return { path = paths[path], done = floor(done), size = size >= 0 and floor(size) or nil }
     end
 
     -- All that is known of the messages between one computer and one brick, who have that key.
@@ -232,15 +221,15 @@ do
             if request then
                 request.delay = pinfo.rel_ts - request.time
                 if request.earlier then request.earlier = nil end
-                replies.put(request.place, pinfo.number)
-                requests.put(place, request)
+                replies.put(request.place, number_of(place))
+                requests.put(place, request.place, request.delay, bodies.put(request.body))
+                answer, answer_place = request, place
                 if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
             end
             transfer = is_on_file and follow_reply(talk, message, request and request.body)
         end
         if transfer then
-            local known = { number = transfer.number, path = transfer.path, size = transfer.size, done = transfer.done }
-            transfers.put(place, known)
+            transfers.put(place, transfer.number, transfer.done, transfer.size or -1)
         end
     end
 end

@@ -2,7 +2,7 @@
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local new_memory, forget_memories, place_of, number_of, new_notes
+local new_memory, forget_memories, place_of, number_of, new_notes, new_texts
 do
     local forgetting = {}
 
@@ -50,14 +50,20 @@ do
         return floor(place / OFFSETS)
     end
 
-    -- Keeps what is known of messages, by place. A long capture has a great many: a table each would take several times
-    -- what it says. So all that is known of some packets in a row is joined to one text, as soon as a later packet has
-    -- something; what is added to them afterwards is little, and kept beside it. `write` gives one or two texts for a
-    -- place and what is known there, `read` finds in a text at an index the place, what is known, and the next index.
-    -- Both are given the first place of those packets, to count from: most numbers are short then.
-    function new_notes(write, read)
+    -- What is kept for good lies outside of Lua, in byte arrays: Lua lets all that it holds double before it frees
+    -- anything.
+    local new_bytes, pack, unpack = ByteArray.new, Struct.pack, Struct.unpack
+    local NUMBER_SIZE = 8
+
+    -- Keeps what is known of messages, by place: 1 or 3 numbers each. What is known of some packets in a row is packed, as
+    -- soon as a later packet has something; what is added to them afterwards is little, and kept beside it.
+    function new_notes(width)
         local PAGE = 256 * OFFSETS
-        -- Of the last packets: place and what is known in turn. The list is used again for those that follow.
+        local step = width + 1
+        -- Numbers that are packed at once.
+        local most = 60 * step
+        local FORMAT, FULL_FORMAT = ("d"):rep(width), ("d"):rep(most)
+        -- Of the last packets: place and numbers in turn. The list is used again for those that follow.
         local open, count, open_number = {}, 0, 0
         local pages, additions, last, last_number
         local notes, pieces = {}, {}
@@ -69,63 +75,99 @@ do
         notes.forget()
 
         local function close_page()
-            local stop, base = 0, open_number * PAGE
-            for index = 1, count, 2 do
-                local head, rest = write(base, open[index], open[index + 1])
+            if count == 0 then return end
+            local stop = 0
+            for first = 1, count, most do
+                local size = math.min(most, count - first + 1)
                 stop = stop + 1
-                pieces[stop] = head
-                if rest then
-                    stop = stop + 1
-                    pieces[stop] = rest
-                end
+                pieces[stop] = pack(size == most and FULL_FORMAT or ("d"):rep(size),
+                    table.unpack(open, first, first + size - 1))
             end
-            if stop > 0 then pages[open_number] = concat(pieces, "", 1, stop) end
+            pages[open_number] = new_bytes(concat(pieces, "", 1, stop), true)
             count = 0
         end
 
+        -- A page is by place where its numbers begin.
         local function read_page(number)
-            local found, text, at, base = {}, pages[number] or "", 1, number * PAGE
-            while at <= #text do
-                local place, known
-                place, known, at = read(base, text, at)
-                found[place] = known
+            local found, page = {}, pages[number]
+            if not page then return found end
+            local text = page:raw()
+            for at = 1, #text, step * NUMBER_SIZE do
+                found[unpack("d", text, at)] = sub(text, at + NUMBER_SIZE, at + step * NUMBER_SIZE - 1)
             end
             return found
         end
 
-        function notes.put(place, known)
+        function notes.put(place, first, second, third)
             local number = floor(place / PAGE)
             if number < open_number then
-                local head, rest = write(number * PAGE, place, known)
-                additions[place] = rest and head .. rest or head
+                additions[place] = pack(FORMAT, first, second, third)
                 return
             elseif number > open_number then
                 close_page()
                 open_number = number
             end
-            open[count + 1] = place
-            open[count + 2] = known
-            count = count + 2
+            local at = count
+            open[at + 1], open[at + 2] = place, first
+            if second then open[at + 3], open[at + 4] = second, third end
+            count = at + step
         end
 
+        -- The numbers of a place; nothing where it has none.
         function notes.get(place)
             local number = floor(place / PAGE)
             if number == open_number then
-                -- Usually it is the last one that was put.
-                for index = count - 1, 1, -2 do
-                    if open[index] == place then return open[index + 1] end
+                for at = count - width, 1, -step do
+                    if open[at] == place then return table.unpack(open, at + 1, at + width) end
                 end
                 return nil
             end
             local text = additions[place]
-            if text then
-                local _, known = read(number * PAGE, text, 1)
-                return known
+            if not text then
+                if number ~= last_number then last, last_number = read_page(number), number end
+                text = last[place]
+                if not text then return nil end
             end
-            if number ~= last_number then last, last_number = read_page(number), number end
-            return last[place]
+            return unpack(FORMAT, text)
         end
 
         return notes
+    end
+
+    -- Keeps texts, each by a number that tells where it is. One that comes again soon has the number that it had.
+    function new_texts()
+        local PAGE, MOST_LENGTH = 0x10000, 0x10000
+        local pages, pieces, count, size
+        local recent = new_memory(1024)
+        local texts = {}
+
+        function texts.forget()
+            pages, pieces, count, size = {}, {}, 0, 0
+        end
+        texts.forget()
+
+        function texts.put(text)
+            local known = recent.get(text)
+            if known then return known end
+            if size >= PAGE / 2 then
+                pages[#pages + 1] = new_bytes(concat(pieces, "", 1, count), true)
+                count, size = 0, 0
+            end
+            known = (#pages * PAGE + size) * MOST_LENGTH + #text
+            count = count + 1
+            pieces[count], size = text, size + #text
+            recent.put(text, known)
+            return known
+        end
+
+        function texts.get(number)
+            local length = number % MOST_LENGTH
+            local at = floor(number / MOST_LENGTH)
+            local page, start = pages[floor(at / PAGE) + 1], at % PAGE
+            if page then return page:raw(start, length) end
+            return sub(concat(pieces, "", 1, count), start + 1, start + length)
+        end
+
+        return texts
     end
 end

@@ -55,8 +55,8 @@ do
     local new_bytes, pack, unpack = ByteArray.new, Struct.pack, Struct.unpack
     local NUMBER_SIZE = 8
 
-    -- Keeps what is known of messages, by place: 1 or 3 numbers each. What is known of some packets in a row is packed, as
-    -- soon as a later packet has something; what is added to them afterwards is little, and kept beside it.
+    -- Keeps what is known of messages, by place: 1 or 3 numbers each. What is known of some packets in a row is packed
+    -- as soon as a later packet has something; what is added to them afterwards is little, and kept beside it.
     function new_notes(width)
         local PAGE = 256 * OFFSETS
         local step = width + 1

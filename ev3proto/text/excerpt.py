@@ -6,13 +6,15 @@ One frame may have dozens of findings, so what they share is made once: its hex,
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Sequence
 from functools import cache
 
 from ev3proto.checking.report import Finding
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Operation, OperationReader
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
-from ev3proto.tables.declaration import Type
+from ev3proto.schema.identification import ENCODINGS
+from ev3proto.tables.declaration import Parameter, Type
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD
 from ev3proto.text.assembly import operation_line
 from ev3proto.text.dialogues import command_spans
@@ -35,19 +37,28 @@ _BEFORE = tuple(" " * (_BYTE * count + 1) for count in range(ROW + 1))
 _MARKS = tuple("^" * (_BYTE * count - 1) for count in range(ROW + 1))
 """What stands before a line under some bytes of a row, and the line, by the number of bytes."""
 
+_NOWHERE = 1 << 32
+"""An offset, and a number of an argument, that no frame has."""
+
 
 class Excerpt:
     """A frame from which spans are shown, and what it says there."""
 
     def __init__(self, frame: bytes, dialect: str) -> None:
+        self._frame = frame
         self._size = len(frame)
         self._hex = f" {spaced_hex(frame)}"
         self._message = message = read_last(frame, dialect)
         self._has_operations = isinstance(message, (DirectCommand, DaisyCommand))
         self._operations = message.operations if isinstance(message, (DirectCommand, DaisyCommand)) else ()
         self._starts = [operation.offset for operation in self._operations]
-        self._lines: dict[int, str] = {}
-        self._arguments: dict[int, dict[int, tuple[int, Argument]]] = {}
+        # The operation that is shown, and what is said of it.
+        self._start = self._end = 0
+        self._operation: Operation | None = None
+        self._line = self._line_text = ""
+        self._arguments: tuple[Argument, ...] = ()
+        self._numbers: dict[int, int] = {}
+        self._labels: tuple[_Label, ...] = ()
         width = 2 + len(str(max(len(frame) - 1, 10)))
         self._width = width
         self.margin = " " * width
@@ -59,19 +70,44 @@ class Excerpt:
         if self._size:
             lines.append([(self._bar, Role.ASIDE)])
             self._rows(finding, role, lines)
-        text = self._decoded(finding, self._operation_at(finding.offset))
+        text = self._decoded(finding)
         if text:
-            lines.append([(f"{self.margin} = ", Role.ASIDE), (_cut(text, _MOST_OPERATION), Role.ASIDE)])
+            lines.append([(f"{self.margin} = ", Role.ASIDE), (text, Role.ASIDE)])
 
-    def show_texts(self, finding: Finding, texts: list[str]) -> None:
-        """Adds the same lines as texts."""
-        operation = self._operation_at(finding.offset)
+    def texts(self, finding: Finding) -> Sequence[str]:
+        """The same lines as texts."""
+        start, length = finding.offset, finding.length
+        row = start % ROW
+        if not 0 < length <= ROW - row or start + length > self._size or not self._has_operations:
+            return self._unusual_texts(finding)
+        # Nearly all spans are of this kind: some bytes of a direct command, all of them in one row.
+        bar, line = self._bar, ""
+        if start < COMMAND_HEADER_SIZE:
+            label = self._header(finding)
+        else:
+            if not self._start <= start < self._end:
+                self._turn_to(start)
+            line = self._line_text
+            number = self._numbers.get(start, _NOWHERE)
+            if number < len(self._labels):
+                said = self._labels[number]
+                short = said.short[self._frame[start]] if length == 1 else None
+                label = short or said.text(self._arguments[number], length)
+            else:
+                label = self._said(start, length)
+        digits = self._row_texts.get(start - row) or self._row_text(start - row)
+        under = f"{bar}{_BEFORE[row]}{_MARKS[length]} {label}" if label else f"{bar}{_BEFORE[row]}{_MARKS[length]}"
+        return (bar, digits, under, line) if line else (bar, digits, under)
+
+    def _unusual_texts(self, finding: Finding) -> list[str]:
+        texts: list[str] = []
         if self._size:
             texts.append(self._bar)
-            self._add_row_texts(finding, self._label(finding, operation), texts)
-        text = self._decoded(finding, operation)
-        if text:
-            texts.append(f"{self.margin} = {_cut(text, _MOST_OPERATION)}".rstrip())
+            self._add_row_texts(finding, texts)
+        decoded = self._decoded(finding)
+        if decoded:
+            texts.append(f"{self.margin} = {decoded}".rstrip())
+        return texts
 
     def _span(self, finding: Finding) -> tuple[int, int, int, int]:
         """Where the bytes that are shown start and end, and their first and last row."""
@@ -87,7 +123,7 @@ class Excerpt:
 
     def _rows(self, finding: Finding, role: Role, lines: list[Line]) -> None:
         start, end, first_row, last_row = self._span(finding)
-        label = self._label(finding, self._operation_at(finding.offset))
+        label = self._label(finding)
         for number in _shown_rows(first_row, last_row):
             if number is None:
                 lines.append([("...".rjust(self._width) + " |", Role.ASIDE), (" ...", Role.ASIDE)])
@@ -115,17 +151,8 @@ class Excerpt:
             under.append((f" {label}", Role.PLAIN))
         lines.append(under)
 
-    def _add_row_texts(self, finding: Finding, label: str, texts: list[str]) -> None:
-        start, length = finding.offset, finding.length
-        row = start - start % ROW
-        if not 0 < length <= min(row + ROW, self._size) - start:
-            self._add_several_row_texts(finding, label, texts)
-            return
-        # Nearly all spans are of this kind: some bytes of the frame, all of them in one row.
-        texts.append(self._row_texts.get(row) or self._row_text(row))
-        texts.append(f"{self._bar}{_BEFORE[start - row]}{_MARKS[length]}{f' {label}' if label else ''}")
-
-    def _add_several_row_texts(self, finding: Finding, label: str, texts: list[str]) -> None:
+    def _add_row_texts(self, finding: Finding, texts: list[str]) -> None:
+        label = self._label(finding)
         start, end, first_row, last_row = self._span(finding)
         for number in _shown_rows(first_row, last_row):
             if number is None:
@@ -142,15 +169,15 @@ class Excerpt:
         self._row_texts[row] = text
         return text
 
-    def _label(self, finding: Finding, operation: Operation | None) -> str:
+    def _label(self, finding: Finding) -> str:
         """What the bytes of a span say: `VOLUME = 200 %`."""
-        if not finding.length:
+        start, length = finding.offset, finding.length
+        if not length:
             return ""
-        if finding.offset < COMMAND_HEADER_SIZE:
-            text = self._header(finding)
-        else:
-            text = "" if operation is None else self._argument(finding, operation)
-        return text if len(text) <= _MOST_LABEL else _cut(text, _MOST_LABEL)
+        if start < COMMAND_HEADER_SIZE:
+            return self._header(finding)
+        self._turn_to(start)
+        return self._said(start, length)
 
     def _header(self, finding: Finding) -> str:
         message, offset = self._message, finding.offset
@@ -166,42 +193,54 @@ class Excerpt:
             return f"memory: {message.global_size} bytes global, {message.local_size} bytes local"
         return ""
 
-    def _argument(self, finding: Finding, operation: Operation) -> str:
-        offset, length = finding.offset, finding.length
-        if offset == operation.offset:
-            return operation.full_name if length == operation.length else ""
-        arguments = self._arguments.get(operation.offset)
-        if arguments is None:
-            arguments = {argument[3]: (number, argument) for number, argument in enumerate(operation.arguments)}
-            self._arguments[operation.offset] = arguments
-        found = arguments.get(offset)
-        if found is not None:
-            number, argument = found
-            return _said(operation, number, argument) if length == argument.length else ""
+    def _said(self, start: int, length: int) -> str:
+        """What some bytes of an operation say: an argument, CMD, or all of it."""
+        number, operation = self._numbers.get(start), self._operation
+        if operation is None:
+            return ""
+        if number is not None:
+            argument = self._arguments[number]
+            if number < len(self._labels):
+                return self._labels[number].text(argument, length)
+            return _cut(_text(argument), _MOST_LABEL) if length == argument.length else ""
+        if start == operation.offset:
+            return _cut(operation.full_name, _MOST_LABEL) if length == operation.length else ""
         cmd = operation.cmd
-        if cmd is not None and (offset, length) == (cmd.offset, cmd.length):
-            return f"CMD = {cmd.value} {operation.command}"
+        if cmd is not None and (start, length) == (cmd.offset, cmd.length):
+            return _cut(f"CMD = {cmd.value} {operation.command}", _MOST_LABEL)
         return ""
 
-    def _decoded(self, finding: Finding, operation: Operation | None) -> str:
-        """What the span belongs to: an operation, or all of the command.
-
-        operation  the one at the offset of the finding
-        """
+    def _decoded(self, finding: Finding) -> str:
+        """What the span belongs to: an operation, or all of the command."""
         message, offset = self._message, finding.offset
         if self._has_operations:
+            self._turn_to(offset)
+            operation = self._operation
             if not finding.length and (operation is None or operation.full_name != finding.operation):
                 # What is missing at the end of an operation stands where the next one starts.
-                operation = self._operation_at(offset - 1)
-            return "" if operation is None else self._line(operation)
-        return "" if message.type is None or offset < HEADER_SIZE else plain_text(command_spans(message))
+                self._turn_to(offset - 1)
+            return self._line
+        if message.type is None or offset < HEADER_SIZE:
+            return ""
+        return _cut(plain_text(command_spans(message)), _MOST_OPERATION)
 
-    def _line(self, operation: Operation) -> str:
-        """An operation as assembly, made once."""
-        line = self._lines.get(operation.offset)
-        if line is None:
-            line = self._lines[operation.offset] = operation_line(operation)
-        return line
+    def _turn_to(self, start: int) -> None:
+        """Makes the operation at an offset the one that is shown. Findings are in order, so that each is made once."""
+        if self._start <= start < self._end:
+            return
+        operation = self._operation = self._operation_at(start)
+        if operation is None:
+            self._start = self._end = 0
+            self._line = self._line_text = ""
+            self._arguments, self._numbers = (), {}
+            return
+        self._start = operation.offset
+        self._end = operation.offset + operation.length if operation.is_complete else _NOWHERE
+        self._line = _cut(operation_line(operation), _MOST_OPERATION)
+        self._line_text = f"{self.margin} = {self._line}"
+        self._arguments = operation.arguments
+        self._numbers = {argument[3]: number for number, argument in enumerate(self._arguments)}
+        self._labels = _labels(operation[0])
 
     def _operation_at(self, offset: int) -> Operation | None:
         number = bisect_right(self._starts, offset) - 1
@@ -225,27 +264,48 @@ def _cut(text: str, most: int) -> str:
     return text if len(text) <= most else f"{text[: most - 3]}..."
 
 
-def _said(operation: Operation, number: int, argument: Argument) -> str:
-    """`VOLUME = 200 %`, of an argument by its number."""
-    patterns = _patterns(operation[0])
-    _, form, value, _, _ = argument
-    if number >= len(patterns) or type(value) is not int:
-        before, after = _split(argument)
-        return f"{before}{plain(value)}{after}"
-    pattern = patterns[number]
-    named = pattern.named
-    before, after = pattern.get((id(form), value) if named is None or value in named else id(form)) or pattern.around(
-        argument
-    )
-    return f"{before}{value}{after}"
+class _Label(Pattern):
+    """How an argument is said: `VOLUME = 200 %`.
+
+    short  by its only byte; None for long forms, and for what was not needed yet
+    """
+
+    __slots__ = ("short",)
+
+    def __init__(self, parameter: Parameter) -> None:
+        super().__init__(parameter, _split)
+        self.short: list[str | None] = [None] * len(ENCODINGS)
+
+    def text(self, argument: Argument, length: int) -> str:
+        """The text of an argument; none where it has another length."""
+        _, form, value, offset, data = argument
+        if type(value) is not int:
+            return _cut(_text(argument), _MOST_LABEL) if length == argument.length else ""
+        width = form.width
+        assert width is not None  # only texts have none
+        if length != 1 + width:
+            return ""
+        named = self.named
+        before, after = self.get((id(form), value) if named is None or value in named else id(form)) or self.around(
+            argument
+        )
+        text = _cut(f"{before}{value}{after}", _MOST_LABEL)
+        if not width:
+            self.short[data[offset]] = text
+        return text
 
 
 @cache
-def _patterns(schema: OperationReader) -> tuple[Pattern, ...]:
+def _labels(schema: OperationReader) -> tuple[_Label, ...]:
     """How the arguments before the elements of a list are said."""
     parameters = schema.declaration.parameters
     fixed = parameters[:-1] if parameters and parameters[-1].type is Type.VALUES else parameters
-    return tuple(Pattern(parameter, _split) for parameter in fixed)
+    return tuple(map(_Label, fixed))
+
+
+def _text(argument: Argument) -> str:
+    before, after = _split(argument)
+    return f"{before}{plain(argument.value)}{after}"
 
 
 def _split(argument: Argument) -> Around:

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import struct
 from functools import cache
+from typing import NamedTuple
 
 from ev3proto.messages import Argument, Operation, OperationReader
-from ev3proto.schema.identification import LABEL_BYTE
-from ev3proto.tables.declaration import Enumeration
+from ev3proto.schema.argument import SHORT
+from ev3proto.schema.identification import ENCODINGS, LABEL_BYTE
+from ev3proto.tables.declaration import Enumeration, Type
 from ev3proto.tables.encoding import CONSTANT, JUMP, Encoding
 from ev3proto.text.assembly.words import BYTES, CUT
 from ev3proto.text.patterns import is_usual
@@ -26,28 +28,57 @@ def operation_line(operation: Operation) -> str:
     Returns:
         The line, without its end.
     """
+    usual = _usual(operation[0])
     if is_usual(operation):
-        pieces = [_head(operation[0])]
+        pieces = [usual.head]
     else:
         pieces = [f"op{operation.name}"]
         cmd = operation.cmd
         if cmd is not None:
             pieces.append(in_macro(cmd, operation.command or ""))
-    for argument in operation.arguments:
-        parameter, form, value, _, _ = argument
-        kind = form.kind
-        if type(value) is not int or kind == JUMP:
-            pieces.append(_argument(argument))
-            continue
-        before, after = _AROUND.get(id(form)) or _around(form)
-        enum = parameter.enum
-        if enum is None or kind != CONSTANT:
-            pieces.append(f"{before}{value}{after}")
-        else:
-            pieces.append(f"{before}{_symbols(enum).get(value, value)}{after}")
+    arguments, short = operation.arguments, usual.short
+    if len(arguments) > len(short):
+        short += (usual.element,) * (len(arguments) - len(short))
+    pieces += [
+        texts[argument[4][argument[3]]] or _argument(argument)
+        for argument, texts in zip(arguments, short, strict=False)
+    ]
     if not operation.is_complete:
         pieces.append(CUT)
     return ", ".join(pieces)
+
+
+class _Usual(NamedTuple):
+    """How operations with the same opcode and CMD are written.
+
+    head     what stands before the arguments, where CMD is encoded as is usual
+    short    each argument before the elements of a list, by its identification byte, where that is all of it
+    element  the same for an element of a list
+    """
+
+    head: str
+    short: tuple[_Short, ...]
+    element: _Short
+
+
+_Short = tuple[str | None, ...]
+
+
+@cache
+def _usual(schema: OperationReader) -> _Usual:
+    declaration = schema.declaration
+    opcode, command, parameters = declaration.opcode, declaration.command, declaration.parameters
+    head = f"op{opcode.name}" if command is None else f"op{opcode.name}, LC0({command.name})"
+    fixed = parameters[:-1] if parameters and parameters[-1].type is Type.VALUES else parameters
+    element = _short(parameters[-1].enum if parameters else None)
+    return _Usual(head, tuple(_short(parameter.enum) for parameter in fixed), element)
+
+
+@cache
+def _short(enum: Enumeration | None) -> _Short:
+    names = {} if enum is None else _symbols(enum)
+    short = [f"{form.name}({names.get(value, value) if form.kind == CONSTANT else value})" for form, value in SHORT]
+    return (*short, *[None] * (len(ENCODINGS) - len(short)))
 
 
 _AROUND: dict[int, tuple[str, str]] = {}
@@ -62,13 +93,6 @@ def _around(form: Encoding) -> tuple[str, str]:
         before, after = f"ADR({before}", f"{after})"
     around = _AROUND[id(form)] = before, after
     return around
-
-
-@cache
-def _head(schema: OperationReader) -> str:
-    """An operation up to its arguments, where its CMD is encoded as is usual."""
-    opcode, command = schema.declaration.opcode, schema.declaration.command
-    return f"op{opcode.name}" if command is None else f"op{opcode.name}, LC0({command.name})"
 
 
 def in_macro(argument: Argument, value: str, macro: str | None = None) -> str:
@@ -100,7 +124,14 @@ def float_pattern(argument: Argument) -> str:
 
 
 def _argument(argument: Argument) -> str:
-    value = argument.value
+    """An argument that has more than its identification byte."""
+    parameter, form, value, _, _ = argument
+    kind, enum = form.kind, parameter.enum
+    if type(value) is int and kind != JUMP:
+        before, after = _AROUND.get(id(form)) or _around(form)
+        if enum is None or kind != CONSTANT:
+            return f"{before}{value}{after}"
+        return f"{before}{_symbols(enum).get(value, value)}{after}"
     if isinstance(value, str):
         return in_macro(argument, quoted(value))
     if isinstance(value, float):
@@ -108,7 +139,6 @@ def _argument(argument: Argument) -> str:
         if struct.pack("<f", float(text)) == argument.raw[1:]:
             return in_macro(argument, text, "LCF")
         return in_macro(argument, float_pattern(argument))
-    enum = argument.parameter.enum
     return in_macro(argument, str(value if enum is None else _symbols(enum).get(value, value)))
 
 

@@ -15,6 +15,7 @@ from support.cli import run_ev3proto_text
 from support.cpu_time import milliseconds
 from support.effort import effort
 from support.files import Blocks
+from support.frames import Segment, tcp_capture
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort, datagram, segment
 from support.peak import PEAK
 from support.wireshark import Tshark
@@ -26,12 +27,13 @@ from ev3proto.checking.checking import check
 from ev3proto.checking.fixing import fix
 from ev3proto.dialogue import Exchange
 from ev3proto.schema.frame import frame_schema
+from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.pairing import Pairing
 from ev3proto.text.heading import Seen
-from ev3proto.text.json_format.writing import record, record_text
+from ev3proto.text.json_format.writing import command_text, record, record_text
 from ev3proto.text.spans import plain_text
 from ev3proto.text.table import table
-from ev3proto.text.tree import tree, tree_texts
+from ev3proto.text.tree import command_texts, tree, tree_texts
 from ev3proto.text.visible import is_visible, visible
 
 HARMFUL = "\x1b]52;c;Zm9v\x07\x1b[2J\x9b31m\x85\x7f\u202e\u2066\u2028"
@@ -94,8 +96,42 @@ def test_texts_made_of_patterns_are_the_same_as_those_made_of_lines() -> None:
         assert tree_texts(exchange, Seen()) == lines
         assert tree_texts(unread, Seen()) == lines
         assert json.loads(record_text(exchange, Seen())) == record(exchange, Seen())
+        straight = command_texts(frame, "", instruction_set())
+        assert straight is None or straight == lines
+        text = command_text(frame, None, '"carrier": "usb"', instruction_set())
+        assert text is None or json.loads(text) == record(exchange, Seen()) | {"carrier": "usb"}
         if number == 300:
             break
+
+
+@pytest.mark.parametrize(
+    ("operations", "why"),
+    [
+        ("94 01 01 82 B8 01 82", "an argument is cut off"),
+        ("94 3F", "there is no such CMD"),
+        ("FF", "there is no such opcode"),
+        ("80 05 84 61 62", "the string does not end"),
+        ("80 05 86 61", "no argument starts with 86"),
+        ("04 01 01 83 40 00 00 00 00", "the number of values is longer than it need be"),
+        ("94 81 01 01 01 01", "CMD is longer than it need be"),
+    ],
+)
+def test_what_is_not_usual_is_not_written_straight_from_its_bytes(operations: str, why: str) -> None:
+    body = bytes.fromhex("2A00 00 0000" + operations)
+    frame = len(body).to_bytes(2, "little") + body
+    assert command_texts(frame, "", instruction_set()) is None, why
+    assert command_text(frame, None, "", instruction_set()) is None, why
+    assert command_texts(frame + b"\0", "", instruction_set()) is None, "it is longer than it says"
+
+
+@pytest.mark.parametrize("options", [(), ("--json",)])
+def test_strings_in_commands_of_a_capture_are_harmless(options: tuple[str, ...], tmp_path: Path) -> None:
+    texts = [letter.encode("latin-1") for letter in CONTROLS if ord(letter) < 0x100]
+    path = tmp_path / "harmful.pcap"
+    path.write_bytes(tcp_capture(Segment(True, bytes.fromhex(a_string(text))) for text in texts))
+    done = run_ev3proto_text("decode", *options, str(path))
+    assert is_visible(done.stdout.replace("\n", ""))
+    assert done.stdout.count("\\u00") == len(texts)
 
 
 def test_a_budget_lets_the_oldest_go() -> None:

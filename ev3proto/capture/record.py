@@ -294,6 +294,11 @@ Event = Record | Announcement | Skipped
 """Everything that is found in a capture."""
 
 
+def elapsed(time_ns: int, start_ns: int) -> str:
+    """`0.011558`: seconds since a capture began."""
+    return f"{(time_ns - start_ns) / NANOSECONDS:.6f}"
+
+
 def utc(time_ns: int) -> str:
     """`2024-01-31T09:12:31.011558Z`, with nanoseconds where the time has them."""
     seconds, rest = divmod(time_ns, NANOSECONDS)

@@ -60,8 +60,7 @@ class Decoding(SourceReader):
             show = self._show
             for event in capture.events():
                 if isinstance(event, Record):
-                    show.record(event, capture.account.first_ns or 0)
-                    if event.message.fault is not None:
+                    if show.record(event, capture.account.first_ns or 0) is not None:
                         self._fault(event, capture)
                 elif isinstance(event, Announcement):
                     show.announcement(event, capture.account.first_ns or 0)
@@ -162,7 +161,7 @@ def decode(
       ev3proto decode --programs robot.pcapng
       python3 my_program.py | ev3proto decode --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    show = Show("json" if as_json else style)
+    show = Show("json" if as_json else style, dialect=reading.dialect)
     if as_dialogues and as_programs:
         raise click.UsageError("--dialogues shows frames and --programs what they move: give one or the other")
     decoding = Decoding(show, reading, as_dialogues=as_dialogues, as_programs=as_programs)

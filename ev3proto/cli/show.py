@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from ev3proto.cli.output import Printer
 from ev3proto.dialogue import Exchange
+from ev3proto.errors import Fault
 from ev3proto.text.heading import Seen, heading, origin
 from ev3proto.text.notations import NOTATIONS
 from ev3proto.text.spans import Line, Role, plain_text
@@ -14,6 +16,7 @@ from ev3proto.text.tree import tree, tree_texts
 if TYPE_CHECKING:
     from ev3proto.capture import Announcement, Record
     from ev3proto.capture.dialogues import RequestReply
+    from ev3proto.cli.straight import Straight
     from ev3proto.program import Program
 
 FORMATS = ("tree", "table", *NOTATIONS, "json")
@@ -24,13 +27,26 @@ class Show:
 
     style    one of FORMATS, or of those that there are for programs only; None for the usual one
     at_once  what is shown is to be seen at once, because nobody knows when more will come
+    dialect  the firmware whose instruction set the records that are shown are read by, where there will be any
     """
 
-    def __init__(self, style: str | None, *, at_once: bool = False) -> None:
+    def __init__(self, style: str | None, *, at_once: bool = False, dialect: str | None = None) -> None:
         self._program_style = style
         self._style = style if style in FORMATS else FORMATS[0]
         self._printer = Printer(at_once=at_once)
+        self._dialect = dialect
         self.count = 0
+
+    @cached_property
+    def _straight(self) -> Straight | None:
+        """What writes direct commands of captures straight from their bytes; None where nothing does."""
+        from ev3proto.cli.straight import StraightJson, StraightTree
+
+        if self._dialect is None:
+            return None
+        if self._style == "json":
+            return StraightJson(self._dialect)
+        return StraightTree(self._dialect) if self._style == FORMATS[0] and self._printer.is_plain else None
 
     def exchange(self, exchange: Exchange, seen: Seen, padding: int = 0) -> None:
         """A message, and how many bytes of padding followed it."""
@@ -64,8 +80,23 @@ class Show:
         self.count += 1
         show_program(self._printer, program, image, self._program_style, origin)
 
-    def record(self, record: Record, start_ns: int) -> None:
-        """A frame of a capture that began then."""
+    def record(self, record: Record, start_ns: int) -> Fault | None:
+        """A frame of a capture that began then.
+
+        Returns:
+            What is wrong with the frame, None where nothing is.
+        """
+        straight = self._straight
+        if straight is not None and record.note is None:
+            texts = straight.texts(record, start_ns)
+            if texts is not None:
+                self.count += 1
+                self._printer.texts(texts)
+                return None
+        self._record(record, start_ns)
+        return record.message.fault
+
+    def _record(self, record: Record, start_ns: int) -> None:
         if self._style == "json":
             from ev3proto.text.json_format.writing import record_text
 
@@ -100,7 +131,7 @@ class Show:
 
     def dialogue(self, pair: RequestReply, start_ns: int) -> None:
         """A command with its reply, on one line."""
-        from ev3proto.capture.record import NANOSECONDS
+        from ev3proto.capture.record import elapsed
         from ev3proto.text.dialogues import dialogue_line
 
         self.count += 1
@@ -114,7 +145,7 @@ class Show:
         first = pair.command or pair.last
         reply = pair.reply
         route = first.route
-        time = f"{(first.time_ns - start_ns) / NANOSECONDS:.6f}" if route.is_timed else ""
+        time = elapsed(first.time_ns, start_ns) if route.is_timed else ""
         line: Line = [
             (f"{time:>12} ", Role.ASIDE),
             (f"#{first.number} ".rjust(7), Role.ASIDE),
@@ -141,13 +172,14 @@ class Show:
 
 
 def _seen(event: Record | Announcement, start_ns: int, answers: int | None = None) -> Seen:
-    from ev3proto.capture.record import NANOSECONDS, Record
+    from ev3proto.capture.record import Record, elapsed
+    from ev3proto.cli.straight import place
 
     return Seen(
         direction=event.route.direction,
-        time=f"{(event.time_ns - start_ns) / NANOSECONDS:.6f}" if event.route.is_timed else None,
+        time=elapsed(event.time_ns, start_ns) if event.route.is_timed else None,
         packets=event.numbers,
-        place=None if event.route.is_text else f"{event.route.carrier} {event.route.peer}",
+        place=place(event.route),
         answers=answers,
         latency=event.latency if isinstance(event, Record) else None,
         frame=event.frame if isinstance(event, Record) else None,
@@ -157,17 +189,10 @@ def _seen(event: Record | Announcement, start_ns: int, answers: int | None = Non
 def _place(event: Record | Announcement) -> dict[str, Any]:
     """Where and when, for other tools; no `time` where nobody wrote that down."""
     from ev3proto.capture.record import utc
+    from ev3proto.cli.straight import ends
 
-    route = event.route
-    time = {"time": utc(event.time_ns)} if route.is_timed else {}
-    return time | {
-        "packets": list(event.numbers),
-        "interface": route.interface,
-        "carrier": route.carrier,
-        "source": route.source,
-        "target": route.target,
-        "peer": route.peer,
-    }
+    time = {"time": utc(event.time_ns)} if event.route.is_timed else {}
+    return time | {"packets": list(event.numbers), **ends(event.route)}
 
 
 def _json_text(entry: dict[str, Any]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache, partial
-from typing import TypeVar, overload
+from typing import NamedTuple, TypeVar, overload
 
 from construct import Bytes, GreedyBytes, Int8ul, Struct
 from construct.core import ConstructError
@@ -118,6 +118,32 @@ def _direct_reply(member: MessageType, counter: int, memory: bytes) -> DirectRep
 
 _DIRECT_COMMANDS = {member.value: member for member in MessageType if member.kind == "direct-command"}
 _DIRECT_REPLIES = {member.value: member for member in MessageType if member.kind == "direct-reply"}
+
+
+class CommandHead(NamedTuple):
+    """What stands before the operations of a direct command.
+
+    type         the message type
+    counter      the message counter
+    global_size  bytes of global memory asked for
+    local_size   bytes of local memory asked for
+    """
+
+    type: MessageType
+    counter: int
+    global_size: int
+    local_size: int
+
+
+def command_head(frame: bytes) -> CommandHead | None:
+    """What stands before the operations where a frame is a direct command of the size that it says, else None."""
+    size = len(frame)
+    if not COMMAND_HEADER_SIZE <= size <= MAX_FRAME:
+        return None
+    length, counter, code, memory = unpack_command_header(frame)
+    if length + LENGTH_FIELD != size or code not in _DIRECT_COMMANDS:
+        return None
+    return CommandHead(_DIRECT_COMMANDS[code], counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS)
 
 
 class FrameSchema(Bytewise):

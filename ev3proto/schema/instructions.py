@@ -29,7 +29,7 @@ _BEYOND = 1 << 32
 _UNUSUAL: _Layout = (None, _BEYOND, (), False)
 """The layout of unknown opcodes and of CMDs that are longer than they need be. It never ends in the byte code."""
 
-_PADDING = bytes(64)
+PADDING = bytes(64)
 """Zeros after the byte code, each of them an argument of one byte. An operation that is cut off ends among them, since
 none has so many arguments."""
 
@@ -227,7 +227,7 @@ class InstructionSet(Bytewise):
         # end where it should. With `_scan_one` alone, parsing with every value read takes 3.5 times the plain
         # decoder's time instead of 1.5: `pytest benchmarks`.
         is_long = len(data) > _MOST_PADDED
-        padded = b"" if is_long else data + _PADDING
+        padded = b"" if is_long else data + PADDING
         by_opcode, by_command = _ALL_UNUSUAL if is_long else self._by_opcode, self._by_command
         short_forms = SHORT
         while at < end:

@@ -201,6 +201,33 @@ class OperationSchema(Bytewise):
             for index in range(count):
                 yield self._element(index, element).reader
 
+    def parameters_at(self, data: bytes, at: int, most: int) -> tuple[Parameter, ...] | None:
+        """Finds the parameters of an operation with a list, those of its elements among them.
+
+        Args:
+            data: The bytes that the operation is in.
+            at: The offset of its opcode. CMD is in its shortest encoding.
+            most: How many elements there may be.
+
+        Returns:
+            The parameters of what follows opcode and CMD. None where there are more elements, or it cannot be read how
+            many there are.
+
+        """
+        at += self.start
+        found = []
+        try:
+            for schema in self.fixed:
+                argument, at = schema.read(data, at)
+                found.append(argument)
+        except DecodeError:
+            return None
+        count = _count_of(found[-1])
+        if count > most:
+            return None
+        element = self._element_type(found)
+        return *self._parameters, *(self._element(index, element).parameter for index in range(count))
+
     def has_whole_list(self, found: list[Argument]) -> bool:
         """Says whether there are as many list elements among arguments as their counter says."""
         return len(found) - len(self.fixed) == _count_of(found[len(self.fixed) - 1])

@@ -39,12 +39,17 @@ def origin(seen: Seen) -> Line:
     if seen.time:
         line.append((f"{seen.time} ", Role.ASIDE))
     if seen.packets:
-        line.append((f"#{'+'.join(map(str, seen.packets))} ", Role.ASIDE))
+        line.append((f"{packets_text(seen.packets)} ", Role.ASIDE))
     if seen.place:
         line.append((f"{seen.place} ", Role.PLAIN))
     if seen.direction:
         line.append((f"{seen.direction} ", Role.ASIDE))
     return line
+
+
+def packets_text(numbers: tuple[int, ...]) -> str:
+    """`#12`, `#12+13`: the packets of a capture."""
+    return f"#{numbers[0]}" if len(numbers) == 1 else f"#{'+'.join(map(str, numbers))}"
 
 
 def heading(exchange: Exchange, seen: Seen) -> Line:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
 
 from ev3proto.dialogue import Exchange, Transfer
 from ev3proto.messages import (
@@ -16,26 +15,42 @@ from ev3proto.messages import (
     DirectReply,
     Message,
     Operation,
-    OperationReader,
     SystemCommand,
     SystemReply,
     unread_operations,
 )
+from ev3proto.schema.argument import SHORT
+from ev3proto.schema.frame import command_head
+from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS
-from ev3proto.schema.instructions import InstructionSet
+from ev3proto.schema.instructions import PADDING, InstructionSet
+from ev3proto.schema.operation import OperationSchema
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
+from ev3proto.tables.declaration import Parameter
 from ev3proto.tables.encoding import STRING_CODING, TEXT
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
 from ev3proto.text.heading import Seen, heading
-from ev3proto.text.patterns import ArgumentTexts, Around, Pattern, has_pattern, is_usual
+from ev3proto.text.patterns import (
+    ArgumentTexts,
+    Around,
+    DialectTexts,
+    ListTexts,
+    OperationTexts,
+    Pattern,
+    UnusualError,
+    is_usual,
+)
 from ev3proto.text.phrases import argument_meaning, argument_value, around_value, plain, spaced_hex, value_text
 from ev3proto.text.spans import Line, Role, plain_text
 
 _MOST_REST = 32
 
-_OFFSETS = tuple(f"  {offset:4}  " for offset in range(MAX_FRAME))
+_LONG = len(SHORT)
+"""The first identification byte of long forms."""
+
+_OFFSETS = tuple(f"  {offset:4}  " for offset in range(MAX_FRAME + len(PADDING)))
 """What the line of an operation starts with, by its offset."""
 
 _INDENTED = tuple(f"{text}  " for text in _OFFSETS)
@@ -49,7 +64,7 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
     match message:
         case DirectCommand():
             if message.global_size or message.local_size:
-                yield [(f"  memory: {message.global_size} bytes global, {message.local_size} bytes local", Role.ASIDE)]
+                yield [(_memory(message.global_size, message.local_size), Role.ASIDE)]
             for operation in message.operations:
                 yield from operation_lines(operation)
         case DirectReply():
@@ -68,87 +83,104 @@ def tree_texts(exchange: Exchange, seen: Seen) -> list[str]:
         return [plain_text(line) for line in tree(exchange, seen)]
     texts = [plain_text(heading(exchange, seen))]
     if message.global_size or message.local_size:
-        texts.append(f"  memory: {message.global_size} bytes global, {message.local_size} bytes local")
+        texts.append(_memory(message.global_size, message.local_size))
     unread = unread_operations(message)
-    if unread is None or not _add_unread(texts, *unread):
+    if unread is None or not _texts_in(unread[0]).add(texts, *unread[1:]):
         for operation in message.operations:
             _add_texts(operation, texts)
     return texts
 
 
-def _add_unread(texts: list[str], instructions: InstructionSet, data: bytes, at: int) -> bool:
-    """Adds the lines of operations that were not read yet, and makes none: a capture is shown in two thirds of
-    the time.
+def command_texts(frame: bytes, origin: str, instructions: InstructionSet) -> list[str] | None:
+    """The lines of a direct command without making a message of its frame: a capture is shown in half the time.
+
+    Args:
+        frame: From its length field to its last byte.
+        origin: What stands before the message's type, with a blank at the end.
+        instructions: The instruction set to read by.
 
     Returns:
-        False where an operation is not usual; no lines are added then.
+        The lines that `tree_texts` gives. None for other messages, and for commands that are faulty or unusual.
+
     """
-    before = len(texts)
-    while at < len(data):
-        schema = instructions.usual_schema(data, at)
-        usual = None if schema is None else _usual(schema)
-        if schema is None or usual is None:
-            del texts[before:]
-            return False
-        texts.append(f"{_OFFSETS[at]}{usual.title}")
-        at += schema.start
-        for argument in usual.arguments:
-            start = at
-            text = argument.short[data[at]]
-            if text is None:
-                text, at = argument.read(data, at)
-            else:
-                at += 1
-            texts.append(f"{_INDENTED[start]}{text}")
-    return True
+    head = command_head(frame)
+    if head is None:
+        return None
+    kind, counter, global_size, local_size = head
+    texts = [f"{origin}{kind._name_}, counter {counter}, {len(frame)} bytes"]
+    if global_size or local_size:
+        texts.append(_memory(global_size, local_size))
+    return texts if _texts_in(instructions).add(texts, frame, COMMAND_HEADER_SIZE) else None
 
 
 def _add_texts(operation: Operation, texts: list[str]) -> None:
-    usual = _usual(operation[0])
-    if usual is None or not is_usual(operation):
-        texts += [plain_text(line) for line in operation_lines(operation)]
-        return
-    offset = operation.offset
-    texts.append(f"{_OFFSETS[offset]}{usual.title}")
-    for argument, pattern in zip(operation.arguments, usual.patterns, strict=True):
-        _, form, value, offset, _ = argument
-        named = pattern.named
-        key = (id(form), value) if named is None or value in named else id(form)
-        before, after = pattern.get(key) or pattern.around(argument)
-        texts.append(f"{_INDENTED[offset]}{before}{value if type(value) is int else plain(value)}{after}")
+    before = len(texts)
+    if is_usual(operation):
+        schema, data, at = operation[:3]
+        try:
+            _texts_of(schema).add(texts, data, at)
+        except UnusualError:
+            del texts[before:]
+        else:
+            return
+    texts += [plain_text(line) for line in operation_lines(operation)]
 
 
-class _Usual(NamedTuple):
-    """What the lines of an operation without a list have in common, wherever it stands.
+def _memory(global_size: int, local_size: int) -> str:
+    return f"  memory: {global_size} bytes global, {local_size} bytes local"
 
-    title      the first line after its offset
-    width      columns of the names of its arguments
-    patterns   for each argument, how its line looks
-    arguments  the same for arguments that are not made
-    """
 
-    title: str
-    width: int
-    patterns: tuple[Pattern, ...]
-    arguments: tuple[ArgumentTexts, ...]
+class _TreeTexts(OperationTexts):
+    """The lines of operations of one kind."""
+
+    __slots__ = ("_arguments", "_start", "_title")
+
+    def __init__(self, schema: OperationSchema, parameters: tuple[Parameter, ...]) -> None:
+        declaration = schema.declaration
+        self._start = schema.start
+        self._title = f"{declaration.name.replace('.', ' ', 1)}  {declaration.text}"
+        width = max((len(parameter.name) for parameter in parameters), default=0)
+
+        def split(argument: Argument) -> Around:
+            before, after = around_value(argument.form)
+            meaning, aside = _after_value(argument)
+            return f"{argument.name.ljust(width)} = {before}", f"{after}{meaning}{aside}".rstrip()
+
+        self._arguments = [ArgumentTexts(parameter, Pattern(parameter, split), plain) for parameter in parameters]
+
+    def add(self, texts: list[str], data: bytes, at: int) -> int:
+        """Adds the lines of the operation at an offset."""
+        texts.append(f"{_OFFSETS[at]}{self._title}")
+        at += self._start
+        for argument in self._arguments:
+            first = data[at]
+            if first < _LONG:
+                before, after = argument.short[first] or argument.of_short(first)
+                texts.append(f"{_INDENTED[at]}{before}{after}")
+                at += 1
+                continue
+            narrow = argument.narrow[first]
+            if narrow is not None:
+                numbers, before, after = narrow
+                texts.append(f"{_INDENTED[at]}{before}{numbers[data[at + 1]]}{after}")
+                at += 2
+                continue
+            start = at
+            before, value, after, at = argument.read(data, at)
+            texts.append(f"{_INDENTED[start]}{before}{value}{after}")
+        return at
 
 
 @cache
-def _usual(schema: OperationReader) -> _Usual | None:
-    declaration = schema.declaration
-    if not has_pattern(declaration):
-        return None
-    parameters = declaration.parameters
-    width = max((len(parameter.name) for parameter in parameters), default=0)
-    title = f"{declaration.name.replace('.', ' ', 1)}  {declaration.text}"
+def _texts_of(schema: OperationSchema) -> OperationTexts:
+    if schema.list_parameter is not None:
+        return ListTexts(schema, _TreeTexts)
+    return _TreeTexts(schema, schema.declaration.parameters)
 
-    def split(argument: Argument) -> Around:
-        before, after = around_value(argument.form)
-        meaning, aside = _after_value(argument)
-        return f"{argument.name.ljust(width)} = {before}", f"{after}{meaning}{aside}".rstrip()
 
-    patterns = tuple(Pattern(parameter, split) for parameter in parameters)
-    return _Usual(title, width, patterns, tuple(map(ArgumentTexts, parameters, patterns)))
+@cache
+def _texts_in(instructions: InstructionSet) -> DialectTexts:
+    return DialectTexts(instructions, _texts_of)
 
 
 def operation_lines(operation: Operation) -> Iterator[Line]:

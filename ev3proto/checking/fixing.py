@@ -7,17 +7,18 @@ another index, everywhere at once. Whatever cannot be fixed with certainty is sa
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
 from ev3proto.checking.checking import check
-from ev3proto.checking.moving import Layout, multiple
+from ev3proto.checking.moving import Layout, is_misaligned, multiple
 from ev3proto.checking.report import Report
+from ev3proto.checking.rules.encodings import is_longer, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
 from ev3proto.errors import BuildError, as_bytes
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
-from ev3proto.schema.argument import encode_as, encode_integer, encode_variable
+from ev3proto.schema.argument import SHORT, encode_as, encode_variable
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length, write_memory
 from ev3proto.semantics.footprint import Footprint, Taken, footprints
@@ -120,8 +121,7 @@ class _Fixing:
         self.changes: list[Change] = []
         self.unfixed: list[str] = []
         self._dialect = dialect
-        self._read: tuple[bytes, DirectCommand] | None = None
-        self._found: tuple[bytes, list[Footprint]] | None = None
+        self._places: dict[str, list[Footprint]] = {GLOBAL: [], LOCAL: []}
 
     def run(self) -> None:
         """Every fix in turn, each on what the one before made."""
@@ -134,25 +134,13 @@ class _Fixing:
                 at = message.fault.offset
                 self.unfixed.append(f"nobody can read on at offset {at}, so nothing is certain of what follows")
             return
-        self._move_variables()
-        self._reply_type()
-        self._memory()
-        self._shorten()
-
-    def _command(self) -> DirectCommand:
-        """The frame as it is by now."""
-        if self._read is None or self._read[0] != self.frame:
-            message = self._parsed(self.frame)
-            assert isinstance(message, DirectCommand)
-            self._read = self.frame, message
-        return self._read[1]
-
-    def _places(self) -> list[Footprint]:
-        """The variables that the operations name by now, in their order."""
-        if self._found is None or self._found[0] != self.frame:
-            operations = self._command().operations
-            self._found = self.frame, [found for operation in operations for found in footprints(operation)]
-        return self._found[1]
+        for operation in message.operations:
+            for place in footprints(operation):
+                self._places[place.argument.form.kind].append(place)
+        message = self._move_variables(message)
+        message = self._reply_type(message)
+        self._memory(message)
+        self._shorten(message)
 
     def _parsed(self, frame: bytes) -> Message:
         return read_last(frame, self._dialect)
@@ -181,26 +169,31 @@ class _Fixing:
     def _changed(self, what: str, before: str, after: str, why: str) -> None:
         self.changes.append(Change(what, before, after, why))
 
-    def _move_variables(self) -> None:
-        command = self._command()
-        keeps_size = _spanned(command)
+    def _move_variables(self, command: DirectCommand) -> DirectCommand:
+        keeps_size = _spanned(command, len(self.frame))
         pieces: dict[int, tuple[Argument, bytes]] = {}
         moved: list[tuple[Footprint, int]] = []
         for scope, size in ((GLOBAL, command.global_size), (LOCAL, command.local_size)):
-            found = [place for place in self._places() if place.argument.kind == scope]
-            rigid = {place.argument.offset for place in found if keeps_size[place.argument.offset]}
             # No variable moves where a reply would not carry it: it may still turn out that one is wanted.
-            layout = Layout(found, size, MOST_IN_REPLY if scope == GLOBAL else MAX_LOCALS, rigid)
+            layout = Layout(self._places[scope], size, MOST_IN_REPLY if scope == GLOBAL else MAX_LOCALS, keeps_size)
             for block, shift in layout.moves():
-                pieces |= {place.argument.offset: (place.argument, _moved(place, shift)) for place in block}
-                moved += [(place, shift) for place in block]
+                for place in block:
+                    pieces[place.argument.offset] = place.argument, _moved(place, shift)
+                    moved.append((place, shift))
             self.unfixed += [_left(block, why) for block, why in layout.left]
+        if not moved:
+            return command
         frame = _replaced(self.frame, pieces)
         if len(frame) > MAX_FRAME:
             self.unfixed.append("moving the misaligned variables would make the frame longer than any can be")
-            return
-        self.frame = frame
+            return command
         self._tell_moves(moved)
+        for place, shift in moved:
+            place.start += shift
+        self.frame = frame
+        fixed = self._parsed(frame)
+        assert isinstance(fixed, DirectCommand)
+        return fixed
 
     def _tell_moves(self, moved: list[tuple[Footprint, int]]) -> None:
         """One line a variable, however often it is used."""
@@ -212,35 +205,33 @@ class _Fixing:
         for place, shift in moves_by_variable.values():
             why = (
                 f"{place.full_name} needs a multiple of {multiple(place)}"
-                if place.start % multiple(place)
+                if is_misaligned(place)
                 else "it lies within one that moves"
             )
             if place.argument.kind == GLOBAL and place.argument.parameter.is_output:
                 why += f"; in the reply it is at offset {HEADER_SIZE + place.start + shift} now"
             self._changed("variable", str(_variable(place)), str(_variable(place, shift)), why)
 
-    def _reply_type(self) -> None:
-        command = self._command()
+    def _reply_type(self, command: DirectCommand) -> DirectCommand:
         if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:
-            return
-        found = self._places()
-        read = Taken(place for place in found if place.argument.kind == GLOBAL and place.is_read)
+            return command
+        found = self._places[GLOBAL]
+        read = Taken(place for place in found if place.is_read)
         for place in found:
-            is_result = place.argument.kind == GLOBAL and place.is_written and place.end <= MOST_IN_REPLY
-            if not is_result or read.has_some_of(place):
+            if not place.is_written or place.end > MOST_IN_REPLY or read.has_some_of(place):
                 continue
             member = MessageType.DIRECT_COMMAND_REPLY
             self._set(TYPE_OFFSET, bytes((member,)))
             why = f"{place.operation.full_name} writes {_variable(place)}, which only a reply brings"
             self._changed("type", command.type.name, member.name, why)
-            return
+            return replace(command, type=member)
+        return command
 
-    def _memory(self) -> None:
-        command = self._command()
+    def _memory(self, command: DirectCommand) -> None:
         sizes = {GLOBAL: command.global_size, LOCAL: command.local_size}
         for scope, stated in sizes.items():
             most = _most(command, scope)
-            beyond = [place for place in self._places() if place.argument.kind == scope and place.end > stated]
+            beyond = [place for place in self._places[scope] if place.start + place.size > stated]
             if not beyond:
                 self._cut_to_limit(command, scope, sizes)
                 continue
@@ -263,31 +254,33 @@ class _Fixing:
     def _cut_to_limit(self, command: DirectCommand, scope: str, sizes: dict[str, int]) -> None:
         """Asks for as much as there is where more was asked for than anything places."""
         stated, most = sizes[scope], _most(command, scope)
-        if stated > most and all(place.end <= most for place in self._places() if place.argument.kind == scope):
+        if stated > most and all(place.end <= most for place in self._places[scope]):
             sizes[scope] = most
             why = "the most that a reply carries" if command.wants_reply else "the most that the firmware grants"
             self._changed(f"{scope} memory", f"{stated} bytes", f"{most} bytes", why)
 
-    def _shorten(self) -> None:
-        command = self._command()
-        keeps_size = _spanned(command)
+    def _shorten(self, command: DirectCommand) -> None:
+        keeps_size = _spanned(command, len(self.frame))
         pieces: dict[int, tuple[Argument, bytes]] = {}
         spanned = 0
         for operation in command.operations:
             for argument in _encoded(operation):
-                shorter = _shortest(argument)
-                saved = argument.length - len(shorter)
-                if saved > 0 and keeps_size[argument.offset]:
+                if not is_longer(argument):
+                    continue
+                if keeps_size[argument.offset]:
                     spanned += 1
-                elif saved > 0:
-                    pieces[argument.offset] = argument, shorter
-                    what = f"{argument.name} of {operation.full_name} at offset {argument.offset}"
-                    before, after = argument.raw.hex(":").upper(), shorter.hex(":").upper()
-                    self._changed(what, before, after, f"the same in {saved} byte{'s' * (saved > 1)} less")
+                    continue
+                shorter = shortest(argument)
+                saved = argument.length - len(shorter)
+                pieces[argument.offset] = argument, shorter
+                what = f"{argument.name} of {operation.full_name} at offset {argument.offset}"
+                before, after = argument.raw.hex(":").upper(), shorter.hex(":").upper()
+                self._changed(what, before, after, f"the same in {saved} byte{'s' * (saved > 1)} less")
         if spanned:
             are = "longer encodings stay" if spanned > 1 else "longer encoding stays"
             self.unfixed.append(f"{spanned} {are}: a jump counts {'their' if spanned > 1 else 'its'} bytes")
-        self.frame = _replaced(self.frame, pieces)
+        if pieces:
+            self.frame = _replaced(self.frame, pieces)
 
     def _set(self, offset: int, data: bytes) -> None:
         self.frame = self.frame[:offset] + data + self.frame[offset + len(data) :]
@@ -305,7 +298,7 @@ def _variable(place: Footprint, shift: int = 0) -> Variable:
 
 
 def _left(block: Iterable[Footprint], why: str) -> str:
-    place = next(place for place in block if place.start % multiple(place))
+    place = next(filter(is_misaligned, block))
     return f"{_variable(place)} is no multiple of {multiple(place)}, as {place.full_name} needs it, but stays: {why}"
 
 
@@ -329,37 +322,27 @@ def _variable_bytes(kind: str, index: int, handle: bool, address: bool) -> bytes
 
 
 def _encoded(operation: Operation) -> Iterator[Argument]:
-    """CMD and the arguments."""
-    if operation.cmd is not None:
+    """CMD, where it is not in its short form, and the arguments."""
+    has_long_cmd = operation.length > 1 and operation.raw[1] >= len(SHORT)
+    if has_long_cmd and operation.cmd is not None:
         yield operation.cmd
     yield from operation.arguments
 
 
-def _shortest(argument: Argument) -> bytes:
-    """The shortest bytes that say the same."""
-    if argument.form.handle or argument.form.address or not argument.form.width:
-        return argument.raw
-    if argument.is_variable:
-        return encode_variable(Variable(argument.kind, int(argument.value)))
-    if argument.kind != CONSTANT or isinstance(argument.value, float | str):
-        return argument.raw
-    return encode_integer(argument.value)
-
-
-def _spanned(command: DirectCommand) -> bytearray:
+def _spanned(command: DirectCommand, size: int) -> bytearray:
     """For each byte of the frame, whether it lies between a jump and where that goes: its length must stay."""
-    size = len(command.build())
     spanned = bytearray(size)
     for operation in command.operations:
-        for argument in operation.arguments:
-            if argument.parameter.role is not Role.JUMP:
-                continue
-            if argument.kind not in (CONSTANT, JUMP):
-                return bytearray(b"\1" * size)
-            end = operation.offset + operation.length
-            target = min(max(end + int(argument.value), 0), size)
-            first, last = min(target, end), max(target, end)
-            spanned[first:last] = b"\1" * (last - first)
+        arguments = operation.arguments
+        if not arguments or arguments[-1].parameter.role is not Role.JUMP:
+            continue
+        jump = arguments[-1]
+        if jump.kind not in (CONSTANT, JUMP):
+            return bytearray(b"\1" * size)
+        end = operation.offset + operation.length
+        target = min(max(end + int(jump.value), 0), size)
+        first, last = min(target, end), max(target, end)
+        spanned[first:last] = b"\1" * (last - first)
     return spanned
 
 

@@ -22,6 +22,11 @@ def multiple(place: Footprint) -> int:
     return max(place.validator_alignment, place.cpu_alignment)
 
 
+def is_misaligned(place: Footprint) -> bool:
+    """Whether its index is none of these."""
+    return place.start % place.validator_alignment != 0 or place.start % place.cpu_alignment != 0
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Block:
     """Variables that have to stay together: the bytes from `start` to `end`, and all that is used of them."""
@@ -43,7 +48,7 @@ class Block:
     @property
     def is_aligned(self) -> bool:
         """Whether it may stay where it is."""
-        return all(place.start % multiple(place) == 0 for place in self.places)
+        return not any(map(is_misaligned, self.places))
 
     def belongs_to(self, other: Block) -> bool:
         """Whether one lies within the other on purpose. Results that share bytes do so by mistake, and may part."""
@@ -63,15 +68,18 @@ class Layout:
     left  blocks that cannot be moved, and why not
     """
 
-    def __init__(self, found: list[Footprint], stated: int, most: int, rigid: set[int]) -> None:
-        """`stated` bytes were asked for, `most` can be used; `rigid` arguments (by offset) keep their length."""
+    def __init__(self, found: list[Footprint], stated: int, most: int, rigid: bytearray) -> None:
+        """`stated` bytes were asked for, `most` can be used; where `rigid` is set, an argument keeps its length."""
         self.left: list[tuple[tuple[Footprint, ...], str]] = []
         self._most = most
         self._rigid = rigid
-        self._blocks = _blocks([place for place in found if place.end <= most], min(stated, most))
-        for place in found:
-            if place.end > most and place.start % multiple(place):
+        self._blocks: list[Block] = []
+        misaligned = [place for place in found if is_misaligned(place)]
+        for place in misaligned:
+            if place.end > most:
                 self.left.append(((place,), f"it reaches beyond the {most} bytes that there are"))
+        if len(misaligned) > len(self.left):
+            self._blocks = _blocks([place for place in found if place.end <= most], min(stated, most))
 
     def moves(self) -> Iterator[tuple[tuple[Footprint, ...], int]]:
         """Blocks of variables that have to move, and by how many bytes; all others stay where they are."""
@@ -99,7 +107,7 @@ class Layout:
         last = self._most
         for place in block.places:
             width = place.argument.form.width
-            if width is not None and place.argument.offset in self._rigid:
+            if width is not None and self._rigid[place.argument.offset]:
                 last = min(last, block.start + INDEX_RANGES[width][-1] - place.start)
         return last
 
@@ -109,7 +117,7 @@ class Layout:
             return "what shares its bytes wants another place"
         if block.is_open:
             return "it is not known how many bytes it takes"
-        if any(place.argument.offset in self._rigid for place in block.places):
+        if any(self._rigid[place.argument.offset] for place in block.places):
             return "elsewhere it would need a longer encoding, and a jump counts these bytes"
         return "there is no room elsewhere"
 

@@ -18,10 +18,6 @@ class Severity(StrEnum):
     HINT = "hint"
 
 
-_KEYS = {"help": "mend"}
-"""Keys for other tools that are not named as the field is."""
-
-
 @dataclass(frozen=True, slots=True)
 class Finding:
     """One thing that is wrong, or could be better.
@@ -46,9 +42,20 @@ class Finding:
     parameter: str | None = None
 
     def as_dict(self) -> dict[str, Any]:
-        """The same for other tools; keys that do not apply are absent."""
-        entry = {_KEYS.get(name, name): getattr(self, name) for name in self.__slots__}
-        return {name: value for name, value in entry.items() if value is not None}
+        """The same for other tools, `help` as `mend`; keys that do not apply are absent."""
+        entry: dict[str, Any] = {
+            "severity": self.severity,
+            "code": self.code,
+            "offset": self.offset,
+            "length": self.length,
+            "message": self.message,
+            "mend": self.help,
+        }
+        if self.operation is not None:
+            entry["operation"] = self.operation
+        if self.parameter is not None:
+            entry["parameter"] = self.parameter
+        return entry
 
     @property
     def mend(self) -> str:

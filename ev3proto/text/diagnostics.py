@@ -187,22 +187,22 @@ def explanation(code: Code, report: Report, dialect: str = "official") -> Iterat
 def grouped_hex(frame: bytes, dialect: str = "official") -> str:
     """`0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|`: a frame as the lesson prints it, argument by argument."""
     cuts = sorted({0, *_cuts(parse(frame, strict=False, dialect=dialect), len(frame)), len(frame)})
-    pieces = (frame[start:end].hex(":").upper() for start, end in pairwise(cuts))
+    digits = frame.hex(":").upper()
+    pieces = (digits[3 * start : 3 * end - 1] for start, end in pairwise(cuts))
     return f"0x|{''.join(f'{piece}|' for piece in pieces)}"
 
 
-def _cuts(message: Message, size: int) -> Iterator[int]:
+def _cuts(message: Message, size: int) -> list[int]:
     """Where the groups of a frame start."""
-    ends = [LENGTH_FIELD, LENGTH_FIELD + COUNTER_SIZE, HEADER_SIZE]
+    starts = [LENGTH_FIELD, LENGTH_FIELD + COUNTER_SIZE, HEADER_SIZE]
     if isinstance(message, DirectCommand):
-        ends.append(COMMAND_HEADER_SIZE)
+        starts.append(COMMAND_HEADER_SIZE)
         for operation in message.operations:
-            cmd = operation.cmd
-            ends += [operation.offset, operation.offset + 1, operation.offset + (1 + cmd.length if cmd else 1)]
-            ends += [argument.offset + argument.length for argument in operation.arguments]
+            at = operation.offset
+            starts += [at, at + 1, *[argument.offset for argument in operation.arguments], at + operation.length]
     elif message.type is not None:
-        ends.append(HEADER_SIZE + 1)
-    yield from (end for end in ends if end <= size)
+        starts.append(HEADER_SIZE + 1)
+    return [start for start in starts if start <= size]
 
 
 def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], list[list[Finding]]]:

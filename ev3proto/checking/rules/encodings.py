@@ -22,10 +22,10 @@ def check_encodings(context: CheckContext) -> Iterator[Finding]:
         if operation.facts.has_cmd and frame[operation.start + 1] >= _SHORT_FORMS:
             cmd = operation.parsed.cmd
             assert cmd is not None
-            if _is_longer(cmd):
+            if is_longer(cmd):
                 yield _finding(operation, cmd, has_jumps)
         for argument in operation.arguments:
-            # What `_is_longer` asks, without a call: arguments are many, and hardly any is too long.
+            # What `is_longer` asks, without a call: arguments are many, and hardly any is too long.
             shorter = _SHORTER.get(id(argument.form))
             if shorter is not None:
                 value = argument.value
@@ -52,26 +52,32 @@ _SHORTER = {id(form): _shorter(form) for form in ENCODINGS if form is not None}
 """The same by the id of the encoding: there is one object for each, and to hash one takes long."""
 
 
-def _is_longer(argument: Argument) -> bool:
+def is_longer(argument: Argument) -> bool:
     """Whether its value fits a shorter form."""
     shorter = _SHORTER.get(id(argument.form))
     return shorter is not None and type(argument.value) is int and argument.value in shorter
 
 
-def _finding(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Finding:
+def shortest(argument: Argument) -> bytes:
+    """The shortest bytes that say the same as one that `is_longer`."""
     kind, value = argument.form.kind, argument.value
     assert isinstance(value, int)
-    shortest = encode_integer(value) if kind == CONSTANT else encode_variable(Variable(kind, value))
-    if argument.parameter.role is Role.JUMP and kind == CONSTANT and value < 0:
-        shortest = _shorter_way_back(argument, value)
+    return encode_integer(value) if kind == CONSTANT else encode_variable(Variable(kind, value))
+
+
+def _finding(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Finding:
+    kind, value = argument.form.kind, argument.value
+    shorter = shortest(argument)
+    if argument.parameter.role is Role.JUMP and kind == CONSTANT and isinstance(value, int) and value < 0:
+        shorter = _shorter_way_back(argument, value)
     aside = ""
     if has_jumps and argument.parameter.role is not Role.JUMP:
-        aside = f", and count {plural(argument.length - len(shortest), 'byte')} less in jumps over it"
+        aside = f", and count {plural(argument.length - len(shorter), 'byte')} less in jumps over it"
     return operation.finding_at(
         codes.LONGER_FORM,
         argument,
-        f"{argument.name} is {argument.encoding}, and its value fits {plural(len(shortest), 'byte')}",
-        f"write it as {shortest.hex(' ').upper()}{aside}",
+        f"{argument.name} is {argument.encoding}, and its value fits {plural(len(shorter), 'byte')}",
+        f"write it as {shorter.hex(' ').upper()}{aside}",
     )
 
 

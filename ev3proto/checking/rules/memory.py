@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache
-from itertools import groupby
+from typing import NamedTuple
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext
-from ev3proto.checking.report import Finding, new_finding
+from ev3proto.checking.report import Finding, Severity, new_finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
@@ -44,29 +44,60 @@ def check_memory(context: CheckContext, command: DirectCommand) -> Iterator[Find
     yield from _asked_for(command, local, shared)
 
 
-def _places(used: list[Footprint], asked: int) -> Iterator[Finding]:
-    """Variables that are misaligned, or beyond the bytes of memory that are asked for."""
-    for found in used:
-        start = found.start
-        if start % found.validator_alignment or start % found.cpu_alignment:
-            yield _misaligned(found, asked)
-        if start + found.size > asked:
-            yield _beyond(found, asked)
+class _Remark(NamedTuple):
+    """What is said of a variable wherever it stands: a finding without its offset."""
+
+    severity: Severity
+    code: str
+    length: int
+    message: str
+    help: str
+    operation: str
+    parameter: str
+
+    def at(self, offset: int) -> Finding:
+        severity, code, length, message, help_, operation, parameter = self
+        return new_finding(severity, code, offset, length, message, help_, operation, parameter)
 
 
-def _about(found: Footprint, code: codes.Code, message: str, help_: str) -> Finding:
+def _remark(found: Footprint, code: codes.Code, message: str, help_: str) -> _Remark:
     argument = found.argument
     width = argument.form.width
     assert width is not None  # a variable is no text
-    operation, parameter = found.operation.full_name, argument.parameter.name
-    return new_finding(code.severity, code.code, argument.offset, 1 + width, message, help_, operation, parameter)
+    return _Remark(
+        code.severity, code.code, 1 + width, message, help_, found.operation.full_name, argument.parameter.name
+    )
 
 
-def _misaligned(found: Footprint, asked: int) -> Finding:
+def _places(used: list[Footprint], asked: int) -> Iterator[Finding]:
+    """Variables that are misaligned, or beyond the bytes of memory that are asked for."""
+    # One variable may be wrong in a thousand places: what is said of it is made once.
+    said: dict[tuple[object, ...], tuple[_Remark, ...]] = {}
+    for found in used:
+        start, size = found.start, found.size
+        if not (start % found.validator_alignment or start % found.cpu_alignment or start + size > asked):
+            continue
+        argument = found.argument
+        key = _identity(found)
+        remarks = said.get(key)
+        if remarks is None:
+            remarks = said[key] = tuple(_wrong(found, asked))
+        for remark in remarks:
+            yield remark.at(argument.offset)
+
+
+def _wrong(found: Footprint, asked: int) -> Iterator[_Remark]:
+    if found.start % found.validator_alignment or found.start % found.cpu_alignment:
+        yield _misaligned(found, asked)
+    if found.end > asked:
+        yield _beyond(found, asked)
+
+
+def _misaligned(found: Footprint, asked: int) -> _Remark:
     is_validated = found.start % found.validator_alignment != 0
     multiples = found.validator_alignment, found.cpu_alignment
     texts = _misaligned_texts(found.argument.name, found.is_global, found.start, found.size, multiples, asked)
-    return _about(found, codes.MISALIGNED if is_validated else codes.UNALIGNED, *texts)
+    return _remark(found, codes.MISALIGNED if is_validated else codes.UNALIGNED, *texts)
 
 
 # Senders use the same variables again and again: what is said of one is kept.
@@ -113,11 +144,11 @@ def _memory(is_global: bool) -> tuple[str, int]:
     return ("global", MOST_IN_REPLY) if is_global else ("local", MAX_LOCALS)
 
 
-def _beyond(found: Footprint, asked: int) -> Finding:
+def _beyond(found: Footprint, asked: int) -> _Remark:
     """A variable that lies beyond its memory, in whole or in part."""
     is_global = found.is_global
-    texts = _beyond_texts(found.argument.parameter.name, is_global, found.start, found.start + found.size, asked)
-    return _about(found, codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS, *texts)
+    texts = _beyond_texts(found.argument.name, is_global, found.start, found.end, asked)
+    return _remark(found, codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS, *texts)
 
 
 @lru_cache(_MOST_TEXTS)
@@ -141,8 +172,8 @@ def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
         return
     # What stands in each byte, written and searched in slices: with arrays there may be a thousand bytes each time.
     results: list[Footprint | None] = [None] * MAX_FRAME
-    for _, group in groupby(used, key=lambda found: found.operation.offset):
-        together = list(group)
+    said: dict[tuple[object, ...], _Remark | None] = {}
+    for together in _by_operation(used):
         # Arguments that may take all bytes from their start on are a thousand at worst: the first one is enough.
         open_from = MAX_FRAME
         for found in together:
@@ -160,8 +191,29 @@ def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
             end = min(found.end, MAX_FRAME)
             before = next(filter(None, results[found.start : end]), None)
             if before is not None:
-                yield from _destroyed(before, found, is_kept)
+                key = (*_identity(before), *_identity(found))
+                if key not in said:
+                    said[key] = _destroyed(before, found, is_kept)
+                remark = said[key]
+                if remark is not None:
+                    yield remark.at(found.argument.offset)
             results[found.start : end] = [found] * (end - found.start)
+
+
+def _identity(found: Footprint) -> tuple[object, ...]:
+    """What is the same of two variables of which the same is to be said."""
+    return found.operation[0], found.number, id(found.argument.form), found.start, found.size, found.most
+
+
+def _by_operation(used: list[Footprint]) -> Iterator[list[Footprint]]:
+    """The variables of each operation."""
+    together: list[Footprint] = []
+    for found in used:
+        if together and together[0].operation is not found.operation:
+            yield together
+            together = []
+        together.append(found)
+    yield together
 
 
 def _have_results_in_common(used: list[Footprint]) -> bool:
@@ -175,23 +227,23 @@ def _have_results_in_common(used: list[Footprint]) -> bool:
     return False
 
 
-def _destroyed(before: Footprint, found: Footprint, is_kept: bool) -> Iterator[Finding]:
+def _destroyed(before: Footprint, found: Footprint, is_kept: bool) -> _Remark | None:
     """A result where another one was that nobody has read."""
     is_vague = not before.is_exact or not found.is_exact
     if before.start == found.start and (before.end == found.end or is_vague):
-        if is_kept:
-            yield _about(
-                found,
-                codes.OVERWRITTEN,
-                f"{found.argument.name} is stored in {found.variable}, where {before.full_name} was: the reply brings"
-                " only the last",
-                "store them in different places",
-            )
-        return
+        if not is_kept:
+            return None
+        return _remark(
+            found,
+            codes.OVERWRITTEN,
+            f"{found.argument.name} is stored in {found.variable}, where {before.full_name} was: the reply brings only"
+            " the last",
+            "store them in different places",
+        )
     if (before.is_array or found.is_array) and (_is_within(before, found) or _is_within(found, before)):
         # An array is often filled element by element.
-        return
-    yield _about(
+        return None
+    return _remark(
         found,
         codes.OVERLAP,
         f"{found.argument.name} takes bytes {found.start} to {found.end - 1}, and {before.full_name} takes"

@@ -327,7 +327,7 @@ def test_a_capture_begun_inside_a_frame() -> None:
     events, _ = of(packets)
     assert frames(events) == [(voltage(2), (1,)), (voltage(3), (2,)), (volts(2), (4,))]
     reason = "the capture begins inside a frame"
-    assert complaints(events) == [(voltage(1)[3:], 0, 1, reason), (volts(1)[-2:], 0, 3, reason)]
+    assert complaints(events) == [(voltage(1)[3:], 0, 1, reason), (volts(1)[-2:], 0, 4, reason)]
 
 
 def test_a_capture_begun_between_segments_of_a_frame() -> None:

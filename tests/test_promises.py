@@ -17,8 +17,8 @@ from ev3proto.capture.carriers.bluetooth import adapters
 from ev3proto.capture.carriers.usb import reports
 from ev3proto.capture.carriers.wifi import connections, tcp
 from ev3proto.capture.filter import grammar
+from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
-from ev3proto.capture.framing import MOST_TRIALS
 from ev3proto.capture.timeline import collecting
 from ev3proto.cli import live, texts, values
 from ev3proto.program.image import MAX_IMAGE

@@ -7,39 +7,23 @@ for: a place where all of a frame stands without a fault.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from enum import Enum, auto
 from typing import NamedTuple
 
+from ev3proto.capture.finding import Finder, Found
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import FrameSchema
-from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size, unpack_header
+from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
 MARK_SIZE = 200
 """Bytes of memory that a packet takes whose bytes wait for more, besides these, about."""
 
-MOST_TRIALS = 64
-"""Places in one piece of a stream where a whole frame is tried, before the piece is given up."""
-
-_TYPES = frozenset(map(int, MessageType))
 _REQUEST = UNLOCK_REQUEST.encode()
 _TEXT_STARTS = {ACCEPT[0], _REQUEST[0]}
-# Where a frame's header or a text may stand: a stream that is none of ours is passed over ten times as fast with it.
-_STARTS = re.compile(
-    b"(?=(?:[%b-\\xff]\\0|.[\\1-%b])..[%b]|%b|%b)"
-    % (
-        re.escape(bytes((MIN_LENGTH,))),
-        re.escape(bytes((MAX_LENGTH >> 8,))),
-        re.escape(bytes(sorted(_TYPES))),
-        re.escape(ACCEPT),
-        re.escape(_REQUEST),
-    ),
-    re.DOTALL,
-)
 _LINE_END = b"\r\n"
 _BEGUN_INSIDE, _BETWEEN = "the capture begins inside a frame", "bytes between frames"
 
@@ -79,16 +63,34 @@ class Cutter:
     schema      reads frames, to see whether one starts somewhere
     in_step     a frame starts with the first byte; else the first one is looked for
     is_claimed  the stream is known to be ours; else it is once something like a frame starts with a chunk
+    may_gap     nothing tells whether there is a gap between two chunks
     """
 
-    __slots__ = ("_after_text", "_buffer", "_in_step", "_is_claimed", "_marks", "_reason", "_rest", "_schema")
+    __slots__ = (
+        "_after_text",
+        "_buffer",
+        "_finder",
+        "_in_step",
+        "_is_claimed",
+        "_marks",
+        "_may_gap",
+        "_next_try",
+        "_passed",
+        "_reason",
+        "_rest",
+        "_trials",
+    )
 
-    def __init__(self, schema: FrameSchema, *, in_step: bool, is_claimed: bool = True) -> None:
-        self._schema = schema
+    def __init__(self, schema: FrameSchema, *, in_step: bool, is_claimed: bool = True, may_gap: bool = False) -> None:
+        self._finder = Finder(schema)
         self._buffer = b""
         self._marks: list[tuple[int, int]] = []  # where in the buffer each packet's bytes start
         self._in_step = in_step
+        self._trials = 0  # frames to come that must show that the stream is in step again
+        self._next_try = 0  # bytes that must wait before the next frame is looked for again
+        self._passed = 0  # bytes that wait only to be told together with others that are in no frame
         self._is_claimed = is_claimed
+        self._may_gap = may_gap
         self._rest = 0  # bytes to come of a frame in which some are missing; after them the stream is in step
         self._after_text: PartKind | None = None
         self._reason = "" if in_step else _BEGUN_INSIDE
@@ -128,15 +130,18 @@ class Cutter:
 
     def give_up(self, reason: str) -> list[StreamPart]:
         """Waits no longer for the rest of what is there: the next frame is looked for."""
-        waiting = self._give_up() + self._take_all(reason)
-        self._in_step, self._after_text, self._reason = False, None, _BETWEEN
+        waiting = self._give_up()
+        rest = None if self._is_in_text() else self._rest_after(0)
+        waiting += self._take_all(reason)
+        self._in_step, self._rest = False, rest or 0
+        self._after_text, self._reason = None, _BETWEEN
         return waiting
 
     def leave_hole(self, missing: int) -> list[StreamPart]:
         """Says that bytes are missing in the stream here, 0 where it is not known how many: what waits is given up."""
         what = "text" if self._is_in_text() else "frame"
         waiting = self._give_up()
-        rest = self._rest_after(missing) if what == "frame" else None
+        rest = self._rest_after(missing) if missing and what == "frame" else None
         waiting += self._take_all(f"the rest of the {what} is not in the capture")
         self._in_step, self._rest = rest == 0, rest or 0
         self._after_text = None
@@ -149,7 +154,7 @@ class Cutter:
         """How many bytes of the frame that waits come after a hole; None where that cannot be known."""
         if self._rest:
             rest = self._rest - len(self._buffer) - missing
-        elif self._in_step and missing and len(self._buffer) >= LENGTH_FIELD:
+        elif self._in_step and not self._trials and len(self._buffer) >= LENGTH_FIELD:
             rest = frame_size(self._buffer) - len(self._buffer) - missing
         else:
             return None
@@ -169,7 +174,8 @@ class Cutter:
 
     def _give_up(self) -> list[StreamPart]:
         """What there is after a place where a frame might have started, of which no more will come."""
-        return [] if self._in_step or not self._is_claimed else self._cut(is_last=True)
+        is_sure = self._in_step and not self._trials and not self._may_gap
+        return [] if is_sure or not self._is_claimed else self._cut(is_last=True)
 
     def _is_in_text(self) -> bool:
         """Whether what waits is the beginning of a text."""
@@ -182,7 +188,7 @@ class Cutter:
         if self._after_text is PartKind.UNLOCK and not self._buffer.strip(_LINE_END):
             kind = PartKind.TEXT_END
         piece = self._piece(kind, 0, len(self._buffer), self._reason or reason)
-        self._buffer, self._marks = b"", []
+        self._buffer, self._marks, self._passed = b"", [], 0
         if kind is PartKind.LOST:
             # Should more come all the same, it does not start with a frame.
             self._in_step, self._reason = False, _BETWEEN
@@ -191,24 +197,36 @@ class Cutter:
     def _cut(self, *, is_last: bool = False) -> list[StreamPart]:
         buffer, at = self._buffer, 0
         found: list[StreamPart] = []
-        trials = MOST_TRIALS
         if self._rest and buffer:
             at = min(self._rest, len(buffer))
             found.append(self._piece(PartKind.LOST, 0, at, self._reason))
             self._rest -= at
             self._in_step = not self._rest
+        if len(buffer) < self._next_try and not is_last:
+            return found
+        self._next_try = 0
         while at < len(buffer):
-            kind, end = self._next(buffer, at)
-            if is_last and kind is PartKind.FRAME and end > len(buffer) and not self._in_step:
-                kind = PartKind.LOST
+            kind, end = self._next(buffer, at, is_last)
             if kind is PartKind.LOST:
-                end, trials = self._next_step(buffer, at + 1, trials)
+                first, least = at, 1
+                if self._in_step:
+                    # Where nothing tells of a gap, the sender is at fault, and the packet is all there is.
+                    first, least = at + 1, 1 if self._may_gap else LENGTH_FIELD if at else HEADER_SIZE
+                reason = self._lost(buffer, at)
+                end, waits = self._look_on(buffer, first, -1 if is_last else len(buffer) - least)
+                if end > at:
+                    found.append(self._piece(kind, at, end, reason))
+                    self._after_text = None
+                at = end
+                if waits:
+                    break
+                continue
             if end > len(buffer):
                 break
-            reason = self._lost(buffer, at) if kind is PartKind.LOST else ""
-            found.append(self._piece(kind, at, end, reason))
+            found.append(self._piece(kind, at, end))
             if kind is PartKind.FRAME or kind in _TEXTS:
                 self._is_claimed, self._in_step, self._reason = True, True, ""
+                self._trials = max(self._trials - 1, 0) if kind is PartKind.FRAME else 0
             if kind is not PartKind.TEXT_END:
                 self._after_text = kind if kind in _TEXTS else None
             at = end
@@ -229,74 +247,95 @@ class Cutter:
         return StreamPart(kind, self._buffer[at:end], numbers, reason)
 
     def _lost(self, buffer: bytes, at: int) -> str:
-        if self._in_step:
-            self._in_step = False
-            self._reason = _BETWEEN
-            return impossible_length(frame_size(buffer, at) - LENGTH_FIELD)
-        return self._reason
+        if not self._in_step:
+            return self._reason
+        self._in_step = False
+        self._reason = _BETWEEN
+        size = frame_size(buffer, at)
+        return _BETWEEN if is_frame_size(size) else impossible_length(size - LENGTH_FIELD)
 
-    def _next(self, buffer: bytes, at: int) -> tuple[PartKind, int]:
+    def _next(self, buffer: bytes, at: int, is_last: bool) -> tuple[PartKind, int]:
         """What stands at an offset and where it ends, which is after the buffer's end where more is needed."""
         more = len(buffer) + 1
         text = self._text(buffer, at)
         if text is not None:
             return text
-        if len(buffer) - at < LENGTH_FIELD:
-            return PartKind.FRAME, more
-        size = frame_size(buffer, at)
-        end = at + size
-        if self._in_step:
-            if not is_frame_size(size):
-                return PartKind.LOST, more
-            return PartKind.FRAME, end
-        if not self._may_start(buffer, at):
-            return (PartKind.LOST, more) if self._is_claimed else (PartKind.OTHER, self._end_of_chunk(at))
         if not self._is_claimed:
+            if not self._finder.may_start(buffer, at):
+                return PartKind.OTHER, self._end_of_chunk(at)
             if len(buffer) - at < HEADER_SIZE:
                 return PartKind.FRAME, more
             self._is_claimed = self._in_step = True
-            return PartKind.FRAME, end
-        if end <= len(buffer) and self._schema.is_flawless(buffer, at, end):
-            return PartKind.FRAME, end
-        # Senders begin their frames with a packet: there one may also be at fault, or not be whole yet. But where
-        # something stands in the middle of it that cannot be by chance, it is none.
-        is_start = any(start == at for start, _ in self._marks)
-        if not is_start or any(start > at and self._stands(buffer, start) for start, _ in self._marks[-2:]):
+        elif not self._in_step:
             return PartKind.LOST, more
-        return PartKind.FRAME, end if end <= len(buffer) else more
+        if len(buffer) - at < LENGTH_FIELD:
+            return PartKind.FRAME, more
+        size = frame_size(buffer, at)
+        if not is_frame_size(size):
+            return PartKind.LOST, more
+        end = at + size
+        may_gap = self._may_gap and any(at <= start < end for start, _ in self._marks)
+        if (may_gap or self._trials) and len(buffer) - at >= HEADER_SIZE:
+            return self._judge(buffer, at, end, is_last)
+        return PartKind.FRAME, end
 
-    def _next_step(self, buffer: bytes, at: int, trials: int) -> tuple[int, int]:
-        """The first place from an offset on where a frame or text stands, or the end; and the trials that are left."""
-        size = len(buffer)
-        begins = {start for start, _ in self._marks}
-        for found in _STARTS.finditer(buffer, at):
-            place = found.start()
-            first = buffer[place]
-            if first in _TEXT_STARTS and self._whole_text(buffer, place):
-                return place, trials
-            if place + LENGTH_FIELD + (first | buffer[place + 1] << 8) > size and place not in begins:
-                continue  # most places by far: said here, as it is said faster
-            length, _, code = unpack_header(buffer, place)
-            if not MIN_LENGTH <= length <= MAX_LENGTH or code not in _TYPES:
-                continue
-            if place in begins:
-                return place, trials
-            end = place + LENGTH_FIELD + length
-            if end > size:
-                continue
-            trials -= 1
-            if trials <= 0:
-                break
-            if self._schema.is_flawless(buffer, place, end):
-                return place, trials
-        return len(buffer), trials
+    def _judge(self, buffer: bytes, at: int, end: int, is_last: bool) -> tuple[PartKind, int]:
+        """What stands at an offset where there seems to be a frame, if a gap was before it or may be in it."""
+        finder = self._finder
+        if end > len(buffer):
+            return (PartKind.LOST if self._misleads(buffer, at, is_last) else PartKind.FRAME), end
+        follows, stands = finder.follow(buffer, end), finder.stands(buffer, at, end)
+        if stands and (follows or finder.tells_itself(buffer, at)):
+            return PartKind.FRAME, end
+        if follows is None:
+            return PartKind.LOST, end
+        # A gap is between two packets; the frames after it begin there, or later.
+        inside = at + 1 if self._trials or not stands else next((start for start, _ in self._marks if start > at), end)
+        found, place = finder.next_step(buffer, inside, self._begins())
+        if place < end and found in (Found.SINGLE, Found.CHAIN):
+            return PartKind.LOST, end
+        is_split = any(at < start < end for start, _ in self._marks)
+        waits = follows == 0 and is_split and not stands
+        waits |= (not follows or (follows == 1 and not stands)) and place < end and found is Found.OPEN
+        return PartKind.FRAME, len(buffer) + 1 if waits and not is_last else end
 
-    def _may_start(self, buffer: bytes, at: int) -> bool:
-        """Whether a frame may start here, as far as its header is there."""
-        head = buffer[at : at + HEADER_SIZE]
-        if len(head) < LENGTH_FIELD or not is_frame_size(frame_size(head)):
-            return False
-        return len(head) < HEADER_SIZE or head[-1] in _TYPES
+    def _misleads(self, buffer: bytes, at: int, is_last: bool) -> bool:
+        """Whether what seems to be the start of a frame is none."""
+        if not is_last and self._finder.may_become(buffer, at):
+            return self._finder.next_step(buffer, at + 1, (), 2)[0] is Found.CHAIN
+        found, _ = self._finder.next_step(buffer, at + 1, self._begins())
+        return found in (Found.SINGLE, Found.CHAIN) or (self._trials > 0 and not is_last)
+
+    def _look_on(self, buffer: bytes, at: int, latest: int) -> tuple[int, bool]:
+        """Where a stream that is out of step goes on, and whether more is needed to tell.
+
+        A header may begin at the `latest` offset, but not after it; it is negative where nothing more comes.
+        """
+        found, place = self._finder.next_step(buffer, max(at, self._passed), self._begins())
+        if found is Found.OPEN and latest < 0:
+            found, place = Found.NOTHING, len(buffer)
+        for start in (ACCEPT, _REQUEST):
+            hit = buffer.find(start, at, place)
+            if hit >= 0 and self._whole_text(buffer, hit):
+                found, place = Found.CHAIN, hit
+        if found is Found.NOTHING:
+            places = range(max(at, len(buffer) - HEADER_SIZE + 1), latest + 1)
+            place = next((place for place in places if self._finder.may_start(buffer, place)), len(buffer))
+            if at < place < len(buffer) and not self._passed:
+                self._passed, place = place - at, at
+                return place, True
+        self._passed = 0
+        if found in (Found.NOTHING, Found.OPEN):
+            # A frame that comes byte by byte is not looked at with each of them.
+            self._next_try = (len(buffer) - place) * 5 // 4 + 1
+            return place, True
+        self._in_step = True
+        self._trials = 1 if found is Found.CHAIN or self._finder.tells_itself(buffer, place) else 2
+        return place, False
+
+    def _begins(self) -> set[int]:
+        """Where packets begin."""
+        return {start for start, _ in self._marks}
 
     def _end_of_chunk(self, at: int) -> int:
         return next((start for start, _ in self._marks if start > at), len(self._buffer))
@@ -309,7 +348,7 @@ class Cutter:
             rest = self._rest_of_text(buffer, at)
             if rest is not None:
                 return rest
-        if buffer[at] not in _TEXT_STARTS or self._may_start(buffer, at):
+        if buffer[at] not in _TEXT_STARTS or self._finder.may_start(buffer, at):
             return None
         whole = self._whole_text(buffer, at)
         if whole is not None:
@@ -354,13 +393,13 @@ class Cutter:
 
     def _is_frame_rather(self, buffer: bytes, at: int) -> bool:
         """Whether a byte that may end a text is more likely the start of a frame, as far as that can be seen."""
-        if len(buffer) - at < LENGTH_FIELD or not self._may_start(buffer, at):
+        if len(buffer) - at < LENGTH_FIELD or not self._finder.may_start(buffer, at):
             return False
         return not self._stands(buffer, at + 1)
 
     def _stands(self, buffer: bytes, at: int) -> bool:
         """Whether a whole frame without a fault stands at an offset."""
-        if len(buffer) - at < HEADER_SIZE or not self._may_start(buffer, at):
+        if len(buffer) - at < HEADER_SIZE or not self._finder.may_start(buffer, at):
             return False
         end = at + frame_size(buffer, at)
-        return end <= len(buffer) and self._schema.is_flawless(buffer, at, end)
+        return end <= len(buffer) and self._finder.stands(buffer, at, end)

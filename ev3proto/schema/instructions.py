@@ -186,6 +186,31 @@ class InstructionSet(Bytewise):
                 return False
             at += operation.length
 
+    def may_become_flawless(self, data: bytes, at: int, end: int) -> bool:
+        """Says whether there would be no fault if more followed.
+
+        Args:
+            data: The bytes that the byte code is in.
+            at: The offset of the first opcode.
+            end: Where the byte code ends that is there.
+
+        Returns:
+            True where there is no fault, or none but that the end comes too early.
+
+        """
+        while True:
+            usual = self._usual(data, at, end)
+            assert usual is not None, "no operations at all are usual, too"
+            at = usual.end()
+            if at == end:
+                return True
+            if self._is_unknown(data, at, end):
+                return False
+            operation, fault = self._scan_one(data, at, end)
+            if operation is None or fault is not None:
+                return fault is not None and fault.truncated
+            at += operation.length
+
     def _is_unknown(self, data: bytes, at: int, end: int) -> bool:
         """Whether nothing has that opcode, or that CMD in a form of one byte."""
         code = data[at]

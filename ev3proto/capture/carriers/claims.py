@@ -9,37 +9,18 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ev3proto.capture.carriers.streams import Context
+from ev3proto.capture.finding import makes_sense
 from ev3proto.capture.record import Announcement, Direction, Event, Record, Skipped
-from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
-from ev3proto.tables import operations
-from ev3proto.tables.claims import FAULTS_IN_A_ROW, NEVER_SENT, STRANGE_PACKETS, may_be_of_nxt
-from ev3proto.tables.daisy import MOST_LAYERS
+from ev3proto.messages import DirectCommand
+from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.tables.claims import FAULTS_IN_A_ROW, PROOFS, STRANGE_PACKETS, may_be_of_nxt
+from ev3proto.tables.frame import MAX_FRAME
 
 MOST_HELD = 4096
 """Frames without a fault that are held back of a serial port on which there was no command so far."""
 
 _HELD_SIZE = 700
 """Bytes of memory that something found takes while it is held back, besides its bytes, about."""
-
-_NEVER_SENT = frozenset(operations()[name].opcode.number for name in NEVER_SENT)
-
-
-def makes_sense(message: Message) -> bool:
-    """Says whether somebody would send a frame without a fault.
-
-    Args:
-        message: A message without a fault.
-
-    Returns:
-        False for commands without operations, or with one that nobody sends, and for layers that no chain has.
-
-    """
-    if isinstance(message, DaisyCommand | DaisyReply):
-        return message.layer_from <= MOST_LAYERS and message.layer_to <= MOST_LAYERS
-    if isinstance(message, DirectCommand):
-        opcodes = [operation.opcode for operation in message.operations]
-        return bool(opcodes) and _NEVER_SENT.isdisjoint(opcodes)
-    return True
 
 
 def begins_a_connection(event: Event, data: bytes) -> bool:
@@ -102,8 +83,10 @@ class Claim:
         "_held",
         "_is_claimed",
         "_is_patient",
+        "_proofs",
         "_size",
         "_strange",
+        "_unread",
         "is_left",
     )
 
@@ -125,6 +108,8 @@ class Claim:
         self._size = 0
         self._strange = 0
         self._faults = 0
+        self._unread = 0
+        self._proofs = 0
         self.is_left = False
 
     def take(self, events: list[Event], data: bytes) -> list[Event]:
@@ -142,6 +127,7 @@ class Claim:
             return self._count_faults(events) if self._is_patient else events
         if not self.is_left and any(self._begins(event, data) for event in events):
             self._is_claimed = True
+            self._unread = 0
             return [*self._taken(), *events]
         if self._is_patient:
             self._hold_flawless(events)
@@ -150,11 +136,18 @@ class Claim:
             self._decline(events)
             return []
         self._hold(events)
-        self._strange += bool(data and events)
-        if self._strange >= STRANGE_PACKETS:
+        if data and events:
+            self._count_strange(len(data))
+        return []
+
+    def _count_strange(self, size: int) -> None:
+        if size > HEADER_SIZE:
+            self._strange += 1
+        else:
+            self._unread += size
+        if self._strange >= STRANGE_PACKETS or self._unread > MAX_FRAME:
             self.is_left = True
             self.end()
-        return []
 
     def end(self) -> list[Event]:
         """Says that nothing more will come.
@@ -206,10 +199,20 @@ class Claim:
             self._hold(events)
 
     def _count_faults(self, events: list[Event]) -> list[Event]:
+        unread = 0
+        for event in events:
+            if type(event) is not Skipped:
+                self._proofs += 1
+                self._faults = self._unread = 0
+                return events
+            unread += len(event.data)
         if events:
-            self._faults = self._faults + 1 if all(isinstance(event, Skipped) for event in events) else 0
-            if self._faults >= FAULTS_IN_A_ROW:
-                self._is_claimed, self._faults = False, 0
+            self._faults += 1
+            self._unread += unread
+            # What is left of a frame of which something is missing may come in many packets.
+            if self._faults >= FAULTS_IN_A_ROW and (self._proofs < PROOFS or self._unread > MAX_FRAME):
+                self._is_claimed = False
+                self._faults = self._unread = self._proofs = 0
         return events
 
     def _decline(self, events: list[Event]) -> None:

@@ -87,7 +87,7 @@ class SerialPorts:
             if found.key not in self._claims:
                 self._claims[found.key] = _Port(self._context)
             # Other programs use the same channel: something like a frame must start with a packet.
-            cutter = Cutter(self._context.schema, in_step=False, is_claimed=False)
+            cutter = Cutter(self._context.schema, in_step=False, is_claimed=False, may_gap=True)
             route = _route(packet, found, serial.is_from_host)
             self._streams[key] = Stream(self._context, conversation, cutter, route, packet)
         stream = self._streams[key]

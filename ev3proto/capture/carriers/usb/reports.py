@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ev3proto.bounded import Bounded
-from ev3proto.capture.carriers.claims import makes_sense
 from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.carriers.usb.requests import IN, INTERRUPT, Urb, urb
 from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.finding import makes_sense
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped
 from ev3proto.schema.header import HEADER_SIZE, Header, frame_size, is_frame_size

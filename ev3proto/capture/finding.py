@@ -1,0 +1,180 @@
+"""Where a stream goes on that is out of step: the next frame, found by what a frame must be like.
+
+Five bytes of a header look right once in some thousand places of any data, so a place is believed for more than that:
+all of a frame stands there without a fault, and what follows it may be the next one. Of a frame that is not whole yet
+it is asked whether it can become such a one. The dissector finds frames in the same way.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from enum import Enum, auto
+
+from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
+from ev3proto.schema.frame import FrameSchema
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
+from ev3proto.tables import operations, system
+from ev3proto.tables.claims import NEVER_SENT
+from ev3proto.tables.daisy import MOST_LAYERS
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
+
+MOST_TRIALS = 64
+"""Places in one piece of a stream where a whole frame is tried, before the piece is given up."""
+
+MOST_FOLLOWING = 2
+"""Frames after one that are looked at to tell whether it is one."""
+
+_TYPES = {int(member): member for member in MessageType}
+# Where a header may stand: most places that are none are passed over at ten times the speed.
+_STARTS = re.compile(
+    b"(?=(?:[%b-\\xff]\\0|.[\\1-%b])..[%b])"
+    % (re.escape(bytes((MIN_LENGTH,))), re.escape(bytes((MAX_LENGTH >> 8,))), re.escape(bytes(sorted(_TYPES)))),
+    re.DOTALL,
+)
+_NEVER_SENT = frozenset(operations()[name].opcode.number for name in NEVER_SENT)
+
+
+def makes_sense(message: Message) -> bool:
+    """Says whether somebody would send a frame without a fault.
+
+    Args:
+        message: A message without a fault.
+
+    Returns:
+        False for commands without operations, or with one that nobody sends, and for layers that no chain has.
+
+    """
+    if isinstance(message, DaisyCommand | DaisyReply):
+        return message.layer_from <= MOST_LAYERS and message.layer_to <= MOST_LAYERS
+    if isinstance(message, DirectCommand):
+        opcodes = [operation.opcode for operation in message.operations]
+        return bool(opcodes) and _NEVER_SENT.isdisjoint(opcodes)
+    return True
+
+
+class Found(Enum):
+    """What stands at the place where a stream may go on.
+
+    NOTHING  no place was found
+    OPEN     a frame that is not whole yet, and without a fault so far
+    SINGLE   a whole one, after which nothing tells whether it is one
+    CHAIN    one, and the next one begins after it
+    """
+
+    NOTHING = auto()
+    OPEN = auto()
+    SINGLE = auto()
+    CHAIN = auto()
+
+
+class Finder:
+    """Finds frames in the bytes of a stream.
+
+    schema  reads frames
+    """
+
+    __slots__ = ("_schema",)
+
+    def __init__(self, schema: FrameSchema) -> None:
+        self._schema = schema
+
+    def may_start(self, buffer: bytes, at: int) -> bool:
+        """Whether a frame may start here, as far as its header is there."""
+        left = len(buffer) - at
+        if left < LENGTH_FIELD:
+            return True
+        length = buffer[at] | buffer[at + 1] << 8
+        return MIN_LENGTH <= length <= MAX_LENGTH and (left < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] in _TYPES)
+
+    def stands(self, buffer: bytes, at: int, end: int) -> bool:
+        """Whether a frame without a fault stands here, which somebody would send."""
+        if end - at < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] not in _TYPES:
+            return False
+        if not self._schema.is_flawless(buffer, at, end):
+            return False
+        code = buffer[at + HEADER_SIZE - 1]
+        if _TYPES[code].carries == "system" or (not _TYPES[code].is_command and _TYPES[code].carries == "direct"):
+            return True
+        return makes_sense(self._schema.read_for_later(buffer[at:end]))
+
+    def tells_itself(self, buffer: bytes, at: int) -> bool:
+        """Whether a frame without a fault is one whatever follows it, as few bytes are operations by chance."""
+        member = _TYPES.get(buffer[at + HEADER_SIZE - 1])
+        return member is not None and member.is_command and member.carries == "direct"
+
+    def may_become(self, buffer: bytes, at: int) -> bool:
+        """Whether the frame of which only the start is here may be without a fault."""
+        if not self.may_start(buffer, at):
+            return False
+        size = len(buffer)
+        if size - at <= HEADER_SIZE:
+            return True
+        member = _TYPES[buffer[at + HEADER_SIZE - 1]]
+        if member.carries == "system":
+            return buffer[at + HEADER_SIZE] in system.SYSTEM_BY_NUMBER
+        if member.carries == "direct" and member.is_command and size - at > COMMAND_HEADER_SIZE:
+            return self._schema.instructions.may_become_flawless(buffer, at + COMMAND_HEADER_SIZE, size)
+        return True
+
+    def follow(self, buffer: bytes, at: int) -> int | None:
+        """How many frames begin here, one after the other, of those whose headers are here; None where none can.
+
+        Few are enough to tell. The next gap in the stream may come soon.
+        """
+        size, count = len(buffer), 0
+        while at < size and count < MOST_FOLLOWING:
+            if not self.may_start(buffer, at):
+                return None
+            if size - at < HEADER_SIZE:
+                break
+            count += 1
+            at += frame_size(buffer, at)
+        return count
+
+    def next_step(self, buffer: bytes, at: int, begins: Collection[int], least: int = 0) -> tuple[Found, int]:
+        """The place from an offset on where the stream goes on, and what stands there.
+
+        Args:
+            buffer: Bytes of the stream.
+            at: The first offset that may be the place.
+            begins: Offsets where packets begin: there a frame may have faults, or nothing that can follow it.
+            least: Frames that must begin after a whole one.
+
+        Returns:
+            What is there, and the offset, which is where the bytes end for `NOTHING`.
+
+        """
+        size, trials = len(buffer), MOST_TRIALS
+        opened = single = begun = None
+        for hit in _STARTS.finditer(buffer, at):
+            place = hit.start()
+            length = buffer[place] | buffer[place + 1] << 8
+            if length > MAX_LENGTH:
+                continue
+            end = place + LENGTH_FIELD + length
+            trials -= 1
+            if trials <= 0:
+                break
+            if end > size:
+                if opened is None and self.may_become(buffer, place):
+                    opened = place
+                continue
+            following = self.follow(buffer, end) if end < size else 0
+            is_begin = place in begins
+            if (following is None and not is_begin) or (following or 0) < least:
+                continue
+            stands = self.stands(buffer, place, end)
+            if stands and following:
+                return Found.CHAIN, place
+            if stands and following is not None:
+                single = place if single is None else single
+            elif is_begin and (stands or following is not None):
+                begun = place if begun is None else begun
+        if single is not None:
+            return Found.SINGLE, single
+        if begun is not None:
+            return Found.SINGLE, begun
+        if opened is not None:
+            return Found.OPEN, opened
+        return Found.NOTHING, size

@@ -1,0 +1,63 @@
+"""Captures of which a part of the packets is missing, and which of the messages in them are whole all the same."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from support.frames import Segment
+from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
+
+SHARE = 0.03
+"""Of 100 packets so many are missing."""
+
+BEGINNING = bytes.fromhex("0e00feff80000094010182b80182e803")
+"""SOUND.TONE, which is never missing: what comes before the first frame of a capture is another matter."""
+
+MOST_TOGETHER = 20
+"""Messages that one side sends before the other one does, at most."""
+
+
+class Lossy(NamedTuple):
+    """A capture, and its messages of which no byte is missing, with the side that sent them."""
+
+    data: bytes
+    whole: Counter[Segment]
+
+
+def lossy(carrier: str, sizes: tuple[int, int], messages: Iterable[Segment], seed: int) -> Lossy:
+    """A capture in which each side's bytes are cut into packets of so many bytes, without regard to frames."""
+    rng = random.Random(seed)
+    capture = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION)
+    missing = Capture(RAW_IP)
+    way = Connection(capture) if carrier == "tcp" else SerialPort(capture)
+    whole = Counter({Segment(True, BEGINNING): 1})
+    way.send(BEGINNING)
+    for from_host, frames in _turns(messages, rng):
+        data, is_there = b"".join(frames), bytearray()
+        while len(is_there) < len(data):
+            piece = data[len(is_there) :][: rng.randint(*sizes)]
+            is_lost = rng.random() < SHARE
+            way.capture = missing if is_lost else capture
+            (way.send if from_host else way.receive)(piece)
+            is_there += bytes([not is_lost]) * len(piece)
+        at = 0
+        for frame in frames:
+            whole[Segment(from_host, frame)] += all(is_there[at : at + len(frame)])
+            at += len(frame)
+    return Lossy(capture.data(), whole)
+
+
+def _turns(messages: Iterable[Segment], rng: random.Random) -> Iterator[tuple[bool, list[bytes]]]:
+    """Commands that are sent one after the other, then their replies, and so on."""
+    waiting: dict[bool, list[bytes]] = {True: [], False: []}
+    most = 1
+    for from_host, data in messages:
+        if from_host and len(waiting[True]) >= most:
+            yield from waiting.items()
+            waiting = {True: [], False: []}
+            most = rng.randint(1, MOST_TOGETHER)
+        waiting[from_host].append(data)
+    yield from waiting.items()

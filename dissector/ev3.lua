@@ -4122,6 +4122,7 @@ do
         parameter.key = " " .. row[1]:lower() .. "="
         parameter.value_key = " " .. row[1] .. "="
         parameter.unit_text = row.unit and " " .. row.unit or ""
+        parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
         if row[3] == VALUES then
             parameter.kind = PARAMETER_KINDS[row.element] or NUMBER
         else
@@ -4147,7 +4148,7 @@ do
         local element = {
             name = list.name, field_name = list.name, direction = direction, type = type, text = list.text,
             is_float = type == DATAF, is_output = direction ~= IN, size = SIZE_OF[type], key = list.key,
-            operation = list.operation, unit_text = "",
+            operation = list.operation, unit_text = "", unit_format = "",
         }
         if list.type == VALUES then
             element.field, element.kind = list.field, list.kind
@@ -4504,18 +4505,12 @@ do
         return value < 0x80000000 and value or value - 0x100000000
     end
 
-    -- An IEEE single. Lua 5.2 has no string.unpack.
+    -- An IEEE single.
+    local unpack = Struct.unpack
     local function single(text, at)
-        local first, second, third, fourth = byte(text, at + 1, at + 4)
-        local sign = fourth < 0x80 and 1 or -1
-        local exponent = fourth % 0x80 * 2 + (third < 0x80 and 0 or 1)
-        local fraction = first + second * 0x100 + third % 0x80 * 0x10000
-        if exponent == 0xFF then
-            return fraction == 0 and sign / 0 or 0 / 0
-        elseif exponent == 0 then
-            return sign * fraction * 2 ^ -149
-        end
-        return sign * (1 + fraction * 2 ^ -23) * 2 ^ (exponent - 127)
+        local value = unpack("<f", text, at + 1)
+        -- All that are not a number are alike.
+        return value == value and value or 0 / 0
     end
 
     local READ_UNSIGNED = { [1] = function(text, at) return byte(text, at + 1) end, [2] = unsigned16, [4] = unsigned32 }
@@ -4822,34 +4817,36 @@ do
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    local pieces = {}
+    -- How `format` writes the value of an output, what it is given for it, and the unit after it. One call of `format`
+    -- for a line is much faster than a text for each number.
+    local function value_format(output)
+        local parameter, value = output.parameter, output.value
+        if output.list or type(value) == "string" then return "%s", output_text(output), "" end
+        if output.is_handle then return "%d", value, "" end
+        local enum = parameter.enum
+        local name = enum and not enum.is_flags and enum.names[value]
+        if name then return "%s", name, "" end
+        if value % 1 == 0 and value > -1e15 and value < 1e15 then return "%d", value, parameter.unit_format end
+        return "%s", number_text(value), parameter.unit_format
+    end
+
+    local pieces, values = {}, {}
 
     -- After a head: 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
     function values_text(head, outputs, count)
         pieces[1] = head
-        if count == 1 then
-            pieces[2], pieces[3] = " ", output_text(outputs[1])
-            return concat(pieces, "", 1, 3)
-        end
-        local stop = 1
-        for index = 1, math.min(count, MOST_VALUES) do
+        local stop, shown = 1, math.min(count, MOST_VALUES)
+        for index = 1, shown do
             local output = outputs[index]
-            local parameter, value = output.parameter, output.value
-            pieces[stop + 1] = parameter.value_key
-            -- Nearly all are numbers, which need no text of their own: concat makes it.
-            if parameter.enum or parameter.is_float or output.list or type(value) == "string" then
-                pieces[stop + 2] = output_text(output)
-                stop = stop + 2
-            else
-                pieces[stop + 2], pieces[stop + 3] = value, output.is_handle and "" or parameter.unit_text
-                stop = stop + 3
-            end
+            pieces[stop + 1] = count == 1 and " " or output.parameter.value_key
+            pieces[stop + 2], values[index], pieces[stop + 3] = value_format(output)
+            stop = stop + 3
         end
-        if count > MOST_VALUES then
+        if count > shown then
             stop = stop + 1
             pieces[stop] = " ..."
         end
-        return concat(pieces, "", 1, stop)
+        return format(concat(pieces, "", 1, stop), table.unpack(values, 1, shown))
     end
 
     function transfer_text(transfer)
@@ -5217,24 +5214,36 @@ do
         end
     end
 
-    local function remember(talk, place, message, pinfo)
-        local key = pending_key(message)
-        -- Of a system command its number and handle are enough.
-        local body = message.body or sub(message.text, HEADER_SIZE + 1, HEADER_SIZE + 2)
-        local command = { place = place, time = pinfo.rel_ts, body = body, delay = 0 }
-        -- A field that is set, be it to nil, takes room: few commands have one before them.
-        local earlier = newest(talk, key)
-        if earlier then command.earlier = earlier end
+    -- Puts the commands before one behind it, as many as are remembered.
+    local function put_behind(command, earlier)
+        command.earlier = earlier
         local oldest = command
         for _ = 2, MOST_PER_COUNTER do
             oldest = oldest.earlier
             if not oldest then break end
         end
         if oldest then oldest.earlier = nil end
+    end
+
+    local function remember(talk, place, message, pinfo)
+        local key = pending_key(message)
+        -- Of a system command its number and handle are enough.
+        local body = message.body or sub(message.text, HEADER_SIZE + 1, HEADER_SIZE + 2)
+        -- The table of a command that has its reply serves again: of that all is noted.
+        local command = answer
+        if command then
+            answer, answer_place = nil, nil
+            command.place, command.time, command.body = place, pinfo.rel_ts, body
+        else
+            command = { place = place, time = pinfo.rel_ts, body = body, delay = 0 }
+        end
+        local earlier = newest(talk, key)
+        if earlier then put_behind(command, earlier) end
         if talk.count >= MOST_WAITING then talk.pending, talk.pending_before, talk.count = {}, talk.pending, 0 end
-        if not talk.pending[key] then talk.count = talk.count + 1 end
-        talk.pending[key] = command
-        if talk.pending_before[key] then talk.pending_before[key] = nil end
+        local pending = talk.pending
+        if not pending[key] then talk.count = talk.count + 1 end
+        pending[key] = command
+        if earlier and talk.pending_before[key] then talk.pending_before[key] = nil end
     end
 
     local function can_answer(message, body)
@@ -5379,7 +5388,7 @@ end
 -- Notes what a reply will hold while its command is read: start, note_output, note_operation, keep.
 local layout_notes = {}
 
-local read_reply
+local read_reply, say_reply
 do
     local unpack = table.unpack
 
@@ -5518,17 +5527,69 @@ do
         layouts.put(body, finished_layout())
     end
 
+    local function layout_for(body)
+        local layout = layouts.get(body)
+        if not layout then
+            layout = layout_of_body(body)
+            layouts.put(body, layout)
+        end
+        return layout
+    end
+
+    -- The line on a reply with so plain a layout, to be filled with its values; false for any other layout: each output
+    -- is one number, and nothing but a number.
+    local function plain_line(layout)
+        local count = #layout / OUTPUT
+        if count < 1 or count > MOST_VALUES then return false end
+        local pieces, needed = { layout.first.reply_head }, 0
+        for at = 1, #layout, OUTPUT do
+            local parameter, encoding = layout[at + 1], layout[at + 2]
+            local type, enum = parameter.type, parameter.enum
+            local is_plain = READ_TYPE[type] and not parameter.length and not (enum and not enum.is_flags)
+            if not is_plain or encoding.handle or encoding.address then return false end
+            needed = math.max(needed, layout[at + 3] + SIZE_OF[type])
+            pieces[#pieces + 1] = count == 1 and " " or parameter.value_key
+            pieces[#pieces + 1] = (type == DATAF and "%.7g" or "%d") .. parameter.unit_format
+        end
+        layout.needed = HEADER_SIZE + needed
+        return concat(pieces)
+    end
+
+    local values = {}
+
+    -- The line on a reply to a command that came before, where that is a plain one; else nil.
+    function say_reply(body, reply)
+        local layout = layout_for(body)
+        local line = layout.line
+        if line == nil then
+            -- A command that comes once is not worth it.
+            if layout.is_used then layout.line = plain_line(layout) end
+            layout.is_used = true
+            return nil
+        end
+        if not line or reply.stop < layout.needed then return nil end
+        local text, count = reply.text, 0
+        for at = 1, #layout, OUTPUT do
+            local type = layout[at + 1].type
+            local value = READ_TYPE[type](text, HEADER_SIZE + layout[at + 3])
+            if type == DATAF then
+                -- What %.7g writes in another way than number_text.
+                if value ~= value or value % 1 == 0 and (value >= 1e7 or value <= -1e7) then return nil end
+                if value == 0 then value = 0 end
+            end
+            count = count + 1
+            values[count] = value
+        end
+        return format(line, unpack(values, 1, count))
+    end
+
     -- The values found; they are overwritten by those of the next reply.
     local found = {}
 
     -- The values in the reply to a command, how many there are, and the command's first operation. Where the tree is
     -- not shown, no more of them than a line says, and of lists no more elements.
     function read_reply(body, reply, is_shown)
-        local layout = layouts.get(body)
-        if not layout then
-            layout = layout_of_body(body)
-            layouts.put(body, layout)
-        end
+        local layout = layout_for(body)
         local count, most = 0, is_shown and math.huge or MOST_VALUES + 1
         local output = found[1] or {}
         for at = 1, #layout, OUTPUT do
@@ -5863,6 +5924,8 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
+        local line = not is_shown and say_reply(request.body, message)
+        if line then return line end
         local outputs, count, first = read_reply(request.body, message, is_shown)
         message.outputs, message.count = outputs, count
         local head = first and first.reply_head or "reply:"
@@ -6209,10 +6272,11 @@ end
 local has_tree
 do
     local this_dissector
+    local is_referenced = TreeItem.referenced
 
     function has_tree(tree)
         this_dissector = this_dissector or Dissector.get("ev3")
-        return tree:referenced(this_dissector)
+        return is_referenced(tree, this_dissector)
     end
 end
 
@@ -7131,6 +7195,9 @@ do
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
+    -- Methods that each packet needs: looking them up takes longer than what they do.
+    local bytes_of, offset_of = Tvb.raw, Tvb.offset
+
     -- Where answers to beacons go to, with the brick there, and the packets that went there; the places where bricks
     -- listen by what their beacons say; the buffers that were left to others; whether connections on other ports were
     -- found to be ours.
@@ -7239,8 +7306,8 @@ do
         end
 
         -- The step of a buffer that is seen for the first time, and how many bytes of it were there before.
-        local function first_step(known, text, offset, pinfo)
-            local pending, is_lost, number = known.pending, known.step == "lost", pinfo.number
+        local function first_step(known, text, offset, number, pinfo)
+            local pending, is_lost = known.pending, known.step == "lost"
             local is_further, usual = number == known.number, known.offset
             known.pending, known.number = nil, number
             if offset == 0 then
@@ -7260,18 +7327,18 @@ do
 
         -- How a stream stands with a buffer, and how many bytes of it were there before; `known` is what is known of
         -- the stream, when the buffer is seen for the first time.
-        function step_of(known, text, offset, pinfo)
+        function step_of(known, text, offset, number, pinfo)
             local usual = usual_step(offset)
-            if not known then return next(steps) and steps[place_of(pinfo.number, offset)] or usual, 0 end
-            local step, joint = first_step(known, text, offset, pinfo)
-            if step ~= usual then steps[place_of(pinfo.number, offset)] = step end
+            if not known then return next(steps) and steps[place_of(number, offset)] or usual, 0 end
+            local step, joint = first_step(known, text, offset, number, pinfo)
+            if step ~= usual then steps[place_of(number, offset)] = step end
             return step, joint
         end
     end
 
     local function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
-        local captured, offset, is_shown = #text, tvb:offset(), has_tree(tree)
-        local step, joint = step_of(known, text, offset, pinfo)
+        local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
+        local step, joint = step_of(known, text, offset, number, pinfo)
         start_line(number, offset)
         brick = is_shown and (talk or connection_of(pinfo)).name
         -- Nearly always one frame is all there is.
@@ -7329,9 +7396,11 @@ do
         return verdict
     end
 
-    local function dissect_first(tvb, text, pinfo, tree, number, port)
+    local function dissect_first(tvb, text, pinfo, tree, number)
         local talk, known = connection_of(pinfo)
-        local is_forced = not ports[port] and not is_named[port] and not talk.is_claimed
+        if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+        local port = pinfo.match_uint
+        local is_forced = not ports[port] and not is_named[port]
         if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
         local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
         local reported = verdict == PART and tvb:reported_len()
@@ -7351,8 +7420,8 @@ do
     end
 
     local function dissect_tcp(tvb, pinfo, tree)
-        local text, number = tvb:raw(), pinfo.number
-        if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number, pinfo.match_uint) end
+        local text, number = bytes_of(tvb), pinfo.number
+        if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
         if next(declined) and declined[place_of(number, tvb:offset())] then return 0 end
         if has_found then
             local talk = connection_of(pinfo)

@@ -96,24 +96,36 @@ do
         end
     end
 
-    local function remember(talk, place, message, pinfo)
-        local key = pending_key(message)
-        -- Of a system command its number and handle are enough.
-        local body = message.body or sub(message.text, HEADER_SIZE + 1, HEADER_SIZE + 2)
-        local command = { place = place, time = pinfo.rel_ts, body = body, delay = 0 }
-        -- A field that is set, be it to nil, takes room: few commands have one before them.
-        local earlier = newest(talk, key)
-        if earlier then command.earlier = earlier end
+    -- Puts the commands before one behind it, as many as are remembered.
+    local function put_behind(command, earlier)
+        command.earlier = earlier
         local oldest = command
         for _ = 2, MOST_PER_COUNTER do
             oldest = oldest.earlier
             if not oldest then break end
         end
         if oldest then oldest.earlier = nil end
+    end
+
+    local function remember(talk, place, message, pinfo)
+        local key = pending_key(message)
+        -- Of a system command its number and handle are enough.
+        local body = message.body or sub(message.text, HEADER_SIZE + 1, HEADER_SIZE + 2)
+        -- The table of a command that has its reply serves again: of that all is noted.
+        local command = answer
+        if command then
+            answer, answer_place = nil, nil
+            command.place, command.time, command.body = place, pinfo.rel_ts, body
+        else
+            command = { place = place, time = pinfo.rel_ts, body = body, delay = 0 }
+        end
+        local earlier = newest(talk, key)
+        if earlier then put_behind(command, earlier) end
         if talk.count >= MOST_WAITING then talk.pending, talk.pending_before, talk.count = {}, talk.pending, 0 end
-        if not talk.pending[key] then talk.count = talk.count + 1 end
-        talk.pending[key] = command
-        if talk.pending_before[key] then talk.pending_before[key] = nil end
+        local pending = talk.pending
+        if not pending[key] then talk.count = talk.count + 1 end
+        pending[key] = command
+        if earlier and talk.pending_before[key] then talk.pending_before[key] = nil end
     end
 
     local function can_answer(message, body)

@@ -7,10 +7,11 @@
 local has_tree
 do
     local this_dissector
+    local is_referenced = TreeItem.referenced
 
     function has_tree(tree)
         this_dissector = this_dissector or Dissector.get("ev3")
-        return tree:referenced(this_dissector)
+        return is_referenced(tree, this_dissector)
     end
 end
 

@@ -65,6 +65,7 @@ do
         parameter.key = " " .. row[1]:lower() .. "="
         parameter.value_key = " " .. row[1] .. "="
         parameter.unit_text = row.unit and " " .. row.unit or ""
+        parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
         if row[3] == VALUES then
             parameter.kind = PARAMETER_KINDS[row.element] or NUMBER
         else
@@ -90,7 +91,7 @@ do
         local element = {
             name = list.name, field_name = list.name, direction = direction, type = type, text = list.text,
             is_float = type == DATAF, is_output = direction ~= IN, size = SIZE_OF[type], key = list.key,
-            operation = list.operation, unit_text = "",
+            operation = list.operation, unit_text = "", unit_format = "",
         }
         if list.type == VALUES then
             element.field, element.kind = list.field, list.kind

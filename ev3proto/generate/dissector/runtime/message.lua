@@ -107,6 +107,8 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
+        local line = not is_shown and say_reply(request.body, message)
+        if line then return line end
         local outputs, count, first = read_reply(request.body, message, is_shown)
         message.outputs, message.count = outputs, count
         local head = first and first.reply_head or "reply:"

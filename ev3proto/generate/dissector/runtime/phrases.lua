@@ -95,34 +95,36 @@ do
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    local pieces = {}
+    -- How `format` writes the value of an output, what it is given for it, and the unit after it. One call of `format`
+    -- for a line is much faster than a text for each number.
+    local function value_format(output)
+        local parameter, value = output.parameter, output.value
+        if output.list or type(value) == "string" then return "%s", output_text(output), "" end
+        if output.is_handle then return "%d", value, "" end
+        local enum = parameter.enum
+        local name = enum and not enum.is_flags and enum.names[value]
+        if name then return "%s", name, "" end
+        if value % 1 == 0 and value > -1e15 and value < 1e15 then return "%d", value, parameter.unit_format end
+        return "%s", number_text(value), parameter.unit_format
+    end
+
+    local pieces, values = {}, {}
 
     -- After a head: 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
     function values_text(head, outputs, count)
         pieces[1] = head
-        if count == 1 then
-            pieces[2], pieces[3] = " ", output_text(outputs[1])
-            return concat(pieces, "", 1, 3)
-        end
-        local stop = 1
-        for index = 1, math.min(count, MOST_VALUES) do
+        local stop, shown = 1, math.min(count, MOST_VALUES)
+        for index = 1, shown do
             local output = outputs[index]
-            local parameter, value = output.parameter, output.value
-            pieces[stop + 1] = parameter.value_key
-            -- Nearly all are numbers, which need no text of their own: concat makes it.
-            if parameter.enum or parameter.is_float or output.list or type(value) == "string" then
-                pieces[stop + 2] = output_text(output)
-                stop = stop + 2
-            else
-                pieces[stop + 2], pieces[stop + 3] = value, output.is_handle and "" or parameter.unit_text
-                stop = stop + 3
-            end
+            pieces[stop + 1] = count == 1 and " " or output.parameter.value_key
+            pieces[stop + 2], values[index], pieces[stop + 3] = value_format(output)
+            stop = stop + 3
         end
-        if count > MOST_VALUES then
+        if count > shown then
             stop = stop + 1
             pieces[stop] = " ..."
         end
-        return concat(pieces, "", 1, stop)
+        return format(concat(pieces, "", 1, stop), table.unpack(values, 1, shown))
     end
 
     function transfer_text(transfer)

@@ -57,18 +57,12 @@ do
         return value < 0x80000000 and value or value - 0x100000000
     end
 
-    -- An IEEE single. Lua 5.2 has no string.unpack.
+    -- An IEEE single.
+    local unpack = Struct.unpack
     local function single(text, at)
-        local first, second, third, fourth = byte(text, at + 1, at + 4)
-        local sign = fourth < 0x80 and 1 or -1
-        local exponent = fourth % 0x80 * 2 + (third < 0x80 and 0 or 1)
-        local fraction = first + second * 0x100 + third % 0x80 * 0x10000
-        if exponent == 0xFF then
-            return fraction == 0 and sign / 0 or 0 / 0
-        elseif exponent == 0 then
-            return sign * fraction * 2 ^ -149
-        end
-        return sign * (1 + fraction * 2 ^ -23) * 2 ^ (exponent - 127)
+        local value = unpack("<f", text, at + 1)
+        -- All that are not a number are alike.
+        return value == value and value or 0 / 0
     end
 
     local READ_UNSIGNED = { [1] = function(text, at) return byte(text, at + 1) end, [2] = unsigned16, [4] = unsigned32 }

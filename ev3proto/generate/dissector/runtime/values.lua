@@ -22,7 +22,7 @@ end
 -- Notes what a reply will hold while its command is read: start, note_output, note_operation, keep.
 local layout_notes = {}
 
-local read_reply
+local read_reply, say_reply
 do
     local unpack = table.unpack
 
@@ -161,17 +161,69 @@ do
         layouts.put(body, finished_layout())
     end
 
+    local function layout_for(body)
+        local layout = layouts.get(body)
+        if not layout then
+            layout = layout_of_body(body)
+            layouts.put(body, layout)
+        end
+        return layout
+    end
+
+    -- The line on a reply with so plain a layout, to be filled with its values; false for any other layout: each output
+    -- is one number, and nothing but a number.
+    local function plain_line(layout)
+        local count = #layout / OUTPUT
+        if count < 1 or count > MOST_VALUES then return false end
+        local pieces, needed = { layout.first.reply_head }, 0
+        for at = 1, #layout, OUTPUT do
+            local parameter, encoding = layout[at + 1], layout[at + 2]
+            local type, enum = parameter.type, parameter.enum
+            local is_plain = READ_TYPE[type] and not parameter.length and not (enum and not enum.is_flags)
+            if not is_plain or encoding.handle or encoding.address then return false end
+            needed = math.max(needed, layout[at + 3] + SIZE_OF[type])
+            pieces[#pieces + 1] = count == 1 and " " or parameter.value_key
+            pieces[#pieces + 1] = (type == DATAF and "%.7g" or "%d") .. parameter.unit_format
+        end
+        layout.needed = HEADER_SIZE + needed
+        return concat(pieces)
+    end
+
+    local values = {}
+
+    -- The line on a reply to a command that came before, where that is a plain one; else nil.
+    function say_reply(body, reply)
+        local layout = layout_for(body)
+        local line = layout.line
+        if line == nil then
+            -- A command that comes once is not worth it.
+            if layout.is_used then layout.line = plain_line(layout) end
+            layout.is_used = true
+            return nil
+        end
+        if not line or reply.stop < layout.needed then return nil end
+        local text, count = reply.text, 0
+        for at = 1, #layout, OUTPUT do
+            local type = layout[at + 1].type
+            local value = READ_TYPE[type](text, HEADER_SIZE + layout[at + 3])
+            if type == DATAF then
+                -- What %.7g writes in another way than number_text.
+                if value ~= value or value % 1 == 0 and (value >= 1e7 or value <= -1e7) then return nil end
+                if value == 0 then value = 0 end
+            end
+            count = count + 1
+            values[count] = value
+        end
+        return format(line, unpack(values, 1, count))
+    end
+
     -- The values found; they are overwritten by those of the next reply.
     local found = {}
 
     -- The values in the reply to a command, how many there are, and the command's first operation. Where the tree is
     -- not shown, no more of them than a line says, and of lists no more elements.
     function read_reply(body, reply, is_shown)
-        local layout = layouts.get(body)
-        if not layout then
-            layout = layout_of_body(body)
-            layouts.put(body, layout)
-        end
+        local layout = layout_for(body)
         local count, most = 0, is_shown and math.huge or MOST_VALUES + 1
         local output = found[1] or {}
         for at = 1, #layout, OUTPUT do

@@ -8,6 +8,9 @@ do
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
+    -- Methods that each packet needs: looking them up takes longer than what they do.
+    local bytes_of, offset_of = Tvb.raw, Tvb.offset
+
     -- Where answers to beacons go to, with the brick there, and the packets that went there; the places where bricks
     -- listen by what their beacons say; the buffers that were left to others; whether connections on other ports were
     -- found to be ours.
@@ -116,8 +119,8 @@ do
         end
 
         -- The step of a buffer that is seen for the first time, and how many bytes of it were there before.
-        local function first_step(known, text, offset, pinfo)
-            local pending, is_lost, number = known.pending, known.step == "lost", pinfo.number
+        local function first_step(known, text, offset, number, pinfo)
+            local pending, is_lost = known.pending, known.step == "lost"
             local is_further, usual = number == known.number, known.offset
             known.pending, known.number = nil, number
             if offset == 0 then
@@ -137,18 +140,18 @@ do
 
         -- How a stream stands with a buffer, and how many bytes of it were there before; `known` is what is known of
         -- the stream, when the buffer is seen for the first time.
-        function step_of(known, text, offset, pinfo)
+        function step_of(known, text, offset, number, pinfo)
             local usual = usual_step(offset)
-            if not known then return next(steps) and steps[place_of(pinfo.number, offset)] or usual, 0 end
-            local step, joint = first_step(known, text, offset, pinfo)
-            if step ~= usual then steps[place_of(pinfo.number, offset)] = step end
+            if not known then return next(steps) and steps[place_of(number, offset)] or usual, 0 end
+            local step, joint = first_step(known, text, offset, number, pinfo)
+            if step ~= usual then steps[place_of(number, offset)] = step end
             return step, joint
         end
     end
 
     local function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
-        local captured, offset, is_shown = #text, tvb:offset(), has_tree(tree)
-        local step, joint = step_of(known, text, offset, pinfo)
+        local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
+        local step, joint = step_of(known, text, offset, number, pinfo)
         start_line(number, offset)
         brick = is_shown and (talk or connection_of(pinfo)).name
         -- Nearly always one frame is all there is.
@@ -206,9 +209,11 @@ do
         return verdict
     end
 
-    local function dissect_first(tvb, text, pinfo, tree, number, port)
+    local function dissect_first(tvb, text, pinfo, tree, number)
         local talk, known = connection_of(pinfo)
-        local is_forced = not ports[port] and not is_named[port] and not talk.is_claimed
+        if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+        local port = pinfo.match_uint
+        local is_forced = not ports[port] and not is_named[port]
         if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
         local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
         local reported = verdict == PART and tvb:reported_len()
@@ -228,8 +233,8 @@ do
     end
 
     local function dissect_tcp(tvb, pinfo, tree)
-        local text, number = tvb:raw(), pinfo.number
-        if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number, pinfo.match_uint) end
+        local text, number = bytes_of(tvb), pinfo.number
+        if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
         if next(declined) and declined[place_of(number, tvb:offset())] then return 0 end
         if has_found then
             local talk = connection_of(pinfo)

@@ -4008,11 +4008,17 @@ local gives_bytes = false
 local brick
 
 -- The item of a frame, or of a text around frames.
-local function add_item(tree, range, said)
-    local item = tree:add(ev3, range, "EV3: " .. said)
-    if brick then item:add(field.brick, brick):set_generated() end
-    if gives_bytes then item:add(field.bytes, range) end
-    return item
+local add_item
+do
+    -- Of an item Wireshark looks up its methods each time; where items are many they are at hand instead.
+    local add, set_generated, brick_field = TreeItem.add, TreeItem.set_generated, field.brick
+
+    function add_item(tree, range, said)
+        local item = add(tree, ev3, range, "EV3: " .. said)
+        if brick then set_generated(add(item, brick_field, brick)) end
+        if gives_bytes then add(item, field.bytes, range) end
+        return item
+    end
 end
 
 local beacon_field = {}
@@ -4128,6 +4134,9 @@ do
         else
             parameter.kind = PARAMETER_KINDS[row[3]] or NUMBER
         end
+        -- Whether its field says all that there is to say of a number.
+        parameter.is_plain = parameter.kind ~= TEXT_VALUE and not (row.special or parameter.is_flags)
+            and not (row.unit and parameter.kind == FLOAT)
         parameter.field = parameter_field(abbreviation, parameter, parameter.kind)
         return parameter
     end
@@ -4790,7 +4799,8 @@ do
         local count = pieces.count
         if count <= 2 * MOST_VALUES then
             pieces[count + 1] = parameter.key
-            pieces[count + 2] = argument_text(parameter, encoding, value)
+            -- Most are short numbers and variables, whose text is made already.
+            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
             pieces.count = count + 2
         elseif count == 2 * MOST_VALUES + 1 then
             pieces[count + 1] = " ..."
@@ -5612,6 +5622,7 @@ end
 local value_of_row, say_operations, read_rows, add_rows
 do
     local note_output, note_operation = layout_notes.note_output, layout_notes.note_operation
+    local add = TreeItem.add
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
     -- instead of it, or after it. A value that has not the type of its parameter is text.
@@ -5671,9 +5682,14 @@ do
     end
 
     -- A row is an item of the tree: field, offset, size, value, label, addition, how it is encoded (true for the
-    -- heading of an operation, of which the rows after it are the children), complaints. All rows are one list, so that
-    -- they cost no table each.
-    local ROW = 8
+    -- heading of an operation, of which the rows after it are the children). All rows are one list, so that they cost
+    -- no table each. What is wrong with one is in `wrong` by its index, where anything is.
+    local ROW = 7
+
+    -- The phrase on the operation that is being read.
+    local phrase = { count = 1 }
+    local NO_LENGTHS = {}
+    local VARIABLE = field.variable
 
     local function add_argument(rows, parameter, encoding, value, at, stop)
         local count = rows.count
@@ -5682,33 +5698,42 @@ do
         if encoding.scope then
             note_output(rows.offset, parameter, encoding, value)
             local text = encoding.text or variable_text(encoding, value)
-            rows[count + 1], rows[count + 4] = field.variable, text
+            rows[count + 1], rows[count + 4] = VARIABLE, text
             rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
-            rows[count + 8] = variable_complaints(nil, rows, parameter, encoding, value) or false
+            local complaints = variable_complaints(nil, rows, parameter, encoding, value)
+            if complaints then
+                rows.wrong = rows.wrong or {}
+                rows.wrong[count + 1] = complaints
+            end
         else
-            rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
-                value_of_row(parameter, parameter.name, value)
-            rows[count + 8] = false
-            if tells_length(parameter, encoding) then rows.lengths[parameter.name] = value end
+            if parameter.is_plain and encoding.kind == CONSTANT then
+                rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
+                    parameter.field, value, false, false
+            else
+                rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
+                    value_of_row(parameter, parameter.name, value)
+            end
+            if parameter.tells_length and tells_length(parameter, encoding) then
+                if rows.lengths == NO_LENGTHS then rows.lengths = {} end
+                rows.lengths[parameter.name] = value
+            end
         end
-        add_phrase(rows.pieces, parameter, encoding, value)
+        add_phrase(phrase, parameter, encoding, value)
     end
 
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
     -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is
     -- noted.
     function read_rows(rows, text, at, stop, globals, locals)
-        local pieces = rows.pieces or { count = 1 }
-        rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces
-        rows.lengths = rows.lengths or {}
-        rows.line, rows.operations, rows.fault = nil, 0, nil
+        rows.count, rows.globals, rows.locals, rows.wrong = 0, globals, locals, nil
+        rows.lengths, rows.line, rows.operations, rows.fault = NO_LENGTHS, nil, 0, nil
         layout_notes.start()
         while at < stop do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
             local code, heading = byte(text, at + 1), rows.count
             rows.count = heading + ROW
             rows[heading + 1], rows[heading + 2], rows[heading + 3], rows[heading + 4] = field.opcode, at, 1, code
-            rows[heading + 5], rows[heading + 6], rows[heading + 7], rows[heading + 8] = false, false, true, false
+            rows[heading + 5], rows[heading + 6], rows[heading + 7] = false, false, true
             local operation, offset, reason, kind = select_operation(text, at, stop)
             if not operation then
                 rows.fault = { at = offset, reason = reason, kind = kind }
@@ -5720,22 +5745,21 @@ do
                 rows[cmd + 1], rows[cmd + 2], rows[cmd + 3] = field.cmd, at + 1, offset - at - 1
                 rows[cmd + 4], rows[cmd + 5], rows[cmd + 6] = operation.name, false, false
                 rows[cmd + 7] = offset > at + 2 and ENCODINGS[byte(text, at + 2)].label
-                rows[cmd + 8] = false
             end
-            pieces.count, pieces[1] = 1, operation.addition
+            phrase.count, phrase[1] = 1, operation.addition
             rows.offset = at
             local _, after
             _, after, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
             -- Wireshark puts a space between the field's own text and what is added to it.
-            local addition = sub(concat(pieces, "", 1, pieces.count), 2)
+            local addition = sub(concat(phrase, "", 1, phrase.count), 2)
             rows[heading + 3], rows[heading + 6] = after - at, addition ~= "" and addition
             if not rows.line then
-                pieces[1] = operation.title
-                rows.line = concat(pieces, "", 1, pieces.count)
+                phrase[1] = operation.title
+                rows.line = concat(phrase, "", 1, phrase.count)
             end
-            local has_lengths = next(rows.lengths) ~= nil
-            note_operation(at, operation, has_lengths and rows.lengths)
-            if has_lengths then rows.lengths = {} end
+            local lengths = rows.lengths
+            note_operation(at, operation, lengths ~= NO_LENGTHS and lengths)
+            rows.lengths = NO_LENGTHS
             rows.operations = rows.operations + 1
             at = after
             if reason then
@@ -5748,7 +5772,7 @@ do
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
     function add_rows(item, tvb, base, rows)
-        local add, encoding_field, heading = item.add, field.encoding, item
+        local encoding_field, wrong, heading = field.encoding, rows.wrong, item
         for at = 1, rows.count, ROW do
             local start, size, encoding = base + rows[at + 1], rows[at + 2], rows[at + 6]
             local range = tvb(start, size)
@@ -5756,7 +5780,7 @@ do
                 heading = add(item, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
             else
                 local added = add(heading, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
-                local complaints = rows[at + 7]
+                local complaints = wrong and wrong[at]
                 if complaints then
                     for index = 1, #complaints, 2 do
                         complain(added, complaints[index], complaints[index + 1])
@@ -5823,6 +5847,8 @@ end
 
 local read_message, show_message
 do
+    local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
+
     local report_field = {}
     for _, part in ipairs(DAISY.sensor_report) do
         local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
@@ -5849,7 +5875,7 @@ do
     -- are for one line; just the text where there is nothing to complain about. `rows` are for the tree; true where a
     -- command was there once.
     local lines = new_memory(2048)
-    local rows_of = new_memory(8192, function(rows) return rows == true and 1 or rows.count / 8 end)
+    local rows_of = new_memory(8192, function(rows) return rows == true and 1 or rows.count / 7 end)
 
     local function line_of(message, line, count, fault)
         return line and operations_line(line, count) or fault and message.type.name or "no operations"
@@ -5904,9 +5930,9 @@ do
         local stop = message.stop
         if stop < COMMAND_HEADER_SIZE then return add_rest(item, tvb, base, HEADER_SIZE, stop) end
         local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
-        local memory = item:add_le(field.memory_sizes, range)
-        memory:add_le(field.globals, range)
-        memory:add_le(field.locals, range)
+        local memory = add_le(item, field.memory_sizes, range)
+        add_le(memory, field.globals, range)
+        add_le(memory, field.locals, range)
         local rows = message.rows
         add_rows(item, tvb, base, rows)
         if rows.fault then add_rest(item, tvb, base, rows.after, stop) end
@@ -5933,29 +5959,30 @@ do
         return head .. " " .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
     end
 
-    local function add_output(item, tvb, base, output)
+    -- `range` is that of its bytes.
+    local function add_output(item, tvb, base, output, range)
         local parameter = output.parameter
         local name = parameter.name
-        local at = base + HEADER_SIZE + output.index
-        local range = tvb(at, output.size)
         if not output.list then
             local declared, value, label, addition = value_of_row(parameter, name, output.value)
             if output.is_handle then label = name .. ": handle " .. output.value end
-            item:add(declared, range, value, label, addition)
+            add(item, declared, range, value, label, addition)
             return
         end
-        local list = item:add(field.list, range):set_text(name .. ": " .. output_text(output))
-        local step = output.size / #output.list
+        local list = add(item, field.list, range):set_text(name .. ": " .. output_text(output))
+        local at, step = base + HEADER_SIZE + output.index, output.size / #output.list
         for index, element in ipairs(output.list) do
             local declared, value, label, addition =
                 value_of_row(parameter, format("%s[%d]", name, index - 1), element)
-            list:add(declared, tvb(at + (index - 1) * step, step), value, label, addition)
+            add(list, declared, tvb(at + (index - 1) * step, step), value, label, addition)
         end
     end
 
     local function add_direct_reply(message, item, tvb, base)
         local stop, outputs, count = message.stop, message.outputs, message.count
-        if stop > HEADER_SIZE then item:add(field.memory, tvb(base + HEADER_SIZE, stop - HEADER_SIZE)) end
+        if stop == HEADER_SIZE then return end
+        local memory = tvb(base + HEADER_SIZE, stop - HEADER_SIZE)
+        add(item, field.memory, memory)
         local first = 1
         while first <= count do
             -- The values of one operation stand one after the other.
@@ -5969,10 +5996,15 @@ do
                 local at = HEADER_SIZE + output.index
                 start, after = math.min(start, at), math.max(after, at + output.size)
             end
-            local name = outputs[first].parameter.operation.name
-            local added = item:add(field.answers, tvb(base + start, after - start), name)
+            local name, size = outputs[first].parameter.operation.name, after - start
+            -- A range costs as much as half an item. Often an operation has one value, and a reply one operation.
+            local range = size == stop - HEADER_SIZE and memory or tvb(base + start, size)
+            local added = add(item, field.answers, range, name)
             for index = first, last do
-                add_output(added, tvb, base, outputs[index])
+                local output = outputs[index]
+                local own = output.size == size and range
+                    or tvb(base + HEADER_SIZE + output.index, output.size)
+                add_output(added, tvb, base, output, own)
             end
             first = last + 1
         end
@@ -6160,7 +6192,7 @@ do
             if reply == nil then
                 complain(target, "unanswered", "no reply to this command was seen")
             elseif reply and item then
-                item:add(field.response_in, reply):set_generated()
+                set_generated(add(item, field.response_in, reply))
             end
         elseif not type.is_command then
             local request = request_of(place)
@@ -6168,16 +6200,16 @@ do
                 complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
                 local delay, seconds = request.delay, floor(request.delay)
-                item:add(field.request_in, number_of(request.place)):set_generated()
+                set_generated(add(item, field.request_in, number_of(request.place)))
                 local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
-                item:add(field.response_time, time):set_generated()
+                set_generated(add(item, field.response_time, time))
             end
         end
         local transfer = item and transfer_at(place)
         if transfer then
-            item:add(field.transfer_path, utf8_text(transfer.path)):set_generated()
-            item:add(field.transfer_done, transfer.done):set_generated()
-            if transfer.size then item:add(field.transfer_size, transfer.size):set_generated() end
+            set_generated(add(item, field.transfer_path, utf8_text(transfer.path)))
+            set_generated(add(item, field.transfer_done, transfer.done))
+            if transfer.size then set_generated(add(item, field.transfer_size, transfer.size)) end
         end
     end
 
@@ -6246,9 +6278,9 @@ do
         local item
         if is_shown then
             item = add_item(tree, tvb(base, message.stop), line)
-            item:add_le(field.length, tvb(base, LENGTH_FIELD))
-            item:add_le(field.counter, tvb(base + LENGTH_FIELD, 2))
-            item:add(field.type, tvb(base + HEADER_SIZE - 1, 1))
+            add_le(item, field.length, tvb(base, LENGTH_FIELD))
+            add_le(item, field.counter, tvb(base + LENGTH_FIELD, 2))
+            add(item, field.type, tvb(base + HEADER_SIZE - 1, 1))
             kind.add(message, item, tvb, base)
         end
         local target = item or tree

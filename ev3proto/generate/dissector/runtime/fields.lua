@@ -73,11 +73,17 @@ local gives_bytes = false
 local brick
 
 -- The item of a frame, or of a text around frames.
-local function add_item(tree, range, said)
-    local item = tree:add(ev3, range, "EV3: " .. said)
-    if brick then item:add(field.brick, brick):set_generated() end
-    if gives_bytes then item:add(field.bytes, range) end
-    return item
+local add_item
+do
+    -- Of an item Wireshark looks up its methods each time; where items are many they are at hand instead.
+    local add, set_generated, brick_field = TreeItem.add, TreeItem.set_generated, field.brick
+
+    function add_item(tree, range, said)
+        local item = add(tree, ev3, range, "EV3: " .. said)
+        if brick then set_generated(add(item, brick_field, brick)) end
+        if gives_bytes then add(item, field.bytes, range) end
+        return item
+    end
 end
 
 local beacon_field = {}

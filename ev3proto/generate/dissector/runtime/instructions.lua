@@ -71,6 +71,9 @@ do
         else
             parameter.kind = PARAMETER_KINDS[row[3]] or NUMBER
         end
+        -- Whether its field says all that there is to say of a number.
+        parameter.is_plain = parameter.kind ~= TEXT_VALUE and not (row.special or parameter.is_flags)
+            and not (row.unit and parameter.kind == FLOAT)
         parameter.field = parameter_field(abbreviation, parameter, parameter.kind)
         return parameter
     end

@@ -6,6 +6,8 @@
 
 local read_message, show_message
 do
+    local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
+
     local report_field = {}
     for _, part in ipairs(DAISY.sensor_report) do
         local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
@@ -32,7 +34,7 @@ do
     -- are for one line; just the text where there is nothing to complain about. `rows` are for the tree; true where a
     -- command was there once.
     local lines = new_memory(2048)
-    local rows_of = new_memory(8192, function(rows) return rows == true and 1 or rows.count / 8 end)
+    local rows_of = new_memory(8192, function(rows) return rows == true and 1 or rows.count / 7 end)
 
     local function line_of(message, line, count, fault)
         return line and operations_line(line, count) or fault and message.type.name or "no operations"
@@ -87,9 +89,9 @@ do
         local stop = message.stop
         if stop < COMMAND_HEADER_SIZE then return add_rest(item, tvb, base, HEADER_SIZE, stop) end
         local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
-        local memory = item:add_le(field.memory_sizes, range)
-        memory:add_le(field.globals, range)
-        memory:add_le(field.locals, range)
+        local memory = add_le(item, field.memory_sizes, range)
+        add_le(memory, field.globals, range)
+        add_le(memory, field.locals, range)
         local rows = message.rows
         add_rows(item, tvb, base, rows)
         if rows.fault then add_rest(item, tvb, base, rows.after, stop) end
@@ -116,29 +118,30 @@ do
         return head .. " " .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
     end
 
-    local function add_output(item, tvb, base, output)
+    -- `range` is that of its bytes.
+    local function add_output(item, tvb, base, output, range)
         local parameter = output.parameter
         local name = parameter.name
-        local at = base + HEADER_SIZE + output.index
-        local range = tvb(at, output.size)
         if not output.list then
             local declared, value, label, addition = value_of_row(parameter, name, output.value)
             if output.is_handle then label = name .. ": handle " .. output.value end
-            item:add(declared, range, value, label, addition)
+            add(item, declared, range, value, label, addition)
             return
         end
-        local list = item:add(field.list, range):set_text(name .. ": " .. output_text(output))
-        local step = output.size / #output.list
+        local list = add(item, field.list, range):set_text(name .. ": " .. output_text(output))
+        local at, step = base + HEADER_SIZE + output.index, output.size / #output.list
         for index, element in ipairs(output.list) do
             local declared, value, label, addition =
                 value_of_row(parameter, format("%s[%d]", name, index - 1), element)
-            list:add(declared, tvb(at + (index - 1) * step, step), value, label, addition)
+            add(list, declared, tvb(at + (index - 1) * step, step), value, label, addition)
         end
     end
 
     local function add_direct_reply(message, item, tvb, base)
         local stop, outputs, count = message.stop, message.outputs, message.count
-        if stop > HEADER_SIZE then item:add(field.memory, tvb(base + HEADER_SIZE, stop - HEADER_SIZE)) end
+        if stop == HEADER_SIZE then return end
+        local memory = tvb(base + HEADER_SIZE, stop - HEADER_SIZE)
+        add(item, field.memory, memory)
         local first = 1
         while first <= count do
             -- The values of one operation stand one after the other.
@@ -152,10 +155,15 @@ do
                 local at = HEADER_SIZE + output.index
                 start, after = math.min(start, at), math.max(after, at + output.size)
             end
-            local name = outputs[first].parameter.operation.name
-            local added = item:add(field.answers, tvb(base + start, after - start), name)
+            local name, size = outputs[first].parameter.operation.name, after - start
+            -- A range costs as much as half an item. Often an operation has one value, and a reply one operation.
+            local range = size == stop - HEADER_SIZE and memory or tvb(base + start, size)
+            local added = add(item, field.answers, range, name)
             for index = first, last do
-                add_output(added, tvb, base, outputs[index])
+                local output = outputs[index]
+                local own = output.size == size and range
+                    or tvb(base + HEADER_SIZE + output.index, output.size)
+                add_output(added, tvb, base, output, own)
             end
             first = last + 1
         end
@@ -343,7 +351,7 @@ do
             if reply == nil then
                 complain(target, "unanswered", "no reply to this command was seen")
             elseif reply and item then
-                item:add(field.response_in, reply):set_generated()
+                set_generated(add(item, field.response_in, reply))
             end
         elseif not type.is_command then
             local request = request_of(place)
@@ -351,16 +359,16 @@ do
                 complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
                 local delay, seconds = request.delay, floor(request.delay)
-                item:add(field.request_in, number_of(request.place)):set_generated()
+                set_generated(add(item, field.request_in, number_of(request.place)))
                 local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
-                item:add(field.response_time, time):set_generated()
+                set_generated(add(item, field.response_time, time))
             end
         end
         local transfer = item and transfer_at(place)
         if transfer then
-            item:add(field.transfer_path, utf8_text(transfer.path)):set_generated()
-            item:add(field.transfer_done, transfer.done):set_generated()
-            if transfer.size then item:add(field.transfer_size, transfer.size):set_generated() end
+            set_generated(add(item, field.transfer_path, utf8_text(transfer.path)))
+            set_generated(add(item, field.transfer_done, transfer.done))
+            if transfer.size then set_generated(add(item, field.transfer_size, transfer.size)) end
         end
     end
 
@@ -429,9 +437,9 @@ do
         local item
         if is_shown then
             item = add_item(tree, tvb(base, message.stop), line)
-            item:add_le(field.length, tvb(base, LENGTH_FIELD))
-            item:add_le(field.counter, tvb(base + LENGTH_FIELD, 2))
-            item:add(field.type, tvb(base + HEADER_SIZE - 1, 1))
+            add_le(item, field.length, tvb(base, LENGTH_FIELD))
+            add_le(item, field.counter, tvb(base + LENGTH_FIELD, 2))
+            add(item, field.type, tvb(base + HEADER_SIZE - 1, 1))
             kind.add(message, item, tvb, base)
         end
         local target = item or tree

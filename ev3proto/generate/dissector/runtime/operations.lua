@@ -6,6 +6,7 @@
 local value_of_row, say_operations, read_rows, add_rows
 do
     local note_output, note_operation = layout_notes.note_output, layout_notes.note_operation
+    local add = TreeItem.add
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
     -- instead of it, or after it. A value that has not the type of its parameter is text.
@@ -65,9 +66,14 @@ do
     end
 
     -- A row is an item of the tree: field, offset, size, value, label, addition, how it is encoded (true for the
-    -- heading of an operation, of which the rows after it are the children), complaints. All rows are one list, so that
-    -- they cost no table each.
-    local ROW = 8
+    -- heading of an operation, of which the rows after it are the children). All rows are one list, so that they cost
+    -- no table each. What is wrong with one is in `wrong` by its index, where anything is.
+    local ROW = 7
+
+    -- The phrase on the operation that is being read.
+    local phrase = { count = 1 }
+    local NO_LENGTHS = {}
+    local VARIABLE = field.variable
 
     local function add_argument(rows, parameter, encoding, value, at, stop)
         local count = rows.count
@@ -76,33 +82,42 @@ do
         if encoding.scope then
             note_output(rows.offset, parameter, encoding, value)
             local text = encoding.text or variable_text(encoding, value)
-            rows[count + 1], rows[count + 4] = field.variable, text
+            rows[count + 1], rows[count + 4] = VARIABLE, text
             rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
-            rows[count + 8] = variable_complaints(nil, rows, parameter, encoding, value) or false
+            local complaints = variable_complaints(nil, rows, parameter, encoding, value)
+            if complaints then
+                rows.wrong = rows.wrong or {}
+                rows.wrong[count + 1] = complaints
+            end
         else
-            rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
-                value_of_row(parameter, parameter.name, value)
-            rows[count + 8] = false
-            if tells_length(parameter, encoding) then rows.lengths[parameter.name] = value end
+            if parameter.is_plain and encoding.kind == CONSTANT then
+                rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
+                    parameter.field, value, false, false
+            else
+                rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
+                    value_of_row(parameter, parameter.name, value)
+            end
+            if parameter.tells_length and tells_length(parameter, encoding) then
+                if rows.lengths == NO_LENGTHS then rows.lengths = {} end
+                rows.lengths[parameter.name] = value
+            end
         end
-        add_phrase(rows.pieces, parameter, encoding, value)
+        add_phrase(phrase, parameter, encoding, value)
     end
 
     -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
     -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is
     -- noted.
     function read_rows(rows, text, at, stop, globals, locals)
-        local pieces = rows.pieces or { count = 1 }
-        rows.count, rows.globals, rows.locals, rows.pieces = 0, globals, locals, pieces
-        rows.lengths = rows.lengths or {}
-        rows.line, rows.operations, rows.fault = nil, 0, nil
+        rows.count, rows.globals, rows.locals, rows.wrong = 0, globals, locals, nil
+        rows.lengths, rows.line, rows.operations, rows.fault = NO_LENGTHS, nil, 0, nil
         layout_notes.start()
         while at < stop do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
             local code, heading = byte(text, at + 1), rows.count
             rows.count = heading + ROW
             rows[heading + 1], rows[heading + 2], rows[heading + 3], rows[heading + 4] = field.opcode, at, 1, code
-            rows[heading + 5], rows[heading + 6], rows[heading + 7], rows[heading + 8] = false, false, true, false
+            rows[heading + 5], rows[heading + 6], rows[heading + 7] = false, false, true
             local operation, offset, reason, kind = select_operation(text, at, stop)
             if not operation then
                 rows.fault = { at = offset, reason = reason, kind = kind }
@@ -114,22 +129,21 @@ do
                 rows[cmd + 1], rows[cmd + 2], rows[cmd + 3] = field.cmd, at + 1, offset - at - 1
                 rows[cmd + 4], rows[cmd + 5], rows[cmd + 6] = operation.name, false, false
                 rows[cmd + 7] = offset > at + 2 and ENCODINGS[byte(text, at + 2)].label
-                rows[cmd + 8] = false
             end
-            pieces.count, pieces[1] = 1, operation.addition
+            phrase.count, phrase[1] = 1, operation.addition
             rows.offset = at
             local _, after
             _, after, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
             -- Wireshark puts a space between the field's own text and what is added to it.
-            local addition = sub(concat(pieces, "", 1, pieces.count), 2)
+            local addition = sub(concat(phrase, "", 1, phrase.count), 2)
             rows[heading + 3], rows[heading + 6] = after - at, addition ~= "" and addition
             if not rows.line then
-                pieces[1] = operation.title
-                rows.line = concat(pieces, "", 1, pieces.count)
+                phrase[1] = operation.title
+                rows.line = concat(phrase, "", 1, phrase.count)
             end
-            local has_lengths = next(rows.lengths) ~= nil
-            note_operation(at, operation, has_lengths and rows.lengths)
-            if has_lengths then rows.lengths = {} end
+            local lengths = rows.lengths
+            note_operation(at, operation, lengths ~= NO_LENGTHS and lengths)
+            rows.lengths = NO_LENGTHS
             rows.operations = rows.operations + 1
             at = after
             if reason then
@@ -142,7 +156,7 @@ do
 
     -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
     function add_rows(item, tvb, base, rows)
-        local add, encoding_field, heading = item.add, field.encoding, item
+        local encoding_field, wrong, heading = field.encoding, rows.wrong, item
         for at = 1, rows.count, ROW do
             local start, size, encoding = base + rows[at + 1], rows[at + 2], rows[at + 6]
             local range = tvb(start, size)
@@ -150,7 +164,7 @@ do
                 heading = add(item, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
             else
                 local added = add(heading, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
-                local complaints = rows[at + 7]
+                local complaints = wrong and wrong[at]
                 if complaints then
                     for index = 1, #complaints, 2 do
                         complain(added, complaints[index], complaints[index + 1])

@@ -68,7 +68,8 @@ do
         local count = pieces.count
         if count <= 2 * MOST_VALUES then
             pieces[count + 1] = parameter.key
-            pieces[count + 2] = argument_text(parameter, encoding, value)
+            -- Most are short numbers and variables, whose text is made already.
+            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
             pieces.count = count + 2
         elseif count == 2 * MOST_VALUES + 1 then
             pieces[count + 1] = " ..."

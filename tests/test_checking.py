@@ -587,3 +587,13 @@ def test_longer_forms() -> None:
     assert only(frame).help == "write it as 60"
     assert only(raw("82 811B 01")).parameter == "CMD"
     assert codes(command(operation("MOVEF_F", 0.5, LV(0)), local_size=4)) == []
+
+
+def test_what_is_kept_of_an_argument_is_said_where_it_stands() -> None:
+    tones = "94 01 01 14 0A" * 2  # SOUND.TONE(1, 20, 10), twice
+    for code, offsets in ((tones, [10, 15]), (f"01 {tones}", [11, 16]), (tones, [10, 15])):
+        found = [finding for finding in check(raw(code)).findings if finding.code == "W303"]
+        assert [finding.offset for finding in found] == offsets
+        assert {(finding.operation, finding.parameter, finding.length) for finding in found} == {
+            ("SOUND.TONE", "FREQUENCY", 1)
+        }

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from operator import attrgetter
 
 from ev3proto.checking.context import CheckContext, checked_operations
 from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.checking.rules.arguments import check_arguments
 from ev3proto.checking.rules.effects import check_effects
-from ev3proto.checking.rules.encodings import check_encodings
 from ev3proto.checking.rules.flow import check_flow
 from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_envelope
 from ev3proto.checking.rules.lists import check_lists
 from ev3proto.checking.rules.memory import check_memory
 from ev3proto.checking.rules.refusals import check_refusals
 from ev3proto.checking.rules.system import check_daisy, check_system
-from ev3proto.checking.rules.values import check_values
 from ev3proto.checking.verdict import verdict
 from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
@@ -50,7 +48,7 @@ def check(
     elif type(frame) is not bytes:
         frame = as_bytes(frame, "a frame")
     context = _context(frame, dialect, carrier)
-    findings = _in_order(list(_findings(context)))
+    findings = _in_order(_findings(context))
     accepted, rejected_at = _answer(context, findings)
     return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier)
 
@@ -61,6 +59,8 @@ _ERROR, _WARNING, _HINT = Severity
 
 def _in_order(findings: list[Finding]) -> list[Finding]:
     """The findings by offset, on the same bytes the worst first, without hints on what must be changed in any case."""
+    if len(set(map(_OFFSET, findings))) == len(findings):
+        return sorted(findings, key=_OFFSET)
     errors = [finding for finding in findings if finding.severity is _ERROR]
     warnings = [finding for finding in findings if finding.severity is _WARNING]
     hints = [finding for finding in findings if finding.severity is _HINT]
@@ -89,24 +89,24 @@ def _context(frame: bytes, dialect: str, carrier: str | None) -> CheckContext:
     return CheckContext(frame, end, message, verdict(frame, dialect), operations, effects, has_jumps, dialect, carrier)
 
 
-def _findings(context: CheckContext) -> Iterator[Finding]:
-    yield from check_envelope(context)
+def _findings(context: CheckContext) -> list[Finding]:
+    found = list(check_envelope(context))
     message = context.message
     if isinstance(message, DirectCommand):
-        yield from check_command_header(context, message)
-        yield from check_refusals(context)
+        found += check_command_header(context, message)
+        found += check_refusals(context)
         if context.end > MAX_FRAME:
-            return  # nothing in it matters
-        yield from check_values(context.operations)
-        yield from check_encodings(context)
-        yield from check_lists(context.operations)
-        yield from check_memory(context, message)
-        yield from check_flow(context)
-        yield from check_effects(context)
+            return found  # nothing in it matters
+        local, shared = check_arguments(context, found)
+        found += check_lists(context.operations)
+        found += check_memory(context, message, local, shared)
+        found += check_flow(context)
+        found += check_effects(context)
     elif isinstance(message, SystemCommand):
-        yield from check_system(context, message)
+        found += check_system(context, message)
     elif isinstance(message, DaisyCommand):
-        yield from check_daisy(context, message)
+        found += check_daisy(context, message)
+    return found
 
 
 def _answer(context: CheckContext, findings: list[Finding]) -> tuple[bool, int | None]:

@@ -2,39 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from ev3proto.checking import codes
-from ev3proto.checking.context import CheckContext, CheckedOperation
+from ev3proto.checking.context import CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import plural
 from ev3proto.messages import Argument, Variable
-from ev3proto.schema.argument import SHORT, encode_integer, encode_variable
+from ev3proto.schema.argument import encode_integer, encode_variable
 from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables.declaration import Role
 from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, GLOBAL, INDEX_RANGES, LOCAL, Encoding
 
 
-def check_encodings(context: CheckContext) -> Iterator[Finding]:
-    """The arguments of all operations, CMD included."""
-    frame, has_jumps = context.frame, context.has_jumps
-    for operation in context.operations:
-        if operation.facts.has_cmd and frame[operation.start + 1] >= _SHORT_FORMS:
-            cmd = operation.parsed.cmd
-            assert cmd is not None
-            if is_longer(cmd):
-                yield _finding(operation, cmd, has_jumps)
-        for argument in operation.arguments:
-            # What `is_longer` asks, without a call: arguments are many, and hardly any is too long.
-            shorter = _SHORTER.get(id(argument.form))
-            if shorter is not None:
-                value = argument.value
-                if type(value) is int and value in shorter:
-                    yield _finding(operation, argument, has_jumps)
+def longer_form(operation: CheckedOperation, has_jumps: bool) -> list[Finding]:
+    """What is wrong with CMD of an operation that has one."""
+    cmd = operation.parsed.cmd
+    assert cmd is not None
+    return [longer_finding(operation, cmd, has_jumps)] if is_longer(cmd) else []
 
-
-_SHORT_FORMS = len(SHORT)
-"""Identification bytes below this one are whole arguments."""
 
 _RANGES = {CONSTANT: CONSTANT_RANGES, LOCAL: INDEX_RANGES, GLOBAL: INDEX_RANGES}
 
@@ -48,13 +32,13 @@ def _shorter(form: Encoding) -> range | None:
     return narrower[-1] if narrower else None
 
 
-_SHORTER = {id(form): _shorter(form) for form in ENCODINGS if form is not None}
-"""The same by the id of the encoding: there is one object for each, and to hash one takes long."""
+SHORTER = {id(form): _shorter(form) for form in ENCODINGS if form is not None}
+"""The values that a shorter form can hold, by the id of the encoding: there is one object for each."""
 
 
 def is_longer(argument: Argument) -> bool:
     """Whether its value fits a shorter form."""
-    shorter = _SHORTER.get(id(argument.form))
+    shorter = SHORTER.get(id(argument.form))
     return shorter is not None and type(argument.value) is int and argument.value in shorter
 
 
@@ -65,7 +49,11 @@ def shortest(argument: Argument) -> bytes:
     return encode_integer(value) if kind == CONSTANT else encode_variable(Variable(kind, value))
 
 
-def _finding(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Finding:
+def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Finding:
+    """What is said of an argument that `is_longer`.
+
+    has_jumps  the command has jumps, which may be over it
+    """
     kind, value = argument.form.kind, argument.value
     shorter = shortest(argument)
     if argument.parameter.role is Role.JUMP and kind == CONSTANT and isinstance(value, int) and value < 0:

@@ -7,12 +7,12 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from ev3proto.checking import codes
-from ev3proto.checking.context import CheckContext
+from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding, Severity, new_finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
-from ev3proto.messages import DirectCommand, Variable
+from ev3proto.messages import Argument, DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
-from ev3proto.semantics.footprint import Footprint, Taken, footprints
+from ev3proto.semantics.footprint import Footprint, Place, Taken, footprint
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 
@@ -23,25 +23,33 @@ _LARGEST = 4
 """Bytes of the largest value, to whose multiples people round sizes up."""
 
 
-def check_memory(context: CheckContext, command: DirectCommand) -> Iterator[Finding]:
-    """All variables of a command."""
-    local: list[Footprint] = []
-    shared: list[Footprint] = []
-    for operation in context.operations:
-        for found in footprints(operation.parsed, operation.arguments):
-            (shared if found.argument.form.kind == GLOBAL else local).append(found)
-    yield from _places(local, command.local_size)
-    yield from _places(shared, command.global_size)
+Use = tuple[Place, CheckedOperation, int]
+"""A variable: where it lies, its operation, the number of the argument."""
+
+
+def check_memory(
+    context: CheckContext, command: DirectCommand, local: list[Use], shared: list[Use]
+) -> Iterator[Finding]:
+    """All variables of a command: those in local memory, and those in global memory."""
+    if local:
+        yield from _places(local, command.local_size)
+    if shared:
+        yield from _places(shared, command.global_size)
     if not context.is_whole:
         # Of what is not read nobody knows which memory it uses.
         return
     if not context.has_jumps:
         # With jumps nobody knows what comes first.
-        if len(local) > 1:
-            yield from _overlaps(local, is_kept=False)
-        if len(shared) > 1:
-            yield from _overlaps(shared, is_kept=command.wants_reply)
+        if len(local) > 1 and _have_results_in_common(local):
+            yield from _overlaps(list(map(_footprint, local)), is_kept=False)
+        if len(shared) > 1 and _have_results_in_common(shared):
+            yield from _overlaps(list(map(_footprint, shared)), is_kept=command.wants_reply)
     yield from _asked_for(command, local, shared)
+
+
+def _footprint(use: Use) -> Footprint:
+    _, operation, number = use
+    return footprint(operation.parsed, number, operation.arguments)[0]
 
 
 class _Remark(NamedTuple):
@@ -69,28 +77,21 @@ def _remark(found: Footprint, code: codes.Code, message: str, help_: str) -> _Re
     )
 
 
-def _places(used: list[Footprint], asked: int) -> Iterator[Finding]:
+def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     """Variables that are misaligned, or beyond the bytes of memory that are asked for."""
-    # One variable may be wrong in a thousand places: what is said of it is made once.
-    said: dict[tuple[object, ...], tuple[_Remark, ...]] = {}
-    for found in used:
-        start, size = found.start, found.size
-        if not (start % found.validator_alignment or start % found.cpu_alignment or start + size > asked):
-            continue
-        argument = found.argument
-        key = _identity(found)
-        remarks = said.get(key)
-        if remarks is None:
-            remarks = said[key] = tuple(_wrong(found, asked))
-        for remark in remarks:
-            yield remark.at(argument.offset)
-
-
-def _wrong(found: Footprint, asked: int) -> Iterator[_Remark]:
-    if found.start % found.validator_alignment or found.start % found.cpu_alignment:
-        yield _misaligned(found, asked)
-    if found.end > asked:
-        yield _beyond(found, asked)
+    # One variable may be misaligned in a thousand places: what is said of it is made once.
+    said: dict[tuple[object, ...], _Remark] = {}
+    for use in used:
+        place, operation, number = use
+        if place.is_misaligned:
+            found = _footprint(use)
+            key = _identity(found)
+            remark = said.get(key)
+            if remark is None:
+                remark = said[key] = _misaligned(found, asked)
+            yield remark.at(found.argument.offset)
+        if place.end > asked:
+            yield _beyond(place, operation, operation.arguments[number], asked)
 
 
 def _misaligned(found: Footprint, asked: int) -> _Remark:
@@ -144,11 +145,11 @@ def _memory(is_global: bool) -> tuple[str, int]:
     return ("global", MOST_IN_REPLY) if is_global else ("local", MAX_LOCALS)
 
 
-def _beyond(found: Footprint, asked: int) -> _Remark:
+def _beyond(place: Place, operation: CheckedOperation, argument: Argument, asked: int) -> Finding:
     """A variable that lies beyond its memory, in whole or in part."""
-    is_global = found.is_global
-    texts = _beyond_texts(found.argument.name, is_global, found.start, found.end, asked)
-    return _remark(found, codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS, *texts)
+    is_global = argument.form.kind == GLOBAL
+    texts = _beyond_texts(argument.parameter.name, is_global, place.start, place.end, asked)
+    return operation.finding_at(codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS, argument, *texts)
 
 
 @lru_cache(_MOST_TEXTS)
@@ -168,8 +169,6 @@ def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
 
     is_kept  whether a reply brings what is in that memory in the end
     """
-    if not _have_results_in_common(used):
-        return
     # What stands in each byte, written and searched in slices: with arrays there may be a thousand bytes each time.
     results: list[Footprint | None] = [None] * MAX_FRAME
     said: dict[tuple[object, ...], _Remark | None] = {}
@@ -216,9 +215,9 @@ def _by_operation(used: list[Footprint]) -> Iterator[list[Footprint]]:
     yield together
 
 
-def _have_results_in_common(used: list[Footprint]) -> bool:
+def _have_results_in_common(used: list[Use]) -> bool:
     """Whether there are two results at least that have a byte in common. Most commands have none."""
-    taken = sorted([(found.start, found.start + found.size) for found in used if found.is_written])
+    taken = sorted([(place.start, place.end) for place, _, _ in used if place.is_written])
     last = 0
     for start, end in taken:
         if start < last:
@@ -256,14 +255,16 @@ def _is_within(inner: Footprint, outer: Footprint) -> bool:
     return inner.start >= outer.start and (outer.most is None or inner.end <= outer.start + outer.most)
 
 
-def _asked_for(command: DirectCommand, local: list[Footprint], shared: list[Footprint]) -> Iterator[Finding]:
+def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> Iterator[Finding]:
     """Memory in the header that nobody uses, and results that nobody gets."""
-    yield from _unused("local", command.local_size, local)
+    if command.local_size:
+        yield from _unused("local", command.local_size, local)
     if command.wants_reply:
         yield from _unused("global", command.global_size, shared)
         return
-    lost = _unread(shared)
-    if lost is not None:
+    unread = _unread(shared)
+    if unread is not None:
+        lost = _footprint(unread)
         yield codes.NO_REPLY.finding(
             TYPE_OFFSET,
             1,
@@ -281,24 +282,28 @@ def _asked_for(command: DirectCommand, local: list[Footprint], shared: list[Foot
         )
 
 
-def _unread(used: list[Footprint]) -> Footprint | None:
+def _unread(used: list[Use]) -> Use | None:
     """The first result that no operation reads."""
-    read = Taken(found for found in used if found.is_read)
-    for found in used:
-        if found.is_written and found.size and not read.has_some_of(found):
-            return found
+    read: Taken | None = None
+    for use in used:
+        place = use[0]
+        if not place.is_written or place.end == place.start:
+            continue
+        read = read or Taken([place for place, _, _ in used if place.is_read])
+        if not read.has_some_of(place):
+            return use
     return None
 
 
-def _unused(scope: str, asked: int, used: list[Footprint]) -> Iterator[Finding]:
+def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
     if not asked or asked > MOST_IN_REPLY:
         return
     needed = 0
-    for found in used:
-        if found.most is None:
+    for place, _, _ in used:
+        end = place.most_end
+        if end is None:
             # Nobody knows how many bytes it takes.
             return
-        end = found.start + found.most
         if end > needed:
             needed = end
     left = asked - needed

@@ -3,39 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckedOperation
-from ev3proto.checking.facts import ParameterFacts, parameter_facts
+from ev3proto.checking.facts import ParameterFacts
 from ev3proto.checking.report import Finding
 from ev3proto.messages import Argument
 from ev3proto.tables.declaration import Direction, Role, Type
-from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES, TEXT
+from ev3proto.tables.encoding import RANGES, TEXT
 from ev3proto.tables.validation import LABELS
 
-_VARIABLES = (LOCAL, GLOBAL)
 
-
-def check_values(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
-    """The constants of all operations."""
-    for operation in operations:
-        known_parameters = operation.facts.parameters
-        for number, argument in enumerate(operation.arguments):
-            if argument.form.kind in _VARIABLES:
-                continue
-            value = argument.value
-            known = known_parameters[number] if number < len(known_parameters) else parameter_facts(argument.parameter)
-            # A range looks at all of its numbers, one by one, for what is no whole number.
-            if type(value) is int and value in known.numbers:
-                continue
-            found = _value(operation, argument, known, is_first=not number and not operation.facts.has_cmd)
-            if found is not None:
-                yield found
-
-
-def _value(operation: CheckedOperation, argument: Argument, known: ParameterFacts, *, is_first: bool) -> Finding | None:
-    """What is wrong with a constant."""
+def value_finding(
+    operation: CheckedOperation, number: int, argument: Argument, known: ParameterFacts
+) -> Finding | None:
+    """What is wrong with a constant that is none of `known.numbers`."""
+    is_first = not number and not operation.facts.has_cmd
     parameter, form, value, _, _ = argument
     kind, type_ = form.kind, parameter.type
     if form.handle or form.address:

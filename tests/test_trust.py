@@ -308,6 +308,18 @@ def test_memory_has_a_limit(kind: str, tmp_path: Path) -> None:
     assert peaks[1] < 100 << 10
 
 
+def test_a_sarif_log_is_not_kept(tmp_path: Path) -> None:
+    peaks = []
+    for count in (200, 1200):
+        path = tmp_path / f"{count}.log"
+        path.write_text("\n".join(frame_of(b"\xff" * 1000, number).hex() for number in range(count)))
+        call = [sys.executable, "-c", PEAK, "check", "--format", "sarif", str(path)]
+        done = subprocess.run(call, capture_output=True, text=True, check=False)
+        assert len(json.loads(done.stdout)["runs"][0]["results"]) >= count
+        peaks.append(int(done.stderr.splitlines()[-1]))
+    assert peaks[1] - peaks[0] < 6 << 10, peaks
+
+
 def test_tshark_shares_the_limit(tshark: Tshark, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tempfile, "tempdir", str(tshark.folder))  # where this tshark finds the dissector
     path = tshark.folder / "pending.pcap"

@@ -29,6 +29,9 @@ SOURCE = "source"
 UNREAD = "unread"
 """What stands in place of a code where input could not be read."""
 
+MOST_COMPLAINTS = 1_000
+"""Places that could not be read and stand in a SARIF log one by one."""
+
 _TITLES = {REFUSED: "refused by the brick", SOURCE: "a program's source"}
 
 _GITHUB = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.HINT: "notice"}
@@ -115,11 +118,17 @@ def github(note: Note) -> str:
 
 
 class Sarif:
-    """Notes as one SARIF log."""
+    """Notes as one SARIF log, which is written while they come: a capture may have millions.
 
-    def __init__(self) -> None:
-        self._results: list[dict[str, Any]] = []
+    show  takes the log line by line
+    """
+
+    def __init__(self, show: Callable[[str], None]) -> None:
+        self._show = show
+        self._used: set[str] = set()
         self._complaints: list[str] = []
+        self._more_complaints = 0
+        self._last = f'{{"$schema": "{SARIF_SCHEMA}", "version": "{SARIF_VERSION}", "runs": [{{"results": ['
 
     def add(self, note: Note) -> None:
         """Adds a note."""
@@ -136,32 +145,40 @@ class Sarif:
             if region:
                 location["region"] = region
             result["locations"] = [{"physicalLocation": location}]
-        self._results.append(result)
+        # Between two of them stands a comma, so each line waits for what follows it.
+        self._show(self._last + "," * bool(self._used))
+        self._last = json.dumps(result, ensure_ascii=False)
+        self._used.add(note.code)
 
     def complain(self, sentence: str) -> None:
         """Adds a sentence about input that could not be read."""
-        self._complaints.append(sentence)
+        if len(self._complaints) < MOST_COMPLAINTS:
+            self._complaints.append(sentence)
+        else:
+            self._more_complaints += 1
 
-    def text(self) -> str:
-        """The log, as JSON on one line."""
-        used = sorted({result["ruleId"] for result in self._results})
-        driver = {"name": "ev3proto", "version": VERSION, "rules": [_rule(code) for code in used]}
-        complaints = [{"level": "error", "message": {"text": sentence}} for sentence in self._complaints]
-        run = {
+    def end(self) -> None:
+        """Writes what stands after the notes: which rules they are of, and what could not be read."""
+        driver = {"name": "ev3proto", "version": VERSION, "rules": [_rule(code) for code in sorted(self._used)]}
+        sentences = list(self._complaints)
+        if self._more_complaints:
+            sentences.append(f"and {self._more_complaints} more places that could not be read")
+        complaints = [{"level": "error", "message": {"text": sentence}} for sentence in sentences]
+        rest = {
             "tool": {"driver": driver},
             "invocations": [{"executionSuccessful": not complaints, "toolExecutionNotifications": complaints}],
-            "results": self._results,
         }
-        return json.dumps({"$schema": SARIF_SCHEMA, "version": SARIF_VERSION, "runs": [run]}, ensure_ascii=False)
+        self._show(self._last)
+        self._show(f"], {json.dumps(rest, ensure_ascii=False)[1:]}]}}")
 
 
 class Annotations:
-    """Shows what is found to a workflow: at once on GitHub, at the end as SARIF."""
+    """Shows what is found to a workflow: commands for GitHub, or a SARIF log."""
 
     def __init__(self, style: str, show: Callable[[str], None]) -> None:
         """`style` is github or sarif; `show` prints a line."""
         self._show = show
-        self._log = Sarif() if style == "sarif" else None
+        self._log = Sarif(show) if style == "sarif" else None
 
     def report(
         self, report: Report, findings: Iterable[Finding], facts: Mapping[str, Any], *, is_file: bool = False
@@ -183,7 +200,7 @@ class Annotations:
     def end(self) -> None:
         """Shows what is left to be shown."""
         if self._log is not None:
-            self._show(self._log.text())
+            self._log.end()
 
     def _notes(self, notes: Iterable[Note]) -> None:
         for note in notes:

@@ -23,14 +23,40 @@ class Budget:
 
     most     bytes in all
     dropped  how many things had to go, so far
+    given    how many numbers were given, so far: whoever calls `hold` takes the next one
     """
 
     def __init__(self, most: int = DEFAULT_MEMORY) -> None:
         self.most = most
         self.dropped = 0
+        self.given = 0
         self._used = 0
-        # By the identity of what waits: its size, what drops it, and the number that this knows it by.
-        self._held: OrderedDict[int, tuple[int, Callable[[int], object], int]] = OrderedDict()
+        # By a number that grows: the size of what waits, what drops it, the number that this knows it by, its identity.
+        # A plain dictionary, as nearly every command of a capture is in it for a while: `pytest benchmarks -k capture`.
+        self._held: dict[int, tuple[int, Callable[[int], object], int, int | None]] = {}
+        self._oldest = 0  # nothing with a lower number waits
+        self._numbers: dict[int, int] = {}  # by the identity of what waits
+
+    def hold(self, given: int, size: int, drop: Callable[[int], object], number: int) -> None:
+        """Something waits from now on, like `add`, but its owner keeps the number that is given to it.
+
+        Args:
+            given: The number: `given` and one, which `given` is from now on.
+            size: About how many bytes it takes.
+            drop: Is called with the other number when it has to go.
+            number: What `drop` knows it by.
+
+        """
+        self._held[given] = size, drop, number, None
+        self._used += size
+        if self._used > self.most:
+            self._make_room()
+
+    def release(self, given: int) -> None:
+        """Something that was held waits no longer. Nothing happens where it did not."""
+        held = self._held.pop(given, None)
+        if held is not None:
+            self._used -= held[0]
 
     def add(self, thing: object, size: int, drop: Callable[[int], object], number: int) -> None:
         """Something waits from now on.
@@ -42,13 +68,12 @@ class Budget:
             number: What `drop` knows it by.
 
         """
-        self._held[id(thing)] = size, drop, number
+        self.given += 1
+        self._numbers[id(thing)] = self.given
+        self._held[self.given] = size, drop, number, id(thing)
         self._used += size
-        while self._used > self.most and self._held:
-            _, (size, drop, number) = self._held.popitem(last=False)
-            self._used -= size
-            self.dropped += 1
-            drop(number)
+        if self._used > self.most:
+            self._make_room()
 
     def update(self, thing: object, size: int, drop: Callable[[int], object], number: int = 0) -> None:
         """Something takes another size from now on, and counts as the newest of all that waits.
@@ -66,9 +91,21 @@ class Budget:
 
     def remove(self, thing: object) -> None:
         """Something waits no longer. Nothing happens where it did not."""
-        held = self._held.pop(id(thing), None)
-        if held is not None:
-            self._used -= held[0]
+        number = self._numbers.pop(id(thing), None)
+        if number is not None:
+            self.release(number)
+
+    def _make_room(self) -> None:
+        held = self._held
+        while self._used > self.most and held:
+            while self._oldest not in held:
+                self._oldest += 1
+            size, drop, number, identity = held.pop(self._oldest)
+            if identity is not None:
+                del self._numbers[identity]
+            self._used -= size
+            self.dropped += 1
+            drop(number)
 
 
 class Forgetful(Protocol):

@@ -16,10 +16,26 @@ MOST_PENDING = 4096
 
 _DIRECT, _SYSTEM = MessageType.DIRECT_COMMAND_REPLY.carries, MessageType.SYSTEM_COMMAND_REPLY.carries
 
-# Looked up by the plain number: what the type is about, whether it is a command, wants a reply, is an error.
+_CARRIED = {carries: kind for kind, carries in enumerate(dict.fromkeys(member.carries for member in MessageType))}
+
+# Looked up by the plain number: what the type is about, whether it is a system message, a command, wants a reply, is an
+# error, and whether the size of a reply tells which command it answers.
 _TYPES = {
-    int(member): (member.carries, member.is_command, member.wants_reply, member.is_error) for member in MessageType
+    int(member): (
+        _CARRIED[member.carries],
+        member.carries == _SYSTEM,
+        member.is_command,
+        member.wants_reply,
+        member.is_error,
+        member.carries == _DIRECT and not member.is_error,
+    )
+    for member in MessageType
 }
+
+
+def _key(kind: int, counter: int, number: int) -> int:
+    """What a reply has in common with the command that it answers, as one number: a capture makes one for each."""
+    return counter | kind << 16 | number << 20
 
 
 _RECORD_SIZE = 700
@@ -52,35 +68,34 @@ class Conversation:
     def record(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """The record of a frame. Give each frame of the conversation once, in order, both directions."""
         record = Record(frame, numbers, time_ns, route, self._schema)
-        size = len(frame)
-        if size < HEADER_SIZE:
+        if len(frame) < HEADER_SIZE:
             return record
         _, counter, code = unpack_header(frame)
         known = _TYPES.get(code)
         if known is None:
             return record
-        carries, is_command, wants_reply, is_error = known
+        kind, is_system, is_command, wants_reply, is_error, has_memory = known
         number = 0
-        if carries == _SYSTEM:
-            number = frame[HEADER_SIZE] if size > HEADER_SIZE else -1
+        if is_system and len(frame) > HEADER_SIZE:
+            number = 1 + frame[HEADER_SIZE]
         if not is_command:
-            carried = size - HEADER_SIZE if carries == _DIRECT and not is_error else None
-            request = record.request = self._pairing.answered((carries, counter, number), carried)
+            carried = len(frame) - HEADER_SIZE if has_memory else None
+            request = record.request = self._pairing.answered(_key(kind, counter, number), carried)
             if request is not None:
-                failed = is_error if carries != _SYSTEM else _is_failure(record.message)
+                failed = is_error if not is_system else _is_failure(record.message)
                 request.answered = Answered(time_ns, failed)
         elif wants_reply:
-            has_memory = carries == _DIRECT and size >= COMMAND_HEADER_SIZE
+            has_memory = has_memory and len(frame) >= COMMAND_HEADER_SIZE
             asked = unpack_memory(frame, HEADER_SIZE)[0] & MAX_GLOBALS if has_memory else 0
-            self._pairing.remember((carries, counter, number), asked, record)
-        if carries == _SYSTEM:
+            self._pairing.remember(_key(kind, counter, number), asked, record)
+        if is_system:
             self._follow_transfer(record)
         return record
 
     def overwritten(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """The record of a reply whose first bytes are those of the command that it answers, its type included."""
         record = Record(frame, numbers, time_ns, route, self._schema)
-        key = (_SYSTEM, Header.read(frame).counter, frame[HEADER_SIZE])
+        key = _key(_CARRIED[_SYSTEM], Header.read(frame).counter, 1 + frame[HEADER_SIZE])
         request = record.request = self._pairing.answered(key, None)
         if request is not None:
             request.answered = Answered(time_ns, failed=_is_failure(record.message))

@@ -32,33 +32,37 @@ class Pairing(Generic[T]):
         self, most: int = MOST_PENDING, budget: Budget | None = None, size_of: Callable[[T], int] = sys.getsizeof
     ) -> None:
         self._most = most
-        self._budget = budget
+        self._budget = Budget(sys.maxsize) if budget is None else budget
         self._size_of = size_of
-        self._drop = dropper(self)
-        self._by_key: dict[Hashable, list[int]] = {}
-        self._waiting: dict[int, tuple[Hashable, int, T]] = {}  # key, size, command
+        self._drop: Callable[[int], None] | None = None
+        self._newest: dict[Hashable, int] = {}
+        self._older: dict[Hashable, list[int]] = {}  # where several have the same key, which is rare
+        self._waiting: dict[int, tuple[Hashable, int, T, int]] = {}  # key, size, command, the budget's number
         self._seen = 0
         self._oldest = 0  # no command with a lower number waits
 
     @property
     def unanswered(self) -> list[T]:
         """The commands that wait for their reply, oldest first."""
-        return [command for _, _, command in self._waiting.values()]
+        return [command for _, _, command, _ in self._waiting.values()]
 
     def remember(self, key: Hashable, size: int, command: T) -> T | None:
         """Waits for the command's reply. Returns the command that is forgotten for it, if any is."""
+        budget = self._budget
+        given = budget.given = budget.given + 1
         number = self._seen
         self._seen = number + 1
-        same = self._by_key.get(key)
-        if same is None:
-            same = self._by_key[key] = [number]
-        else:
-            same.append(number)
-        self._waiting[number] = key, size, command
-        if self._budget is not None:
-            self._budget.add(command, self._size_of(command), self._drop, number)
-        if len(same) > MOST_PER_KEY:
-            return self._forget(same[0])
+        before = self._newest.get(key)
+        self._newest[key] = number
+        self._waiting[number] = key, size, command, given
+        if self._drop is None:
+            self._drop = dropper(self)
+        budget.hold(given, self._size_of(command), self._drop, number)
+        if before is not None:
+            older = self._older.setdefault(key, [])
+            older.append(before)
+            if len(older) >= MOST_PER_KEY:
+                return self._forget(older[0])
         if len(self._waiting) > self._most:
             while self._oldest not in self._waiting:
                 self._oldest += 1
@@ -71,19 +75,18 @@ class Pairing(Generic[T]):
         The newest, because a sender comes back to a counter only after it gave up on the one before. `size` is None
         for a reply that tells nothing by it.
         """
-        same = self._by_key.get(key)
-        if same is None:
+        newest = self._newest.get(key)
+        if newest is None:
             return None
-        if size is not None and len(same) > 1:
-            for number in reversed(same):
+        if size is not None and key in self._older:
+            for number in (newest, *reversed(self._older[key])):
                 if self._waiting[number][1] == size:
                     return self._forget(number)
-        return self._forget(same[-1])
+        return self._forget(newest)
 
     def __del__(self) -> None:
-        if self._budget is not None:
-            for command in self.unanswered:
-                self._budget.remove(command)
+        for *_, given in self._waiting.values():
+            self._budget.release(given)
 
     def forget(self, number: int) -> None:
         """Waits no longer for the reply to the command of a number, if it still does."""
@@ -91,11 +94,16 @@ class Pairing(Generic[T]):
             self._forget(number)
 
     def _forget(self, number: int) -> T:
-        key, _, command = self._waiting.pop(number)
-        if self._budget is not None:
-            self._budget.remove(command)
-        same = self._by_key[key]
-        same.remove(number)
-        if not same:
-            del self._by_key[key]
+        key, _, command, given = self._waiting.pop(number)
+        self._budget.release(given)
+        if key not in self._older:
+            del self._newest[key]
+            return command
+        older = self._older[key]
+        if number == self._newest[key]:
+            self._newest[key] = older.pop()
+        else:
+            older.remove(number)
+        if not older:
+            del self._older[key]
         return command

@@ -71,6 +71,7 @@ class Claim:
     """What is known of one connection: whether it is ours, and until then what was found in it.
 
     Attributes:
+        is_claimed: It is known to be ours.
         is_left: Nothing of ours was in its first packets: it is left alone.
 
     """
@@ -81,12 +82,12 @@ class Claim:
         "_budget",
         "_faults",
         "_held",
-        "_is_claimed",
         "_is_patient",
         "_proofs",
         "_size",
         "_strange",
         "_unread",
+        "is_claimed",
         "is_left",
     )
 
@@ -103,7 +104,7 @@ class Claim:
         self._budget = context.budget
         self._begins = begins
         self._is_patient = is_patient
-        self._is_claimed = False
+        self.is_claimed = False
         self._held: list[Event] = []
         self._size = 0
         self._strange = 0
@@ -123,10 +124,10 @@ class Claim:
             What is known to be ours.
 
         """
-        if self._is_claimed:
+        if self.is_claimed:
             return self._count_faults(events) if self._is_patient else events
         if not self.is_left and any(self._begins(event, data) for event in events):
-            self._is_claimed = True
+            self.is_claimed = True
             self._unread = 0
             return [*self._taken(), *events]
         if self._is_patient:
@@ -168,7 +169,7 @@ class Claim:
 
     def meet_stranger(self) -> None:
         """Says that there are bytes that are none of ours: what was held back is none of ours either."""
-        if not self._is_claimed:
+        if not self.is_claimed:
             self._strange = 1
             self._decline(self._taken())
 
@@ -211,7 +212,7 @@ class Claim:
             self._unread += unread
             # What is left of a frame of which something is missing may come in many packets.
             if self._faults >= FAULTS_IN_A_ROW and (self._proofs < PROOFS or self._unread > MAX_FRAME):
-                self._is_claimed = False
+                self.is_claimed = False
                 self._faults = self._unread = self._proofs = 0
         return events
 

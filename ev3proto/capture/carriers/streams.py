@@ -42,16 +42,17 @@ class Stream:
     """One direction of a connection: its pieces become events, its bytes stand in the account.
 
     packet  how far the capture was read: what is noticed from now on is noticed with this packet
+    times   when the packets were captured whose bytes wait for more
     """
 
-    __slots__ = ("_account", "_conversation", "_times", "cutter", "packet", "route")
+    __slots__ = ("_account", "_conversation", "cutter", "packet", "route", "times")
 
     def __init__(
         self, context: Context, conversation: Conversation, cutter: Cutter, route: Route, packet: Packet
     ) -> None:
         self._account = context.account
         self._conversation = conversation
-        self._times: dict[int, int] = {}  # when the packets were captured whose bytes wait for more
+        self.times: dict[int, int] = {}
         self.cutter = cutter
         self.route = route
         self.packet = packet
@@ -62,19 +63,14 @@ class Stream:
             # Nearly every packet has one frame and nothing else: no pieces, no waiting.
             self._account.frames += len(data)
             return [self._conversation.record(data, (number,), time_ns, self.route)]
-        times = self._times
+        times = self.times
         times[number] = time_ns
         pieces = self.cutter.feed(data, number)
         if not pieces:
             return []
         events = self._events(pieces)
-        self._times = {number: times[number] for number in self.cutter.waiting}
+        self.times = {number: times[number] for number in self.cutter.waiting}
         return events
-
-    @property
-    def waits(self) -> bool:
-        """Whether bytes wait for more."""
-        return bool(self._times)
 
     @property
     def size(self) -> int:
@@ -84,13 +80,13 @@ class Stream:
     def give_up(self) -> list[Event]:
         """Waits no longer for the rest of what is there, as too much waits in the capture."""
         events = self._events(self.cutter.give_up("the rest of the frame was no longer waited for: too much waits"))
-        self._times.clear()
+        self.times.clear()
         return events
 
     def leave_hole(self, missing: int) -> list[Event]:
         """Says that bytes are missing here; 0 where their number is not known."""
         events = self._events(self.cutter.leave_hole(missing))
-        self._times.clear()
+        self.times.clear()
         if not self.cutter.is_claimed:
             return events
         reason = (
@@ -108,12 +104,12 @@ class Stream:
     def end(self) -> list[Event]:
         """Says that nothing more will come."""
         events = self._events(self.cutter.end())
-        self._times.clear()
+        self.times.clear()
         return events
 
     def _events(self, pieces: Iterable[StreamPart]) -> list[Event]:
         events: list[Event] = []
-        account, route, times = self._account, self.route, self._times
+        account, route, times = self._account, self.route, self.times
         for kind, data, numbers, reason in pieces:
             size = len(data)
             time_ns = times[numbers[0] if len(numbers) == 1 else max(numbers)]

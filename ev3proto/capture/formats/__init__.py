@@ -30,7 +30,7 @@ MAGICS = {
 }
 """What files of each format start with; each is read by the module of that name, imported when there is such a file."""
 
-Reader = Callable[[BinaryIO], Iterator[Packet]]
+Reader = Callable[["io.BufferedReader[Any]"], Iterator[Packet]]
 
 _STARTS = (GZIP, *MAGICS)
 _MOST_MAGIC = max(map(len, MAGICS))

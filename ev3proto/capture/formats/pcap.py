@@ -5,8 +5,8 @@ https://www.ietf.org/archive/id/draft-ietf-opsawg-pcap-04.html
 
 from __future__ import annotations
 
+import io
 from collections.abc import Iterator
-from typing import BinaryIO
 
 from construct import Bytes, Int16ul, Int32ul, Struct
 
@@ -33,8 +33,10 @@ MODIFIED_HEAD = Struct(*PACKET_HEAD.subcons, "more" / Bytes(8))
 # The upper bits of the field say whether Ethernet packets have their check sum.
 _LINK_MASK = 0xFFFF
 
+_PIECE = 1 << 16
 
-def packets(stream: BinaryIO) -> Iterator[Packet]:
+
+def packets(stream: io.BufferedIOBase) -> Iterator[Packet]:
     """Reads a file from its start.
 
     Yields:
@@ -51,21 +53,36 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
     magic, *_, link = packed(HEADER, order).unpack(head)
     unit = 1 if magic == NANOSECONDS else 1000
     interface = Interface(link & _LINK_MASK, None, order)
-    record = packed(MODIFIED_HEAD if magic == MODIFIED else PACKET_HEAD, order)
-    size, unpack, read = record.size, record.unpack, stream.read
-    number, position = 0, len(head)
-    while head := read(size):
+    size = packed(MODIFIED_HEAD if magic == MODIFIED else PACKET_HEAD, order).size
+    unpack_from = packed(PACKET_HEAD, order).unpack_from
+    # Packets are cut out of large pieces: to ask the stream for each and for its head takes twice as long.
+    number, position, piece, at = 0, len(head), b"", 0
+    while True:
+        start = at + size
+        if len(piece) < start:
+            piece, at, start = _continued(stream, piece[at:], size), 0, size
+            if not piece:
+                return
         number += 1
-        if len(head) < size:
+        if len(piece) < start:
             raise CaptureError(f"the file is cut off in the header of packet {number}, at offset {position}")
-        seconds, fraction, length, on_wire, *_ = unpack(head)
+        seconds, fraction, length, on_wire = unpack_from(piece, at)
         if length > MOST_PACKET:
             raise CaptureError(
                 f"the file is damaged at offset {position}: packet {number} would have {length} bytes; what follows"
                 " cannot be read"
             )
-        data = read(length)
+        at = start + length
+        if len(piece) < at:
+            piece, start, at = _continued(stream, piece[start:], length), 0, length
+        data = piece[start:at]
         yield new_packet((number, seconds * 1_000_000_000 + fraction * unit, data, on_wire, interface, None))
         if len(data) < length:
             raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {length} bytes are there")
         position += size + length
+
+
+def _continued(stream: io.BufferedIOBase, rest: bytes, needed: int) -> bytes:
+    """What is left of a piece with what comes next: as much as is needed, unless the file ends before that, or more."""
+    piece = rest + stream.read1(_PIECE)
+    return piece if len(piece) >= needed else piece + stream.read(needed - len(piece))

@@ -7,7 +7,24 @@ from collections.abc import Iterable
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.claims import Claim, begins_a_connection
 from ev3proto.capture.carriers.streams import Context, Stream
-from ev3proto.capture.carriers.wifi.internet import ACK, RST, SYN, Transport, place, transport
+from ev3proto.capture.carriers.wifi.internet import (
+    ACK,
+    PORT_SIZE,
+    PORTS,
+    RST,
+    SYN,
+    Ends,
+    Place,
+    Transport,
+    port_bytes,
+    reversed_ends,
+    shown,
+    source_of,
+    source_port,
+    target_of,
+    target_port,
+    transport,
+)
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
@@ -24,13 +41,10 @@ MOST_BRICKS = 1024
 """Bricks whose beacons are remembered."""
 
 _UNLOCK_START = UNLOCK_REQUEST.encode()
+_BEACON_PORT = port_bytes(BEACON_PORT)
 _BEACON_START = f"{next(iter(BEACON_LINES.values()))}: ".encode()
 
-Key = tuple[bytes, int, bytes, int]
-"""Address and port of the sender, and of the receiver."""
-
-Ends = frozenset[tuple[bytes, int]]
-"""Addresses and ports of both, whichever is the sender."""
+_TURNS = SYN | RST
 
 
 class _Connection:
@@ -42,7 +56,7 @@ class _Connection:
         self.ends = ends
         self.conversation = context.conversation()
         self.claim = Claim(context, begins_a_connection, is_patient=False)
-        self.halves: dict[Key, _Half] = {}
+        self.halves: dict[Ends, _Half] = {}
 
 
 class _Half:
@@ -75,6 +89,17 @@ class _Half:
         self.start = start
         self.back: _Half | None = None
 
+    def is_straight(self, interface: Interface, flags: int) -> bool:
+        """Whether a segment has nothing to do with anything but what it carries: nothing waits, nothing changes."""
+        back = self.back
+        return not (
+            self.size
+            or flags & _TURNS
+            or self.interface is not interface
+            or not self.claim.is_claimed
+            or (back is not None and back.size)
+        )
+
 
 class Connections:
     """Follows the connections to the ports on which bricks listen."""
@@ -82,26 +107,34 @@ class Connections:
     def __init__(self, context: Context) -> None:
         self._context = context
         self._account = context.account
-        self._ports = context.ports
+        self._ports = {port_bytes(port) for port in context.ports if 0 <= port < PORTS}
         self._budget = context.budget
         self._connections: Bounded[Ends, _Connection] = Bounded(MOST_CONNECTIONS)
-        self._halves: dict[Key, _Half] = {}
+        self._halves: dict[Ends, _Half] = {}
         # Where answers to beacons go, where bricks listen as their beacons say, and which end of a connection on
         # another port is the brick.
-        self._answered: Bounded[tuple[bytes, int], None] = Bounded(MOST_BRICKS)
-        self._named: Bounded[tuple[bytes, int], None] = Bounded(MOST_BRICKS)
-        self._elsewhere: Bounded[Ends, tuple[bytes, int]] = Bounded(MOST_CONNECTIONS)
+        self._answered: Bounded[Place, None] = Bounded(MOST_BRICKS)
+        self._named: Bounded[Place, None] = Bounded(MOST_BRICKS)
+        self._elsewhere: Bounded[Ends, Place] = Bounded(MOST_CONNECTIONS)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
         found = transport(packet.interface.link, packet.data)
-        if found is not None:
-            if found.flags is None:
-                return self._datagram(packet, found)
-            if found.target_port in self._ports or found.source_port in self._ports or self._is_elsewhere(found):
-                return self._segment(packet, found)
-        self._account.other += len(packet.data)
-        return ()
+        if found is None:
+            self._account.other += len(packet.data)
+            return ()
+        ends, data, sequence, acknowledged, flags = found
+        if flags is None:
+            return self._datagram(packet, ends, data)
+        half = self._halves.get(ends)
+        if half is None:
+            if not self._is_ours(ends, data):
+                self._account.other += len(packet.data)
+                return ()
+        elif data and half.is_straight(packet.interface, flags) and half.reassembly.takes_next(sequence, len(data)):
+            # Nearly every segment of a capture: nothing waits, and it is what comes next.
+            return self._next(packet, half, data, acknowledged, flags)
+        return self._segment(packet, found, half)
 
     def end(self) -> Iterable[Event]:
         """What was waiting for more."""
@@ -114,28 +147,44 @@ class Connections:
 
     # TCP
 
-    def _is_elsewhere(self, segment: Transport) -> bool:
+    def _is_ours(self, ends: Ends, data: bytes) -> bool:
+        """Whether a connection of which nothing is known may be a brick's."""
+        return target_port(ends) in self._ports or source_port(ends) in self._ports or self._is_elsewhere(ends, data)
+
+    def _is_elsewhere(self, ends: Ends, data: bytes) -> bool:
         """Whether a connection on another port is a brick's: by the unlock text, or because a beacon named the port."""
-        target = segment.target, segment.target_port
-        ends = frozenset((target, (segment.source, segment.source_port)))
-        if ends in self._elsewhere:
+        both, target = _both_ways(ends), target_of(ends)
+        if both in self._elsewhere:
             return True
-        if not segment.data.startswith(_UNLOCK_START) and target not in self._named:
+        if not data.startswith(_UNLOCK_START) and target not in self._named:
             return False
-        self._elsewhere.add(ends, target)
+        self._elsewhere.add(both, target)
         return True
 
-    def _is_to_brick(self, key: Key) -> bool:
-        if key[3] in self._ports:
+    def _is_to_brick(self, ends: Ends) -> bool:
+        if target_port(ends) in self._ports:
             return True
-        return key[1] not in self._ports and self._elsewhere.get(_ends(key)) == key[2:]
+        return source_port(ends) not in self._ports and self._elsewhere.get(_both_ways(ends)) == target_of(ends)
 
-    def _segment(self, packet: Packet, segment: Transport) -> list[Event]:
-        source, target, source_port, target_port, data, sequence, acknowledged, flags = segment
+    def _next(self, packet: Packet, half: _Half, data: bytes, acknowledged: int, flags: int) -> list[Event]:
+        """The events that are complete with what comes next in a direction that is at rest, as the other one is."""
+        self._account.headers += len(packet.data) - len(data)
+        if len(self._connections) > MOST_CONNECTIONS // 2:
+            self._connections.move_to_end(half.connection.ends)
+        if flags & ACK and half.back is not None:
+            half.back.reassembly.acknowledged = acknowledged
+        stream = half.stream
+        stream.packet = packet
+        events = stream.feed(data, packet.number, packet.time_ns)
+        if stream.times:
+            self._weigh(half)
+        return events
+
+    def _segment(self, packet: Packet, segment: Transport, half: _Half | None) -> list[Event]:
+        """The events that are complete with any segment."""
+        ends, data, sequence, acknowledged, flags = segment
         assert flags is not None
         self._account.headers += len(packet.data) - len(data)
-        key = source, source_port, target, target_port
-        half = self._halves.get(key)
         ended: list[Event] = []
         events: list[Event] = []
         if flags & SYN:
@@ -146,24 +195,23 @@ class Connections:
                     if not flags & ACK:
                         # What was asked in the last connection is not answered in the new one.
                         half.connection.conversation = self._context.conversation()
-                half = self._open(packet, key, start, ended)
+                half = self._open(packet, ends, start, ended)
         elif half is None:
             if not data:
-                return self._acknowledge(self._halves.get(_reversed(key)), acknowledged) if flags & ACK else events
-            half = self._open(packet, key, None, ended)
+                return self._acknowledge(self._halves.get(reversed_ends(ends)), acknowledged) if flags & ACK else events
+            half = self._open(packet, ends, None, ended)
         elif len(self._connections) > MOST_CONNECTIONS // 2:
             self._connections.move_to_end(half.connection.ends)
         stream, reassembly = half.stream, half.reassembly
         if half.interface is not packet.interface:
             half.interface = packet.interface
-            stream.route = self._route(packet, key, half.is_from_host)
+            stream.route = self._route(packet, ends, half.is_from_host)
         is_waiting = False
         if data:
             stream.packet = packet
             if reassembly.takes_next(sequence, len(data)):
-                # Nearly every segment of a capture: it comes in its turn, and nothing waits.
                 events = stream.feed(data, packet.number, packet.time_ns)
-                is_waiting = stream.waits
+                is_waiting = bool(stream.times)
             else:
                 events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns))
                 is_waiting = True
@@ -215,24 +263,24 @@ class Connections:
         assert type(piece) is Late
         return [stream.skip(piece.data, f"{counted(len(piece.data), 'byte')} came too late to be put in order")]
 
-    def _open(self, packet: Packet, key: Key, start: int | None, events: list[Event]) -> _Half:
-        back = self._halves.get(_reversed(key))
-        is_from_host = self._is_to_brick(key) if back is None else not back.is_from_host
-        connection = self._connection(key, events)
+    def _open(self, packet: Packet, ends: Ends, start: int | None, events: list[Event]) -> _Half:
+        back = self._halves.get(reversed_ends(ends))
+        is_from_host = self._is_to_brick(ends) if back is None else not back.is_from_host
+        connection = self._connection(ends, events)
         cutter = Cutter(self._context.schema, in_step=start is not None)
-        route = self._route(packet, key, is_from_host)
+        route = self._route(packet, ends, is_from_host)
         stream = Stream(self._context, connection.conversation, cutter, route, packet)
         half = _Half(stream, connection, packet.interface, is_from_host, start)
         half.back = back
         if back is not None:
             back.back = half
-        connection.halves[key] = self._halves[key] = half
+        connection.halves[ends] = self._halves[ends] = half
         return half
 
-    def _connection(self, key: Key, events: list[Event]) -> _Connection:
+    def _connection(self, ends: Ends, events: list[Event]) -> _Connection:
         """The connection between two ends. Where there are too many, the one unused for longest is ended for it."""
-        ends = _ends(key)
-        connection, oldest = self._connections.use(ends, lambda: _Connection(ends, self._context))
+        both = _both_ways(ends)
+        connection, oldest = self._connections.use(both, lambda: _Connection(both, self._context))
         if oldest is not None:
             for way, half in oldest.halves.items():
                 del self._halves[way]
@@ -247,23 +295,21 @@ class Connections:
         self._budget.remove(half)
         return half.claim.take(self._given(half, half.reassembly.end()) + half.stream.end(), b"")
 
-    def _route(self, packet: Packet, key: Key, is_from_host: bool) -> Route:
-        source, target = place(key[0], key[1]), place(key[2], key[3])
+    def _route(self, packet: Packet, ends: Ends, is_from_host: bool) -> Route:
+        source, target = shown(source_of(ends)), shown(target_of(ends))
         direction = Direction.SENT if is_from_host else Direction.RECEIVED
         return Route(Carrier.WIFI, source, target, direction, packet.interface.name, target if is_from_host else source)
 
     # UDP
 
-    def _datagram(self, packet: Packet, datagram: Transport) -> Iterable[Event]:
-        source, target, source_port, target_port, data, *_ = datagram
-        is_beacon = data.startswith(_BEACON_START) and BEACON_PORT in (source_port, target_port)
-        if not data or not (is_beacon or (target, target_port) in self._answered):
+    def _datagram(self, packet: Packet, ends: Ends, data: bytes) -> Iterable[Event]:
+        is_beacon = data.startswith(_BEACON_START) and _BEACON_PORT in (source_port(ends), target_port(ends))
+        if not data or not (is_beacon or target_of(ends) in self._answered):
             self._account.other += len(packet.data)
             return
         self._account.headers += len(packet.data) - len(data)
         self._account.texts += len(data)
-        key = source, source_port, target, target_port
-        route = self._route(packet, key, is_from_host=not is_beacon)
+        route = self._route(packet, ends, is_from_host=not is_beacon)
         if not is_beacon:
             yield Announcement(Said.ANSWER, data, None, (packet.number,), packet.time_ns, route)
             return
@@ -271,26 +317,21 @@ class Connections:
             beacon = Beacon.parse(data)
         except DecodeError:
             beacon = None
-        self._remember_brick(source, source_port, beacon)
+        self._remember_brick(source_of(ends), beacon)
         yield Announcement(Said.BEACON, data, beacon, (packet.number,), packet.time_ns, route)
 
-    def _remember_brick(self, address: bytes, port: int, beacon: Beacon | None) -> None:
+    def _remember_brick(self, place: Place, beacon: Beacon | None) -> None:
         """Remembers where answers to a beacon may go: to its source port, the one for beacons, or the one it names."""
-        self._answered.add((address, port), None)
-        self._answered.add((address, BEACON_PORT), None)
+        address = place[:-PORT_SIZE]
+        self._answered.add(place, None)
+        self._answered.add(address + _BEACON_PORT, None)
         named = None if beacon is None else beacon.tcp_port
         if named is not None:
-            self._answered.add((address, named), None)
-            self._named.add((address, named), None)
+            place = address + port_bytes(named)
+            self._answered.add(place, None)
+            self._named.add(place, None)
 
 
-def _reversed(key: Key) -> Key:
-    """The other direction."""
-    source, source_port, target, target_port = key
-    return target, target_port, source, source_port
-
-
-def _ends(key: Key) -> Ends:
+def _both_ways(ends: Ends) -> Ends:
     """Both ends of a connection, whichever is the sender."""
-    source, source_port, target, target_port = key
-    return frozenset(((source, source_port), (target, target_port)))
+    return min(ends, reversed_ends(ends))

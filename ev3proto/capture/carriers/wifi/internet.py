@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import struct
-from functools import partial
-from typing import NamedTuple
 
 from ev3proto.tables.carriers import Link
 
@@ -14,8 +12,8 @@ SYN, RST, ACK = 0x002, 0x004, 0x010
 FLAGS = 0x1FF
 """All of them, in the two bytes that also have the length of the header."""
 
-_plain = struct.Struct(">BxH2xHxB2x4s4s HHIIH6x")
-"""Of IPv4: version, length, fragment, protocol, addresses. Of TCP: ports, numbers, length with flags."""
+_plain = struct.Struct(">BxH2xHxB14x IIH")
+"""Of IPv4: version, length, fragment, protocol. Of TCP: numbers, length with flags."""
 
 _STARTS = {int(Link.ETHERNET): 14, int(Link.RAW_IP): 0, int(Link.IPV4): 0}
 """Where IP starts in the packets of some links."""
@@ -23,57 +21,83 @@ _STARTS = {int(Link.ETHERNET): 14, int(Link.RAW_IP): 0, int(Link.IPV4): 0}
 _IS_IP = b"\x08\0"  # Ethernet's type
 _NO_OPTIONS = 0x45  # version 4, and the least length that its header can have
 _IP_SIZE = 20
+_ENDS, _ENDS_STOP = 12, 24
+_LEAST = 40
 _IS_TCP = 6
 _IS_FRAGMENT = 0x3FFF
 
+Ends = bytes
+"""Sender and receiver: both addresses and both ports, as IPv4 and TCP have them one after the other."""
 
-class Transport(NamedTuple):
-    """A TCP segment or a UDP datagram.
+Place = bytes
+"""One of them: address and port."""
 
-    source, target            addresses, 4 or 16 bytes
-    source_port, target_port  ports
-    data                      what it carries
-    sequence, acknowledged    TCP's numbers, 0 for UDP
-    flags                     TCP's flags; None for UDP
-    """
+PORT_SIZE = 2
+PORTS = 1 << 8 * PORT_SIZE
 
-    source: bytes
-    target: bytes
-    source_port: int
-    target_port: int
-    data: bytes
-    sequence: int = 0
-    acknowledged: int = 0
-    flags: int | None = None
+Transport = tuple[Ends, bytes, int, int, int | None]
+"""A TCP segment or a UDP datagram: from where to where, what it carries, TCP's number of its first byte and of what is
+acknowledged, TCP's flags; 0, 0 and None for UDP.
 
-
-_made = partial(tuple.__new__, Transport)
-"""Makes one of a tuple of all its fields, in half the time that `Transport` takes: `pytest benchmarks -k capture`."""
+It is no class of its own, because one is made for each packet: `pytest benchmarks -k capture`.
+"""
 
 
 def transport(link: int, data: bytes) -> Transport | None:
     """What a packet of one of the links carries; None where there is none that can be read."""
     start = _STARTS.get(link)
-    if start is not None and len(data) >= start + _plain.size:
+    if start is not None and len(data) >= start + _LEAST:
         # Nearly every packet of a capture of TCP: no options in IP, no fragment, nothing between Ethernet and IP.
         # Without dpkt's objects it takes a tenth of the time: `pytest benchmarks -k capture`.
-        version, length, fragment, protocol, source, target, source_port, target_port, sequence, acknowledged, flags = (
-            _plain.unpack_from(data, start)
-        )
+        version, length, fragment, protocol, sequence, acknowledged, flags = _plain.unpack_from(data, start)
         is_tcp = version == _NO_OPTIONS and protocol == _IS_TCP and not fragment & _IS_FRAGMENT
         if is_tcp and (start == 0 or data[start - 2 : start] == _IS_IP):
             head = _IP_SIZE + (flags >> 12 << 2)
-            if _plain.size <= head <= length:
-                carried = data[start + head : start + length]
-                return _made((source, target, source_port, target_port, carried, sequence, acknowledged, flags & FLAGS))
+            if _LEAST <= head <= length:
+                ends = data[start + _ENDS : start + _ENDS_STOP]
+                return ends, data[start + head : start + length], sequence, acknowledged, flags & FLAGS
     # All others are taken apart by dpkt, which takes a while to import.
     from ev3proto.capture.carriers.wifi.layers import dissected
 
     return dissected(link, data)
 
 
-def place(address: bytes, port: int) -> str:
+def source_of(ends: Ends) -> Place:
+    """The sender."""
+    size = len(ends) // 2 - PORT_SIZE
+    return ends[:size] + ends[-2 * PORT_SIZE : -PORT_SIZE]
+
+
+def target_of(ends: Ends) -> Place:
+    """The receiver."""
+    size = len(ends) // 2 - PORT_SIZE
+    return ends[size : -2 * PORT_SIZE] + ends[-PORT_SIZE:]
+
+
+def source_port(ends: Ends) -> bytes:
+    """The sender's port."""
+    return ends[-2 * PORT_SIZE : -PORT_SIZE]
+
+
+def target_port(ends: Ends) -> bytes:
+    """The receiver's port."""
+    return ends[-PORT_SIZE:]
+
+
+def port_bytes(port: int) -> bytes:
+    """A port's number as it stands there."""
+    return port.to_bytes(PORT_SIZE, "big")
+
+
+def reversed_ends(ends: Ends) -> Ends:
+    """The other way."""
+    size = len(ends) // 2 - PORT_SIZE
+    return ends[size : -2 * PORT_SIZE] + ends[:size] + ends[-PORT_SIZE:] + ends[-2 * PORT_SIZE : -PORT_SIZE]
+
+
+def shown(place: Place) -> str:
     """`192.0.2.1:49152`, `[2001:db8::1]:49152`."""
+    address, port = place[:-PORT_SIZE], int.from_bytes(place[-PORT_SIZE:], "big")
     if len(address) == 4:
         return f"{'.'.join(map(str, address))}:{port}"
     import socket

@@ -9,7 +9,7 @@ from typing import Any
 from dpkt import UnpackError, ip, ip6, loopback, sll, sll2, tcp, udp
 from dpkt.ethernet import ETH_TYPE_8021AD, ETH_TYPE_8021Q, ETH_TYPE_IP, ETH_TYPE_IP6, ETH_TYPE_QINQ1, Ethernet
 
-from ev3proto.capture.carriers.wifi.internet import FLAGS, Transport
+from ev3proto.capture.carriers.wifi.internet import FLAGS, Ends, Transport, port_bytes
 from ev3proto.tables.carriers import Link
 
 _CARRIED: dict[int, type] = {ip.IP_PROTO_TCP: tcp.TCP, ip.IP_PROTO_UDP: udp.UDP}
@@ -91,14 +91,16 @@ def dissected(link: int, data: bytes) -> Transport | None:
         if _is_later_fragment(layer) or not isinstance(inner, tcp.TCP | udp.UDP | _IPv4 | _IPv6):
             return None
         if isinstance(inner, tcp.TCP):
-            flags = inner._off_flags & FLAGS
-            return Transport(
-                layer.src, layer.dst, inner.sport, inner.dport, bytes(inner.data), inner.seq, inner.ack, flags
-            )
+            return _ends(layer, inner), bytes(inner.data), inner.seq, inner.ack, inner._off_flags & FLAGS
         if isinstance(inner, udp.UDP):
-            return Transport(layer.src, layer.dst, inner.sport, inner.dport, bytes(inner.data))
+            return _ends(layer, inner), bytes(inner.data), 0, 0, None
         layer = inner
     return None
+
+
+def _ends(layer: Any, inner: Any) -> Ends:
+    ends: Ends = layer.src + layer.dst + port_bytes(inner.sport) + port_bytes(inner.dport)
+    return ends
 
 
 def _is_later_fragment(layer: Any) -> bool:

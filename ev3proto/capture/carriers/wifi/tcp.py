@@ -61,15 +61,16 @@ class Reassembly:
     `start` is the sequence number of its first byte, None for a capture that began in the middle of the connection:
     then the first bytes seen are the start.
 
-    repeated  bytes that came again, so far
+    acknowledged  the number before which the other side has everything, None where it did not say so
+    repeated      bytes that came again, so far
     """
 
-    __slots__ = ("_acknowledged", "_ahead", "_holes", "_position", "_start", "_waiting", "repeated")
+    __slots__ = ("_ahead", "_holes", "_position", "_start", "_waiting", "acknowledged", "repeated")
 
     def __init__(self, start: int | None = None) -> None:
         self._start = start
         self._position = 0
-        self._acknowledged: int | None = None
+        self.acknowledged: int | None = None
         self._ahead: list[Segment] = []
         self._waiting = 0
         self._holes: list[tuple[int, int]] = []
@@ -117,7 +118,7 @@ class Reassembly:
 
     def acknowledge(self, sequence: int) -> list[Segment | Hole | Late]:
         """The other side has everything before this sequence number: what is missing of it will not come any more."""
-        self._acknowledged = sequence
+        self.acknowledged = sequence
         found: list[Segment | Hole | Late] = []
         if self._ahead:
             self._go_on(found)
@@ -132,7 +133,7 @@ class Reassembly:
         return found
 
     def _start_again(self, sequence: int) -> list[Segment | Hole | Late]:
-        self._start, self._position, self._acknowledged = sequence, 0, None
+        self._start, self._position, self.acknowledged = sequence, 0, None
         self._holes.clear()
         return [Hole(0)]
 
@@ -168,7 +169,7 @@ class Reassembly:
         """Whether what is missing before an offset will not come any more."""
         if self._waiting > MOST_AHEAD or len(self._ahead) > MOST_SEGMENTS_AHEAD:
             return True
-        return self._acknowledged is not None and self._offset(self._acknowledged) >= at
+        return self.acknowledged is not None and self._offset(self.acknowledged) >= at
 
     def _leave_hole(self, found: list[Segment | Hole | Late]) -> None:
         at = self._ahead[0].at

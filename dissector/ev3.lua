@@ -5584,7 +5584,8 @@ do
             local value = READ_TYPE[type](text, HEADER_SIZE + layout[at + 3])
             if type == DATAF then
                 -- What %.7g writes in another way than number_text.
-                if value ~= value or value % 1 == 0 and (value >= 1e7 or value <= -1e7) then return nil end
+                local size = value < 0 and -value or value
+                if value ~= value or size >= 1e7 and size < 1e15 and value % 1 == 0 then return nil end
                 if value == 0 then value = 0 end
             end
             count = count + 1
@@ -6183,12 +6184,12 @@ do
         end
     end
 
-    local function add_links(item, target, message, place, pinfo)
+    local function add_links(item, target, message, place, is_new)
         local type = message.type
         if not type or message.is_overwritten then return end
         if type.wants_reply then
             -- The first time that a command is seen, its reply is still to come.
-            local reply = pinfo.visited and reply_to(place)
+            local reply = not is_new and reply_to(place)
             if reply == nil then
                 complain(target, "unanswered", "no reply to this command was seen")
             elseif reply and item then
@@ -6264,8 +6265,8 @@ do
     end
 
     -- The line on a message at a place. If somebody looks at the tree, its item there, too, with the frame at an offset
-    -- in the buffer; `said` is said of the message instead of what it says.
-    function show_message(message, place, tvb, base, pinfo, tree, is_shown, said)
+    -- in the buffer; `said` is said of the message instead of what it says; `is_new`: it is seen for the first time.
+    function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
         local kind = kind_of[message.type] or UNKNOWN
         local line = kind.say(message, place, is_shown)
         if message.stop < message.size then check_size(message) end
@@ -6289,7 +6290,7 @@ do
                 complain(target, complaints[index], complaints[index + 1])
             end
         end
-        add_links(item, target, message, place, pinfo)
+        add_links(item, target, message, place, is_new)
         if fault then complain(target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end
@@ -6314,7 +6315,7 @@ end
 
 -- The columns of a packet. TCP hands a packet over in pieces when frames are split over several; what is said of each
 -- is collected piece by piece, and the info column has at most so many bytes of it, then how much is left out.
-local start_line, say, show
+local start_line, say, show, show_line
 do
     local MOST_INFO = 4000
     local pieces, count, shown, size, omitted = {}, 0, 0, 0, 0
@@ -6334,6 +6335,19 @@ do
         end
         count = count + 1
         pieces[count], size = said, longer
+    end
+
+    -- The same for a buffer of which one message is all that is said.
+    function show_line(pinfo, number, offset, said)
+        if number == last_number then
+            start_line(number, offset)
+            say(said)
+            return show(pinfo)
+        end
+        last_number, last_offset, omitted, count, shown, size = number, offset, 0, 1, 1, #said + 2
+        local columns = pinfo.cols
+        columns.protocol = "EV3"
+        columns.info = said
     end
 
     function show(pinfo)
@@ -6358,7 +6372,7 @@ local function dissect_message(tvb, at, message, talk, place, pinfo, tree, is_sh
     if talk then take_note(place, talk, message, pinfo) end
     -- Before 4.6 the protocol alone does not count as looked at, yet the protocol hierarchy counts its items.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
-    return show_message(message, place, tvb, at, pinfo, tree, is_shown, said)
+    return show_message(message, place, tvb, at, tree, is_shown, said, talk)
 end
 
 local function is_length(low, high)
@@ -7360,6 +7374,12 @@ do
         -- How a stream stands with a buffer, and how many bytes of it were there before; `known` is what is known of
         -- the stream, when the buffer is seen for the first time.
         function step_of(known, text, offset, number, pinfo)
+            -- Nearly always it goes on as it went.
+            if known and offset == known.offset and number ~= known.number and not known.pending
+                and known.step ~= "lost" then
+                known.number = number
+                return "likely", 0
+            end
             local usual = usual_step(offset)
             if not known then return next(steps) and steps[place_of(number, offset)] or usual, 0 end
             local step, joint = first_step(known, text, offset, number, pinfo)
@@ -7371,14 +7391,16 @@ do
     local function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
         local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
         local step, joint = step_of(known, text, offset, number, pinfo)
-        start_line(number, offset)
         brick = is_shown and (talk or connection_of(pinfo)).name
         -- Nearly always one frame is all there is.
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
         if step ~= "lost" and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
             and MESSAGE_TYPES[code] then
-            say(dissect_message(tvb, 0, read_message(text), talk, place_of(number, offset), pinfo, tree, is_shown))
+            local place = place_of(number, offset)
+            show_line(pinfo, number, offset,
+                (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))
         else
+            start_line(number, offset)
             local reported = tvb:reported_len()
             local stream = {
                 reported = reported,
@@ -7398,8 +7420,8 @@ do
                 known.pending = behind < captured and sub(text, behind + 1) or nil
                 known.step = step_after
             end
+            show(pinfo)
         end
-        show(pinfo)
         return captured
     end
 

@@ -344,6 +344,40 @@ def converse(carrier: Connection | Device | SerialPort, frames: list[bytes]) -> 
         (carrier.send if frame[4] & 0x7F in (0x00, 0x01) else carrier.receive)(frame)
 
 
+# The command, how much memory it asks for, and what the line on a reply says of some memory.
+REPLIES: dict[tuple[str, int], dict[str, str]] = {
+    ("81 01 60", 4): {  # a DATAF with a unit
+        "A470FD40": "UI_READ GET_VBATT: 7.92 V",
+        "00000080": "UI_READ GET_VBATT: 0 V",
+        "0000C0BF": "UI_READ GET_VBATT: -1.5 V",
+        "20BCBE4C": "UI_READ GET_VBATT: 100000000 V",
+        "CA F2 49 F1": "UI_READ GET_VBATT: -1e+30 V",
+        "0000C07F": "UI_READ GET_VBATT: NaN V",
+        "000080FF": "UI_READ GET_VBATT: -inf V",
+        "A470FD": "UI_READ GET_VBATT: 3 bytes",
+    },
+    ("81 12 60", 1): {"64": "UI_READ GET_LBATT: 100 %", "FF": "UI_READ GET_LBATT: -1 %"},
+    ("B3 00 00 60 B3 00 01 64", 8): {
+        "FFFFFFFF 00000080": "OUTPUT_GET_COUNT: TACHO=-1 degrees TACHO=-2147483648 degrees",
+        "68010000 00": "OUTPUT_GET_COUNT: 360 degrees",
+    },
+}
+
+
+def test_a_line_on_a_reply_says_the_same_however_often_its_command_came(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    expected = []
+    for (operations, size), lines in REPLIES.items():
+        # The first replies are read in another way than later ones.
+        for memory, line in (*lines.items(), *lines.items()):
+            converse(connection, [command(operations, sizes=size), reply(bytes.fromhex(memory))])
+            expected.append(f"reply to {line}")
+    path = tshark.place(capture.data(), "replies.pcap")
+    found = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info").splitlines()
+    assert found[1::2] == expected
+
+
 def test_all_counters(tshark: Tshark) -> None:
     capture = Capture(RAW_IP)
     connection = Connection(capture)

@@ -17,7 +17,7 @@ end
 
 -- The columns of a packet. TCP hands a packet over in pieces when frames are split over several; what is said of each
 -- is collected piece by piece, and the info column has at most so many bytes of it, then how much is left out.
-local start_line, say, show
+local start_line, say, show, show_line
 do
     local MOST_INFO = 4000
     local pieces, count, shown, size, omitted = {}, 0, 0, 0, 0
@@ -37,6 +37,19 @@ do
         end
         count = count + 1
         pieces[count], size = said, longer
+    end
+
+    -- The same for a buffer of which one message is all that is said.
+    function show_line(pinfo, number, offset, said)
+        if number == last_number then
+            start_line(number, offset)
+            say(said)
+            return show(pinfo)
+        end
+        last_number, last_offset, omitted, count, shown, size = number, offset, 0, 1, 1, #said + 2
+        local columns = pinfo.cols
+        columns.protocol = "EV3"
+        columns.info = said
     end
 
     function show(pinfo)
@@ -61,7 +74,7 @@ local function dissect_message(tvb, at, message, talk, place, pinfo, tree, is_sh
     if talk then take_note(place, talk, message, pinfo) end
     -- Before 4.6 the protocol alone does not count as looked at, yet the protocol hierarchy counts its items.
     if not is_shown and tree.text then tree:add(ev3, tvb(at, message.stop)) end
-    return show_message(message, place, tvb, at, pinfo, tree, is_shown, said)
+    return show_message(message, place, tvb, at, tree, is_shown, said, talk)
 end
 
 local function is_length(low, high)

@@ -342,12 +342,12 @@ do
         end
     end
 
-    local function add_links(item, target, message, place, pinfo)
+    local function add_links(item, target, message, place, is_new)
         local type = message.type
         if not type or message.is_overwritten then return end
         if type.wants_reply then
             -- The first time that a command is seen, its reply is still to come.
-            local reply = pinfo.visited and reply_to(place)
+            local reply = not is_new and reply_to(place)
             if reply == nil then
                 complain(target, "unanswered", "no reply to this command was seen")
             elseif reply and item then
@@ -423,8 +423,8 @@ do
     end
 
     -- The line on a message at a place. If somebody looks at the tree, its item there, too, with the frame at an offset
-    -- in the buffer; `said` is said of the message instead of what it says.
-    function show_message(message, place, tvb, base, pinfo, tree, is_shown, said)
+    -- in the buffer; `said` is said of the message instead of what it says; `is_new`: it is seen for the first time.
+    function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
         local kind = kind_of[message.type] or UNKNOWN
         local line = kind.say(message, place, is_shown)
         if message.stop < message.size then check_size(message) end
@@ -448,7 +448,7 @@ do
                 complain(target, complaints[index], complaints[index + 1])
             end
         end
-        add_links(item, target, message, place, pinfo)
+        add_links(item, target, message, place, is_new)
         if fault then complain(target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end

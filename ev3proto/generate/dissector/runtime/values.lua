@@ -208,7 +208,8 @@ do
             local value = READ_TYPE[type](text, HEADER_SIZE + layout[at + 3])
             if type == DATAF then
                 -- What %.7g writes in another way than number_text.
-                if value ~= value or value % 1 == 0 and (value >= 1e7 or value <= -1e7) then return nil end
+                local size = value < 0 and -value or value
+                if value ~= value or size >= 1e7 and size < 1e15 and value % 1 == 0 then return nil end
                 if value == 0 then value = 0 end
             end
             count = count + 1

@@ -141,6 +141,12 @@ do
         -- How a stream stands with a buffer, and how many bytes of it were there before; `known` is what is known of
         -- the stream, when the buffer is seen for the first time.
         function step_of(known, text, offset, number, pinfo)
+            -- Nearly always it goes on as it went.
+            if known and offset == known.offset and number ~= known.number and not known.pending
+                and known.step ~= "lost" then
+                known.number = number
+                return "likely", 0
+            end
             local usual = usual_step(offset)
             if not known then return next(steps) and steps[place_of(number, offset)] or usual, 0 end
             local step, joint = first_step(known, text, offset, number, pinfo)
@@ -152,14 +158,16 @@ do
     local function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
         local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
         local step, joint = step_of(known, text, offset, number, pinfo)
-        start_line(number, offset)
         brick = is_shown and (talk or connection_of(pinfo)).name
         -- Nearly always one frame is all there is.
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
         if step ~= "lost" and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
             and MESSAGE_TYPES[code] then
-            say(dissect_message(tvb, 0, read_message(text), talk, place_of(number, offset), pinfo, tree, is_shown))
+            local place = place_of(number, offset)
+            show_line(pinfo, number, offset,
+                (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))
         else
+            start_line(number, offset)
             local reported = tvb:reported_len()
             local stream = {
                 reported = reported,
@@ -179,8 +187,8 @@ do
                 known.pending = behind < captured and sub(text, behind + 1) or nil
                 known.step = step_after
             end
+            show(pinfo)
         end
-        show(pinfo)
         return captured
     end
 

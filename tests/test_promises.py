@@ -21,6 +21,7 @@ from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
 from ev3proto.capture.timeline import collecting
 from ev3proto.cli import live, texts, values
+from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.program.image import MAX_IMAGE
 from ev3proto.semantics import pairing, transfers
 from ev3proto.tables.claims import STRANGE_PACKETS
@@ -57,6 +58,7 @@ LIMITS = {
         f"{statistics.MOST_PEERS}, {statistics.MOST_TRANSFERS}, {statistics.MOST_LISTED}"
     ),
     "`timeline`: marks one by one": f"{collecting.MOST_MARKS:,}, about 150 MiB with the library that draws them",
+    "`check --format sarif`: places that cannot be read, one by one": f"{MOST_COMPLAINTS:,}",
     "`values`: rows and values together": f"{series.MOST_CELLS:,}, about 160 MiB",
     "`values`: columns of a table, and with `--csv`": f"{values.MOST_SHOWN}, {values.MOST_COLUMNS['csv']:,}",
     "`values`: cells of a table": f"{values.MOST_PRINTED:,}, about 100 MiB",

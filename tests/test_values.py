@@ -165,3 +165,20 @@ def test_a_table_has_only_as_many_rows_as_fit(monkeypatch: pytest.MonkeyPatch) -
     assert len(done.stdout.splitlines()) == 2
     assert done.stderr == "and 1 row more: --csv and --json print all of them\n"
     assert len(run("values", PLUGGED, *BATTERY, "--csv").stdout.splitlines()) == 3
+
+
+def test_long_texts_count_for_several_cells(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    log = tmp_path / "names.log"
+    # COM_GET.GET_BRICKNAME, for which there are 500 bytes, and a name of 480 letters.
+    asks, says = "0b00{:02x}0000f401d30d82f40160", f"f701{{:02x}}0002{'78' * 480}{'00' * 20}"
+    log.write_text("".join(f"{asks.format(number)}\n{says.format(number)}\n" for number in range(4)))
+    assert len(run("values", str(log), "--json").stdout.splitlines()) == 4
+    with monkeypatch.context() as patch:
+        patch.setattr(ev3proto.cli.values, "MOST_PRINTED", 8)
+        shown = run("values", str(log))
+        assert shown.stdout.count("x" * 480) == 1
+        assert shown.stderr == "and 3 rows more: --csv and --json print all of them\n"
+    monkeypatch.setattr(ev3proto.capture.series, "MOST_CELLS", 10)
+    kept = run("values", str(log), "--json")
+    assert len(kept.stdout.splitlines()) == 2
+    assert kept.stderr == "2 rows omitted: 10 cells are kept; --filter chooses others\n"

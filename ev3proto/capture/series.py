@@ -19,6 +19,9 @@ LATENCY = "latency"
 MOST_CELLS = 1_000_000
 """Rows and their values together that are kept: about 160 MiB."""
 
+_CELL = 160
+"""Characters of texts and names that take as much memory as a cell."""
+
 Cell: TypeAlias = float | str
 
 
@@ -53,7 +56,7 @@ class Series:
 
     units  the columns in the order in which they came, each with its unit; None where it has none
     rows   in the order of the capture
-    size   rows and their values together
+    size   rows and their values together; long texts count as several
     omitted  rows beyond MOST_CELLS, of which nothing is kept
     """
 
@@ -109,8 +112,11 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
         for value, name in _named(event):
             for suffix, cell in _cells(value):
                 column = sys.intern(name + suffix)
-                found.units.setdefault(column, value.unit)
+                if column not in found.units:
+                    found.units[column] = value.unit
+                    found.size += len(column) // _CELL
                 cells[column] = cell
+                found.size += len(cell) // _CELL if isinstance(cell, str) else 0
         found.size += 1 + len(cells)
         found.rows.append(Row(event.time_ns, event.number, event.peer, cells, event.route.is_timed, file))
     if not any(LATENCY in row.cells for row in found.rows):

@@ -28,6 +28,9 @@ MOST_SHOWN = 50
 MOST_PRINTED = 100_000
 """Cells of a table, each of which takes a kilobyte until all are printed."""
 
+_CELL = 150
+"""Characters that take as much in a table as a cell itself."""
+
 MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
 """Columns by form. JSON has only the values that there are, so it needs no limit."""
 
@@ -96,19 +99,22 @@ def _text(cell: Cell | None) -> str:
 def _print_table(found: Series, unit: str) -> None:
     start = min((row.time_ns for row in found.rows if row.is_timed), default=0)
     leading = ["file"] if _is_of_several(found) else []
-    most = max(MOST_PRINTED // (len(found.units) + 2), 1)
-    rows = [
-        [
+    rows: list[list[str]] = []
+    left = MOST_PRINTED
+    for row in found.rows:
+        cells = [
             *([row.file or ""] if leading else []),
             _seconds(row, start),
             str(row.packet),
             *(_text(row.cells.get(name)) for name in found.units),
         ]
-        for row in found.rows[:most]
-    ]
+        left -= len(cells) + sum(map(len, cells)) // _CELL
+        if left < 0 and rows:
+            break
+        rows.append(cells)
     Tables().table([*leading, "time [s]", unit, *_titles(found)], rows)
-    if len(found.rows) > most:
-        complain(f"and {counted(len(found.rows) - most, 'row')} more: --csv and --json print all of them")
+    if len(found.rows) > len(rows):
+        complain(f"and {counted(len(found.rows) - len(rows), 'row')} more: --csv and --json print all of them")
 
 
 def _is_of_several(found: Series) -> bool:

@@ -36,7 +36,7 @@ os.execv("{tshark}", ["tshark", *words])
 
 C0 = "".join(map(chr, range(1, 0x20)))
 C1 = "".join(map(chr, range(0x7F, 0xA0)))
-DIRECTIONS = "\u061c\u200e\u200f\u2028\u2029\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\ufeff"
+DIRECTIONS = "\u061c\u200e\u200f\u2028\u2029\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\u206a\ufff9\ufeff"
 SEQUENCES = "\x1b]52;c;Zm9v\x07\x1b[2J\x9b2J\x1b[38;5;201m\x1b]0;title\x1b\\"
 
 HARMFUL = f"a{SEQUENCES}{C0}{C1}{DIRECTIONS}z"

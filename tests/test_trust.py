@@ -54,6 +54,18 @@ def test_every_harmful_character_is_written_as_an_escape(text: str) -> None:
     assert not is_visible(f"a{text}b")
 
 
+def test_what_nobody_sees_is_written_as_json_writes_it() -> None:
+    for text, escaped in (
+        ("\u206a", "\\u206a"),
+        ("\ufff9", "\\ufff9"),
+        ("\U000e0041", "\\udb40\\udc41"),
+        ("\ud800", "\\ud800"),
+    ):
+        assert visible(f"a{text}b") == f"a{escaped}b"
+        assert json.loads(f'"{escaped}"') == text
+        assert not is_visible(text)
+
+
 def test_texts_of_every_language_are_shown_as_they_are() -> None:
     for text in ("", "SOUND.TONE ~!", "Größe 5 %", "モーター"):
         assert visible(text) == text

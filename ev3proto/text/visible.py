@@ -1,8 +1,9 @@
 r"""What comes from outside made fit to be shown: a character that would steer a terminal is written as `\u001b`.
 
 This is the border that everything printed passes. Control characters (C0, DEL, C1), line and paragraph separators, and
-the marks that turn the direction of writing can hide what a line says, or make a terminal do things. Halves of a
-character and numbers that are none cannot stand in files of many kinds, SVG among them.
+the marks that turn the direction of writing can hide what a line says, or make a terminal do things. Tags and other
+formats that nobody sees can hide a text in another one. Halves of a character and numbers that are none cannot stand in
+files of many kinds, SVG among them.
 """
 
 from __future__ import annotations
@@ -12,7 +13,8 @@ import re
 from ev3proto.text.late_pattern import late_pattern
 
 _HARMFUL = late_pattern(
-    "[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff\ud800-\udfff\ufffe\uffff]"
+    "[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff\ufff9-\ufffb\ufffe\uffff"
+    "\U000e0000-\U000e007f]"
 )
 
 
@@ -49,4 +51,5 @@ def visible_lines(text: str) -> str:
 
 
 def _escaped(match: re.Match[str]) -> str:
-    return f"\\u{ord(match[0]):04x}"
+    units = match[0].encode("utf-16-be", "surrogatepass").hex()
+    return "".join(f"\\u{units[at : at + 4]}" for at in range(0, len(units), 4))

@@ -29,7 +29,9 @@ OURS = re.compile("\x1b\\[(0|[12]|(3|9)[0-7])(;(0|[12]|(3|9)[0-7]))*m")
 SCREEN = re.compile("\x1b\\[(\\?25[lh]|2K|1A|0?[JK])")
 """What a progress bar, or the display of `run`, moves the cursor with."""
 
-_STEERS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff\ud800-\udfff]")
+_STEERS = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff\ufff9-\ufffb]"
+)
 
 
 def on_a_terminal(*words: str | bytes | Path) -> tuple[int, str]:

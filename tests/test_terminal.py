@@ -36,7 +36,7 @@ os.execv("{tshark}", ["tshark", *words])
 
 C0 = "".join(map(chr, range(1, 0x20)))
 C1 = "".join(map(chr, range(0x7F, 0xA0)))
-DIRECTIONS = "\u061c\u200e\u200f\u2028\u2029\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\u206a\ufff9\ufeff"
+DIRECTIONS = "\u061c\u200e\u200f\u2028\u2029\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\ufeff"
 SEQUENCES = "\x1b]52;c;Zm9v\x07\x1b[2J\x9b2J\x1b[38;5;201m\x1b]0;title\x1b\\"
 
 HARMFUL = f"a{SEQUENCES}{C0}{C1}{DIRECTIONS}z"
@@ -357,6 +357,13 @@ def test_what_tshark_says(tmp_path: Path, tshark: Tshark, capture: bytes, monkey
     assert "GET_BRICKNAME" in shown
     harmless("live", "-i", "any", "--tshark", complaining, status=1)
     harmless("decode", copy, "--engine", "wireshark", "--tshark", complaining, status=1)
+
+
+@pytest.mark.parametrize("name", ["stats", "values", "files"])
+def test_the_headings_of_tables_have_colours(name: str) -> None:
+    shown = harmless(name, "captures/wifi.pcapng")
+    assert "\x1b[2m" in shown
+    assert "\\u" not in shown
 
 
 def test_every_help() -> None:

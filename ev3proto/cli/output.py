@@ -171,6 +171,11 @@ def say(text: str = "") -> None:
     _output().write(visible_lines(text) + "\n")
 
 
+def draw(lines: Iterable[str]) -> None:
+    """Prints lines as they are: they have colours of ours in them, and only `visible` texts beside these."""
+    _output().write("".join(f"{line}\n" for line in lines))
+
+
 def complain(sentence: str) -> None:
     """Prints a sentence to standard error, after all that was printed before it.
 

@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from itertools import compress
 
-from ev3proto.cli.output import Printer, say
+from ev3proto.cli.output import Printer, draw, say
 from ev3proto.text.spans import Role
 from ev3proto.text.visible import visible
 
 TEXTS = {"kind", "operation", "text", "path", "direction", "state", "brick", "what", "part"}
 """The columns that have texts in them, which stand left and may be folded; the others have numbers."""
-
-_UNLIMITED = 10_000
-"""Columns of a pipe."""
 
 
 class Tables:
@@ -27,8 +24,6 @@ class Tables:
 
         self._console = Console(highlight=False, markup=False, emoji=False)
         self._on_terminal = self._console.is_terminal
-        if not self._on_terminal:
-            self._console.width = _UNLIMITED
         self._hidden = hidden
         self._is_first = True
 
@@ -41,16 +36,37 @@ class Tables:
 
     def table(self, titles: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
         """A table. Its cells may come from the network: nothing in them is markup, nothing moves the cursor."""
+        shown = [title not in self._hidden for title in titles]
+        # Everything is made fit to be shown here, before there are colours.
+        cells = [[visible(cell) for cell in compress(row, shown)] for row in (titles, *rows)]
+        draw(self._on_screen(*cells) if self._on_terminal else _plain(cells))
+
+    def _on_screen(self, titles: list[str], *rows: list[str]) -> list[str]:
+        """The lines of a table in colours, folded where the terminal is not as wide."""
         from rich.table import Table
         from rich.text import Text
 
         table = Table(box=None, pad_edge=False, header_style="dim")
-        shown = [title not in self._hidden for title in titles]
-        for title in compress(titles, shown):
+        for title in titles:
             is_text = title in TEXTS
             table.add_column(title, justify="left" if is_text else "right", overflow="fold", no_wrap=not is_text)
         for row in rows:
-            table.add_row(*(Text(visible(cell)) for cell in compress(row, shown)))
+            table.add_row(*map(Text, row))
         with self._console.capture() as captured:
             self._console.print(table)
-        say("\n".join(line.rstrip() for line in captured.get().splitlines()))
+        return [line.rstrip() for line in captured.get().splitlines()]
+
+
+def _plain(rows: list[list[str]]) -> list[str]:
+    """The same lines without colours, as wide as they are. Rich would take a kilobyte and more for each cell."""
+    from rich.cells import cell_len
+
+    widths = [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
+    lines = []
+    for row in rows:
+        columns = []
+        for title, cell, width in zip(rows[0], row, widths, strict=True):
+            space = " " * (width - cell_len(cell))
+            columns.append(cell + space if title in TEXTS else space + cell)
+        lines.append("  ".join(columns).rstrip())
+    return lines

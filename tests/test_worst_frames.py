@@ -21,7 +21,7 @@ from ev3proto.text.table import table
 from ev3proto.text.tree import tree, tree_texts
 
 BODY = 1017
-MOST = 20
+MOST = 16
 """Milliseconds that a face may take. Where nothing else runs none takes half of that."""
 
 
@@ -63,6 +63,8 @@ FRAMES = {
     "variables of four bytes": _frame("69696969"),
     "variables that no memory has": _frame("46464646"),
     "handles": _frame("30D1016A"),
+    "results that are wrong in four ways": _frame("811D61616161"),
+    "CMDs that are longer than they need be": _frame("81811E616161"),
     "numbers that make room for one another": _command(_one_gap()),
     "results that are all read at the end": _command(bytes.fromhex("307F60" * 338 + "306041"), kind=0x80, memory=32),
     "sounds that cut one another off": _frame("94010101010101", kind=0x80),

@@ -6,13 +6,16 @@ from collections import deque
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from enum import StrEnum
+from functools import cache
+from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
-from ev3proto.dialogue import Exchange, Transfer, Value, values_of
 from ev3proto.messages import Message
 from ev3proto.tables.carriers import Carrier
 
 if TYPE_CHECKING:
+    from ev3proto.dialogue import Exchange, Transfer, Value
     from ev3proto.schema.discovery import Beacon, Unlock
 
 NANOSECONDS = 1_000_000_000
@@ -141,14 +144,15 @@ class Record:
     def values(self) -> list[Value]:
         """For a reply: what it says, by name; else an empty list."""
         if self._values is None:
-            self._values = values_of(self.message, None if self.request is None else self.request.message)
+            self._values = _dialogue().values_of(self.message, None if self.request is None else self.request.message)
         return self._values
 
     @property
     def exchange(self) -> Exchange:
         """The message with all that a dialogue knows of it."""
         request = None if self.request is None else self.request.message
-        return Exchange(self.message, request, self.values, self.transfer)
+        exchange: Exchange = _dialogue().Exchange(self.message, request, self.values, self.transfer)
+        return exchange
 
     @property
     def time(self) -> float:
@@ -202,6 +206,12 @@ class Record:
         return (
             f"<Record {self.number} {self.route.carrier} {self.route.source} > {self.route.target} {self.frame.hex()}>"
         )
+
+
+@cache
+def _dialogue() -> ModuleType:
+    """What reads replies, which takes a while to load: nobody needs it who only counts or looks at messages."""
+    return import_module("ev3proto.dialogue")
 
 
 MOST_READ = 1 << 14

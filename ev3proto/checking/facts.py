@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from ev3proto.checking.report import Finding
-from ev3proto.messages import ArgumentValue, OperationReader
+from ev3proto.messages import OperationReader
 from ev3proto.semantics.domain import Domain, domain_of
-from ev3proto.semantics.footprint import Place
+from ev3proto.semantics.footprint import MemoryFacts, memory_facts
 from ev3proto.tables.declaration import Declaration, Direction, Effect, Parameter, Type
 from ev3proto.tables.encoding import RANGES, Range
 
@@ -33,11 +32,6 @@ class ParameterFacts:
     advice: str
 
 
-Said = dict[int | tuple[int, ArgumentValue], Finding | Place | None]
-"""What is said of an argument, as far as that was worked out: what is wrong, or where it lies, or nothing. By its only
-byte, or by its identification byte and its value."""
-
-
 @dataclass(frozen=True, slots=True)
 class OperationFacts:
     """What the rules need to know of an operation besides its arguments.
@@ -45,7 +39,7 @@ class OperationFacts:
     declaration  what the tables say of it
     name         `SOUND.TONE`
     parameters   of each argument before the elements of a list
-    said         the same for what is said of them
+    memory       the same for the memory that a variable in their place takes
     effects      what it does besides what its parameters say
     has_cmd      its opcode has CMDs
     is_jump      its last argument says where to
@@ -57,7 +51,7 @@ class OperationFacts:
     declaration: Declaration
     name: str
     parameters: tuple[ParameterFacts, ...]
-    said: tuple[Said, ...]
+    memory: tuple[MemoryFacts, ...]
     effects: frozenset[Effect]
     has_cmd: bool
     is_jump: bool
@@ -76,7 +70,7 @@ def operation_facts(schema: OperationReader) -> OperationFacts:
         declaration,
         declaration.name,
         tuple(parameter_facts(parameter) for parameter in fixed),
-        tuple({} for _ in fixed),
+        memory_facts(schema),
         frozenset(declaration.effects),
         declaration.command is not None,
         is_jump=declaration.is_jump,
@@ -94,12 +88,6 @@ def parameter_facts(parameter: Parameter) -> ParameterFacts:
         domain = None
     limits = RANGES[parameter.type] if parameter.type in _NUMBERS else None
     return ParameterFacts(parameter, _numbers(parameter, domain), domain, limits, *_sentences(parameter, domain))
-
-
-@cache
-def said_of_element(_parameter: Parameter) -> Said:
-    """What is said of an element of a list."""
-    return {}
 
 
 _NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)

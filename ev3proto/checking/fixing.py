@@ -216,9 +216,9 @@ class _Fixing:
         if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:
             return command
         found = self._places[GLOBAL]
-        read = Taken(place for place in found if place.is_read)
+        read = Taken((place.start, place.end) for place in found if place.is_read)
         for place in found:
-            if not place.is_written or place.end > MOST_IN_REPLY or read.has_some_of(place):
+            if not place.is_written or place.end > MOST_IN_REPLY or read.has_some_of(place.start, place.end):
                 continue
             member = MessageType.DIRECT_COMMAND_REPLY
             self._set(TYPE_OFFSET, bytes((member,)))

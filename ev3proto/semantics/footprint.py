@@ -130,50 +130,23 @@ class Footprint:
         return f"{self.argument.name} of {self.operation.full_name}"
 
 
-@dataclass(slots=True, eq=False)
-class Place:
-    """Where a variable lies, wherever in a frame it stands.
-
-    start          its first byte
-    end            the first byte after those that it takes for sure
-    most_end       the same of those that it takes at most, None where that is not known
-    is_read        the operation reads it
-    is_written     the operation writes it
-    is_misaligned  it is none of the multiples that the validator and the processor want
-    """
-
-    start: int
-    end: int
-    most_end: int | None
-    is_read: bool
-    is_written: bool
-    is_misaligned: bool
-
-    @classmethod
-    def of(cls, found: Footprint) -> Place:
-        """That of a variable."""
-        start = found.start
-        is_misaligned = start % found.validator_alignment != 0 or start % found.cpu_alignment != 0
-        most_end = None if found.most is None else start + found.most
-        return cls(start, found.end, most_end, found.is_read, found.is_written, is_misaligned)
-
-
 class Taken:
     """The bytes that some variables of one memory take. It tells at once whether another one has any of them.
 
     A frame may have hundreds of variables, so to ask each of them for each other one takes long.
     """
 
-    def __init__(self, found: Iterable[Footprint | Place]) -> None:
-        places = sorted([(it.start, it.end) for it in found])
+    def __init__(self, found: Iterable[tuple[int, int]]) -> None:
+        """`found`: where each of them starts and ends."""
+        places = sorted(found)
         self._starts = [start for start, _ in places]
         # For each place, where the furthest of those up to it ends.
         self._ends = list(accumulate([end for _, end in places], max))
 
-    def has_some_of(self, found: Footprint | Place) -> bool:
-        """Whether there is a byte that this variable takes, too."""
-        before = bisect_left(self._starts, found.end)
-        return before > 0 and self._ends[before - 1] > found.start
+    def has_some_of(self, start: int, end: int) -> bool:
+        """Whether there is a byte between these two that is taken."""
+        before = bisect_left(self._starts, end)
+        return before > 0 and self._ends[before - 1] > start
 
 
 def footprints(operation: Operation, arguments: Sequence[Argument] | None = None) -> list[Footprint]:
@@ -197,22 +170,19 @@ def footprints(operation: Operation, arguments: Sequence[Argument] | None = None
     return found
 
 
-def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) -> tuple[Footprint, bool]:
+def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) -> Footprint:
     """The memory that an operation uses by one argument, which is a variable.
 
     Args:
         operation: The operation, whole or cut off.
         number: That of the argument, from 0.
         arguments: All arguments of the operation.
-
-    Returns:
-        The memory, and whether it depends on that argument alone.
     """
     schema, *_ = operation
     facts = memory_facts(schema)
     argument = arguments[number]
     known = facts[number] if number < len(facts) else element_facts(argument.parameter)
-    return _footprint(operation, number, argument, known, arguments), not known.is_counted
+    return _footprint(operation, number, argument, known, arguments)
 
 
 def results(operation: Operation) -> list[Footprint]:

@@ -13,7 +13,6 @@ from ev3proto.checking.report import Finding
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Operation, OperationReader
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
-from ev3proto.schema.identification import ENCODINGS
 from ev3proto.tables.declaration import Parameter, Type
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD
 from ev3proto.text.assembly import operation_line
@@ -45,7 +44,6 @@ class Excerpt:
     """A frame from which spans are shown, and what it says there."""
 
     def __init__(self, frame: bytes, dialect: str) -> None:
-        self._frame = frame
         self._size = len(frame)
         self._hex = f" {spaced_hex(frame)}"
         self._message = message = read_last(frame, dialect)
@@ -90,9 +88,7 @@ class Excerpt:
             line = self._line_text
             number = self._numbers.get(start, _NOWHERE)
             if number < len(self._labels):
-                said = self._labels[number]
-                short = said.short[self._frame[start]] if length == 1 else None
-                label = short or said.text(self._arguments[number], length)
+                label = self._labels[number].text(self._arguments[number], length)
             else:
                 label = self._said(start, length)
         digits = self._row_texts.get(start - row) or self._row_text(start - row)
@@ -265,20 +261,16 @@ def _cut(text: str, most: int) -> str:
 
 
 class _Label(Pattern):
-    """How an argument is said: `VOLUME = 200 %`.
+    """How an argument is said: `VOLUME = 200 %`."""
 
-    short  by its only byte; None for long forms, and for what was not needed yet
-    """
-
-    __slots__ = ("short",)
+    __slots__ = ()
 
     def __init__(self, parameter: Parameter) -> None:
         super().__init__(parameter, _split)
-        self.short: list[str | None] = [None] * len(ENCODINGS)
 
     def text(self, argument: Argument, length: int) -> str:
         """The text of an argument; none where it has another length."""
-        _, form, value, offset, data = argument
+        _, form, value, _, _ = argument
         if type(value) is not int:
             return _cut(_text(argument), _MOST_LABEL) if length == argument.length else ""
         width = form.width
@@ -289,10 +281,7 @@ class _Label(Pattern):
         before, after = self.get((id(form), value) if named is None or value in named else id(form)) or self.around(
             argument
         )
-        text = _cut(f"{before}{value}{after}", _MOST_LABEL)
-        if not width:
-            self.short[data[offset]] = text
-        return text
+        return _cut(f"{before}{value}{after}", _MOST_LABEL)
 
 
 @cache

@@ -12,7 +12,7 @@ from ev3proto.checking.report import Finding, Severity, new_finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
 from ev3proto.messages import Argument, DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
-from ev3proto.semantics.footprint import Footprint, Place, Taken, footprint
+from ev3proto.semantics.footprint import Footprint, MemoryFacts, Taken, footprint
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 
@@ -23,8 +23,9 @@ _LARGEST = 4
 """Bytes of the largest value, to whose multiples people round sizes up."""
 
 
-Use = tuple[Place, CheckedOperation, int]
-"""A variable: where it lies, its operation, the number of the argument."""
+Use = tuple[int, int, int | None, MemoryFacts | Footprint, CheckedOperation, int]
+"""A variable: its first byte, where it ends for sure, where at most (None where that is not known), what else is known
+of it, its operation, the number of the argument."""
 
 
 def check_memory(
@@ -48,8 +49,8 @@ def check_memory(
 
 
 def _footprint(use: Use) -> Footprint:
-    _, operation, number = use
-    return footprint(operation.parsed, number, operation.arguments)[0]
+    *_, operation, number = use
+    return footprint(operation.parsed, number, operation.arguments)
 
 
 class _Remark(NamedTuple):
@@ -82,16 +83,16 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     # One variable may be misaligned in a thousand places: what is said of it is made once.
     said: dict[tuple[object, ...], _Remark] = {}
     for use in used:
-        place, operation, number = use
-        if place.is_misaligned:
+        start, end, _, known, operation, number = use
+        if start % known.validator_alignment or start % known.cpu_alignment:
             found = _footprint(use)
             key = _identity(found)
             remark = said.get(key)
             if remark is None:
                 remark = said[key] = _misaligned(found, asked)
             yield remark.at(found.argument.offset)
-        if place.end > asked:
-            yield _beyond(place, operation, operation.arguments[number], asked)
+        if end > asked:
+            yield _beyond(start, end, operation, operation.arguments[number], asked)
 
 
 def _misaligned(found: Footprint, asked: int) -> _Remark:
@@ -145,10 +146,10 @@ def _memory(is_global: bool) -> tuple[str, int]:
     return ("global", MOST_IN_REPLY) if is_global else ("local", MAX_LOCALS)
 
 
-def _beyond(place: Place, operation: CheckedOperation, argument: Argument, asked: int) -> Finding:
+def _beyond(start: int, end: int, operation: CheckedOperation, argument: Argument, asked: int) -> Finding:
     """A variable that lies beyond its memory, in whole or in part."""
     is_global = argument.form.kind == GLOBAL
-    texts = _beyond_texts(argument.parameter.name, is_global, place.start, place.end, asked)
+    texts = _beyond_texts(argument.parameter.name, is_global, start, end, asked)
     return operation.finding_at(codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS, argument, *texts)
 
 
@@ -217,7 +218,7 @@ def _by_operation(used: list[Footprint]) -> Iterator[list[Footprint]]:
 
 def _have_results_in_common(used: list[Use]) -> bool:
     """Whether there are two results at least that have a byte in common. Most commands have none."""
-    taken = sorted([(place.start, place.end) for place, _, _ in used if place.is_written])
+    taken = sorted([(start, end) for start, end, _, known, _, _ in used if known.is_written])
     last = 0
     for start, end in taken:
         if start < last:
@@ -286,11 +287,11 @@ def _unread(used: list[Use]) -> Use | None:
     """The first result that no operation reads."""
     read: Taken | None = None
     for use in used:
-        place = use[0]
-        if not place.is_written or place.end == place.start:
+        start, end, _, known, _, _ = use
+        if not known.is_written or end == start:
             continue
-        read = read or Taken([place for place, _, _ in used if place.is_read])
-        if not read.has_some_of(place):
+        read = read or Taken([(it[0], it[1]) for it in used if it[3].is_read])
+        if not read.has_some_of(start, end):
             return use
     return None
 
@@ -299,8 +300,7 @@ def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
     if not asked or asked > MOST_IN_REPLY:
         return
     needed = 0
-    for place, _, _ in used:
-        end = place.most_end
+    for _, _, end, _, _, _ in used:
         if end is None:
             # Nobody knows how many bytes it takes.
             return

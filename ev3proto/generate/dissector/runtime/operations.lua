@@ -32,6 +32,15 @@ do
         return parameter.field, is_text and utf8_text(value) or value, label, addition
     end
 
+    -- With what is wrong already, one more: its kind and its text. A list is written at once, as one that grows is laid
+    -- out anew, and most have no more.
+    local function with_complaint(complaints, kind, text)
+        if not complaints then return { kind, text } end
+        local count = #complaints
+        complaints[count + 1], complaints[count + 2] = kind, text
+        return complaints
+    end
+
     -- What the brick refuses, or what lies beyond the memory that the command asks for: kinds and texts in turn, after
     -- those that are in `complaints`, where there are any.
     local function variable_complaints(complaints, view, parameter, encoding, index)
@@ -41,9 +50,8 @@ do
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
             local text = variable_text(encoding, index)
-            complaints = complaints or {}
-            complaints[#complaints + 1] = "misaligned"
-            complaints[#complaints + 1] = format(reason, parameter.name, sort, alignment, text)
+            complaints =
+                with_complaint(complaints, "misaligned", format(reason, parameter.name, sort, alignment, text))
         end
         local is_global = encoding.kind == GLOBAL
         local asked = is_global and view.globals or view.locals
@@ -58,9 +66,7 @@ do
             local reason = "%s reaches up to byte %d of the %s memory, of which the command asks for %s"
             local scope = is_global and "global" or "local"
             reason = format(reason, parameter.name, index + size, scope, plural(asked, "byte"))
-            complaints = complaints or {}
-            complaints[#complaints + 1] = "beyond_memory"
-            complaints[#complaints + 1] = reason
+            complaints = with_complaint(complaints, "beyond_memory", reason)
         end
         return complaints
     end
@@ -86,8 +92,11 @@ do
             rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
             local complaints = variable_complaints(nil, rows, parameter, encoding, value)
             if complaints then
-                rows.wrong = rows.wrong or {}
-                rows.wrong[count + 1] = complaints
+                if rows.wrong then
+                    rows.wrong[count + 1] = complaints
+                else
+                    rows.wrong = { [count + 1] = complaints }
+                end
             end
         else
             if parameter.is_plain and encoding.kind == CONSTANT then
@@ -98,8 +107,11 @@ do
                     value_of_row(parameter, parameter.name, value)
             end
             if parameter.tells_length and tells_length(parameter, encoding) then
-                if rows.lengths == NO_LENGTHS then rows.lengths = {} end
-                rows.lengths[parameter.name] = value
+                if rows.lengths == NO_LENGTHS then
+                    rows.lengths = { [parameter.name] = value }
+                else
+                    rows.lengths[parameter.name] = value
+                end
             end
         end
         add_phrase(phrase, parameter, encoding, value)

@@ -59,11 +59,10 @@ do
         end
     end
 
+    -- Written at once, as a table that grows is laid out anew.
     local function finished_layout()
-        local layout = { unpack(draft, 1, draft_size) }
-        layout.first = draft_first
-        if draft_lengths then layout.lengths = draft_lengths end
-        return layout
+        if not draft_lengths then return { first = draft_first, unpack(draft, 1, draft_size) } end
+        return { first = draft_first, lengths = draft_lengths, unpack(draft, 1, draft_size) }
     end
 
     -- The type of an output that has that of the array it comes from: what fits before the next output of its

@@ -18,7 +18,7 @@ from support.effort import effort
 import ev3proto
 from ev3proto import Decoder, DirectCommand, Message
 from ev3proto.schema.frame import frame_schema
-from ev3proto.schema.instructions import instruction_set
+from ev3proto.schema.instructions import InstructionSet, instruction_set
 from ev3proto.schema.pattern import MOST_LISTED, byte_code_pattern
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.testing import frames, mutated_frames, operations, raw_operations
@@ -29,6 +29,15 @@ dialects = st.sampled_from(DIALECTS)
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 """SOUND TONE at volume 1, 440 Hz, 1000 ms."""
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _expressions() -> None:
+    """Every dialect has its expression, which is not made for the first bytes that are looked at."""
+    nothing = bytes.fromhex("01") * 1000
+    for dialect in DIALECTS:
+        for _ in range(5):
+            assert instruction_set(dialect).is_flawless(nothing, 0, len(nothing))
 
 
 def read(frame: bytes) -> DirectCommand:
@@ -82,6 +91,16 @@ def test_what_counts_as_flawless_has_no_fault(drawn: tuple[str, bytes]) -> None:
     assert instructions.is_flawless(code, 0, len(code)) == (fault is None)
     if fault is None:
         assert instructions.operations(code, 0) == tuple(found)
+
+
+def test_faults_are_found_before_and_after_the_expression_is_made() -> None:
+    instructions = InstructionSet("official")
+    fine, cut = bytes.fromhex("94 01 01 82 B8 01 82 E8 03") * 100, bytes.fromhex("94 01 01 82 B8 01 82") * 100
+    for _ in range(10):
+        assert instructions.is_flawless(fine, 0, len(fine))
+        assert instructions.looks_usual(fine, 0, len(fine))
+        assert not instructions.is_flawless(cut, 0, len(cut))
+        assert not instructions.looks_usual(cut, 0, len(cut))
 
 
 @many

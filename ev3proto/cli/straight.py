@@ -5,7 +5,6 @@ Most frames of a long capture are such commands. No messages are made of them: t
 
 from __future__ import annotations
 
-import json
 from abc import ABC, abstractmethod
 from typing import Any
 
@@ -79,6 +78,8 @@ class StraightJson(Straight):
         return None if text is None else [text]
 
     def _text(self, route: Route) -> str:
+        import json
+
         return json.dumps(ends(route), ensure_ascii=False)[1:-1]
 
 

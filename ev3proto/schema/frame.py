@@ -247,7 +247,7 @@ class FrameSchema(Bytewise):
                 is_whole
                 and code in _DIRECT_COMMANDS
                 and (
-                    instructions.is_usual(frame, COMMAND_HEADER_SIZE, size)
+                    instructions.looks_usual(frame, COMMAND_HEADER_SIZE, size)
                     or instructions.is_flawless(frame, COMMAND_HEADER_SIZE, size)
                 )
             ):

@@ -32,6 +32,15 @@ _NO_NAMES: frozenset[ArgumentValue] = frozenset()
 _NARROW = 2
 """Bytes of a form whose value is one byte."""
 
+_SHORT_FORMS = [form for form, _ in SHORT]
+_PLACES = {
+    form: (_SHORT_FORMS.index(form), _SHORT_FORMS.index(form) + _SHORT_FORMS.count(form)) for form in set(_SHORT_FORMS)
+}
+"""By each short form, the first of its bytes and the one after the last."""
+
+SHORT_NUMBERS = tuple(str(value) for _, value in SHORT)
+"""The values of short forms, by their only byte."""
+
 _UNSIGNED = tuple(map(str, range(256)))
 _SIGNED = (*_UNSIGNED[:128], *map(str, range(-128, 0)))
 """Numbers by their only byte, in variables and in all else."""
@@ -74,7 +83,7 @@ class Pattern(dict[object, Around]):
 class ArgumentTexts:
     """The texts of one argument of an operation, straight from the bytes of a frame.
 
-    short   by the only byte of a short form: what stands before and after the offset; None where nobody needed it yet
+    short   by the only byte of a short form: what stands before and after its value; None where it is not known yet
     narrow  by the identification byte of a form of two bytes: numbers by the second byte, what stands around them
     """
 
@@ -100,10 +109,14 @@ class ArgumentTexts:
         self._numbers: dict[int, tuple[Unpack, int, str, str, frozenset[ArgumentValue]]] = {}
 
     def of_short(self, first: int) -> Around:
-        """What stands before and after the offset of a short form, its value included."""
+        """What stands before and after the value of a short form. It is kept."""
         form, value = SHORT[first]
-        before, after = self._pattern.around(Argument((self._parameter, form, value, 0, bytes((first,)))))
-        found = self.short[first] = f"{before}{value}", after
+        found = self._pattern.around(Argument((self._parameter, form, value, 0, bytes((first,)))))
+        if self._named == _NO_NAMES or form.kind in (LOCAL, GLOBAL):
+            start, end = _PLACES[form]
+            self.short[start:end] = [found] * (end - start)
+        else:
+            self.short[first] = found
         return found
 
     def read(self, data: bytes, at: int) -> tuple[str, str, str, int]:

@@ -33,6 +33,7 @@ from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
 from ev3proto.text.heading import Seen, heading
 from ev3proto.text.patterns import (
+    SHORT_NUMBERS,
     ArgumentTexts,
     Around,
     DialectTexts,
@@ -156,7 +157,7 @@ class _TreeTexts(OperationTexts):
             first = data[at]
             if first < _LONG:
                 before, after = argument.short[first] or argument.of_short(first)
-                texts.append(f"{_INDENTED[at]}{before}{after}")
+                texts.append(f"{_INDENTED[at]}{before}{SHORT_NUMBERS[first]}{after}")
                 at += 1
                 continue
             narrow = argument.narrow[first]

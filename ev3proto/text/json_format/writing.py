@@ -33,6 +33,7 @@ from ev3proto.tables.encoding import TEXT, Encoding
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 from ev3proto.text.heading import Seen
 from ev3proto.text.patterns import (
+    SHORT_NUMBERS,
     ArgumentTexts,
     Around,
     DialectTexts,
@@ -182,7 +183,7 @@ class _JsonTexts(OperationTexts):
             first = data[at]
             if first < _LONG:
                 before, after = argument.short[first] or argument.of_short(first)
-                found.append(f"{before}{_PLACES[at]}{after}")
+                found.append(f"{before}{SHORT_NUMBERS[first]}{_PLACES[at]}{after}")
                 at += 1
                 continue
             narrow = argument.narrow[first]

@@ -6413,10 +6413,13 @@ end
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, is_sensible_command, judge_frames, find_frame, find_step
+local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
     local MOST_TRIALS = 64
+
+    -- Frames after one that are looked at to tell whether it is one.
+    local MOST_FOLLOWING = 2
 
     -- Whether the operations of a command can be read: all of them, or with `is_part` those that are there.
     local function can_be_read_now(text, stop, is_part)
@@ -6484,12 +6487,12 @@ do
     end
 
     -- Whether a frame of which only this is there may become one without a fault.
-    local function may_become_flawless(text, at, accepts)
+    function may_become_flawless(text, at, accepts)
         local part = sub(text, at + 1)
         if not may_start(part, 0) then return false end
         local type = MESSAGE_TYPES[byte(part, HEADER_SIZE)]
         if not type then return true end
-        if not accepts(type) then return false end
+        if accepts and not accepts(type) then return false end
         if type.carries == "system" and #part > HEADER_SIZE then
             return SYSTEM_COMMANDS[byte(part, HEADER_SIZE + 1)] ~= nil
         end
@@ -6565,13 +6568,26 @@ do
         return true
     end
 
+    -- How many frames begin here, one after the other, of those whose headers are here; nil where none can. Few are
+    -- enough to tell, as the next gap may come soon.
+    local function follow(text, at)
+        local size, count = #text, 0
+        while at < size and count < MOST_FOLLOWING do
+            if not may_start(text, at) then return nil end
+            if size - at < HEADER_SIZE then break end
+            local low, high = byte(text, at + 1, at + 2)
+            at, count = at + LENGTH_FIELD + low + high * 0x100, count + 1
+        end
+        return count
+    end
+
     -- Where a stream goes on that is out of step, from an offset on: the place of a frame that is whole there and
     -- without a fault, and followed by what may be the next one. If frames may go on in the next packet, this is also
     -- the place of the first that may be one as far as it goes, and the second result is true. Where a packet starts,
-    -- at `first` and from `second` on, a frame may have faults. nil: no frame is here.
+    -- at `first` and at `second`, a frame may have faults, or nothing that can follow it. nil: no frame is here.
     function find_step(text, at, accepts, may_go_on, first, second)
         accepts = accepts or accepts_any
-        local open, is_start, single
+        local open, single, begun
         local trials, hit = 0, find(text, STARTS, at + 2)
         while hit and trials < MOST_TRIALS do
             local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
@@ -6579,26 +6595,28 @@ do
             if is_length(low, high) and accepts(MESSAGE_TYPES[code]) then
                 trials = trials + 1
                 if stop > #text then
-                    if not open and may_become_flawless(text, place, accepts) then
-                        open, is_start = place, place == first or place == second
-                    end
-                elseif stop == #text or may_start(text, stop) then
-                    local message = read_message(sub(text, place + 1, stop))
-                    local is_found = place == first or place == second
-                    if not is_found and is_flawless(message) then
-                        is_found = not message.type.is_command or is_sensible_command(message)
-                    end
-                    if is_found then
-                        -- Only one with which a packet starts is more likely than one that is whole.
-                        if not may_go_on or not is_start or (count_chain(text, place) or 0) > 1 then return place end
-                        single = single or place
+                    if may_go_on and not open and may_become_flawless(text, place, accepts) then open = place end
+                else
+                    local following = follow(text, stop)
+                    local is_begin = place == first or place == second
+                    if following or is_begin then
+                        local message = read_message(sub(text, place + 1, stop))
+                        local stands = is_flawless(message)
+                            and (not message.type.is_command or is_sensible_command(message))
+                        if stands and following and following > 0 then return place end
+                        if stands and following then
+                            single = single or place
+                        elseif is_begin and (stands or following) then
+                            begun = begun or place
+                        end
                     end
                 end
             end
             hit = find(text, STARTS, hit + 1)
         end
-        if open and may_go_on then return open, true end
-        return single
+        single = single or begun
+        if single then return single end
+        return open, open ~= nil
     end
 end
 
@@ -6780,6 +6798,9 @@ do
             return not is_chained or at == 0 and (stop > captured or has_frame_inside(text, at, stop))
         end
         if is_chained and at > 0 then return false end
+        if stop > captured and not may_become_flawless(text, at, accepts) then
+            return find_step(text, at + 1, accepts) ~= nil
+        end
         if stop <= captured and is_flawless(read_message(sub(text, at + 1, stop))) then return false end
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
     end
@@ -6804,11 +6825,12 @@ do
     --   is_last    there is nothing more to wait for
     --   step       "sure" where a frame starts with the piece, "likely" where one does unless there is a gap before
     --              it, "lost" where it must be looked for
+    --   start      how many bytes of it are done, if there are any
     --   joint      where in the piece the newest packet starts; `first` is 0 where a packet starts with the piece, too
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
     function dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
-        local at, captured, is_ours, start = 0, #text, false, tvb:offset()
+        local at, captured, is_ours, start = stream.start or 0, #text, false, tvb:offset()
         local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
         local step, joint = stream.step, stream.joint
         while at < captured do
@@ -6859,7 +6881,9 @@ do
                     -- Its header must be right before it can ask for all of itself.
                     return at, nil, true, step
                 elseif not is_last and (not size or at + size > reported) then
-                    return at, size and at + size - reported, true, "sure"
+                    if step ~= "likely" or at > 0 then return at, size and at + size - reported, true, "sure" end
+                    -- A gap may be before it: it is looked at again with each packet.
+                    return at, nil, true, step
                 elseif captured - at < HEADER_SIZE then
                     local reason = "the frame is cut off in its header"
                     said, behind =
@@ -7261,12 +7285,12 @@ do
     local bricks, answers, announced, declined, has_found
 
     -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
-    -- bytes that wait for the next segment; the `step` with them; the packet `number` that came last, and
-    -- at which `offset` its data began.
+    -- bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done` before them;
+    -- the packet `number` that came last, and at which `offset` its data began.
     local connections
 
-    -- By buffer: how the stream stands with it, where that is not what one sees.
-    local steps
+    -- By buffer: how the stream stands with it, where that is not what one sees; where in it is what was not done yet.
+    local steps, starts
 
     -- The ports on which connections are looked at, those that beacons named, and who was there before us.
     local ports, named_ports, is_named, others = {}, {}, {}, {}
@@ -7284,7 +7308,7 @@ do
 
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        connections, steps = {}, {}
+        connections, steps, starts = {}, {}, {}
         for _, port in ipairs(named_ports) do
             give_port_back(port)
         end
@@ -7362,50 +7386,60 @@ do
             return offset == 0 and "sure" or "likely"
         end
 
-        -- The step of a buffer that is seen for the first time, and how many bytes of it were there before.
+        -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how many of
+        -- these are done: TCP hands some over again where a frame that begins in them is not whole yet.
         local function first_step(known, text, offset, number, pinfo)
             local pending, is_lost = known.pending, known.step == "lost"
             local is_further, usual = number == known.number, known.offset
             known.pending, known.number = nil, number
             if offset == 0 then
-                if pending and sub(text, 1, #pending) == pending then return known.step, #pending end
-                return "likely", 0
+                if pending and sub(text, 1, #pending) == pending then return known.step, #pending, 0 end
+                local done = known.done
+                if pending and sub(text, done + 1, done + #pending) == pending then
+                    return known.step, done + #pending, done
+                end
+                return "likely", 0, 0
             end
-            if is_further then return is_lost and "lost" or "sure", 0 end
+            if is_further then return is_lost and "lost" or "sure", 0, 0 end
             known.offset = offset
             if not pending and not is_lost then
                 -- The capture may begin inside a frame.
-                return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0
+                return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0, 0
             end
             -- What was asked for did not come. The rest of a segment follows the frame that was asked for all the same.
             local is_rest = pending and usual and not is_lost and offset > usual and may_go(text, types_of(pinfo))
-            return is_rest and "likely" or "lost", 0
+            return is_rest and "likely" or "lost", 0, 0
         end
 
-        -- How a stream stands with a buffer, and how many bytes of it were there before; `known` is what is known of
-        -- the stream, when the buffer is seen for the first time.
+        -- How a stream stands with a buffer, how many bytes of it were there before, and how many are done; `known` is
+        -- what is known of the stream, when the buffer is seen for the first time.
         function step_of(known, text, offset, number, pinfo)
             -- Nearly always it goes on as it went.
             if known and offset == known.offset and number ~= known.number and not known.pending
                 and known.step ~= "lost" then
                 known.number = number
-                return "likely", 0
+                return "likely", 0, 0
             end
             local usual = usual_step(offset)
-            if not known then return next(steps) and steps[place_of(number, offset)] or usual, 0 end
-            local step, joint = first_step(known, text, offset, number, pinfo)
+            if not known then
+                if not next(steps) and not next(starts) then return usual, 0, 0 end
+                local place = place_of(number, offset)
+                return steps[place] or usual, 0, starts[place] or 0
+            end
+            local step, joint, done = first_step(known, text, offset, number, pinfo)
             if step ~= usual then steps[place_of(number, offset)] = step end
-            return step, joint
+            if done > 0 then starts[place_of(number, offset)] = done end
+            return step, joint, done
         end
     end
 
     local function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
         local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
-        local step, joint = step_of(known, text, offset, number, pinfo)
+        local step, joint, done = step_of(known, text, offset, number, pinfo)
         brick = is_shown and (talk or connection_of(pinfo)).name
         -- Nearly always one frame is all there is.
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        if step ~= "lost" and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
+        if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
             and MESSAGE_TYPES[code] then
             local place = place_of(number, offset)
             show_line(pinfo, number, offset,
@@ -7417,6 +7451,7 @@ do
                 reported = reported,
                 is_last = captured < reported or pinfo.can_desegment == 0,
                 step = step,
+                start = done,
                 joint = joint,
                 first = 0,
                 accepts = types_of(pinfo),
@@ -7429,7 +7464,7 @@ do
             end
             if known then
                 known.pending = behind < captured and sub(text, behind + 1) or nil
-                known.step = step_after
+                known.step, known.done = step_after, behind
             end
             show(pinfo)
         end

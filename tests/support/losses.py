@@ -27,12 +27,22 @@ class Lossy(NamedTuple):
     whole: Counter[Segment]
 
 
-def lossy(carrier: str, sizes: tuple[int, int], messages: Iterable[Segment], seed: int) -> Lossy:
-    """A capture in which each side's bytes are cut into packets of so many bytes, without regard to frames."""
-    rng = random.Random(seed)
+def lossy(carrier: str, sizes: tuple[int, int], dialogues: Iterable[Iterable[Segment]]) -> Lossy:
+    """A capture of dialogues, each in a connection of its own; packets have so many bytes, whatever frames have."""
     capture = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION)
-    missing = Capture(RAW_IP)
-    way = Connection(capture) if carrier == "tcp" else SerialPort(capture)
+    whole: Counter[Segment] = Counter()
+    for number, messages in enumerate(dialogues):
+        way: Connection | SerialPort = (
+            Connection(capture, 10_000 + number) if carrier == "tcp" else SerialPort(capture, connection=number)
+        )
+        whole += _say(way, sizes, messages, random.Random(number))
+    return Lossy(capture.data(), whole)
+
+
+def _say(
+    way: Connection | SerialPort, sizes: tuple[int, int], messages: Iterable[Segment], rng: random.Random
+) -> Counter[Segment]:
+    capture, missing = way.capture, Capture(RAW_IP)
     whole = Counter({Segment(True, BEGINNING): 1})
     way.send(BEGINNING)
     for from_host, frames in _turns(messages, rng):
@@ -47,7 +57,7 @@ def lossy(carrier: str, sizes: tuple[int, int], messages: Iterable[Segment], see
         for frame in frames:
             whole[Segment(from_host, frame)] += all(is_there[at : at + len(frame)])
             at += len(frame)
-    return Lossy(capture.data(), whole)
+    return whole
 
 
 def _turns(messages: Iterable[Segment], rng: random.Random) -> Iterator[tuple[bool, list[bytes]]]:

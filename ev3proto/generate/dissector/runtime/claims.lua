@@ -6,10 +6,13 @@
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, is_sensible_command, judge_frames, find_frame, find_step
+local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
     local MOST_TRIALS = 64
+
+    -- Frames after one that are looked at to tell whether it is one.
+    local MOST_FOLLOWING = 2
 
     -- Whether the operations of a command can be read: all of them, or with `is_part` those that are there.
     local function can_be_read_now(text, stop, is_part)
@@ -77,12 +80,12 @@ do
     end
 
     -- Whether a frame of which only this is there may become one without a fault.
-    local function may_become_flawless(text, at, accepts)
+    function may_become_flawless(text, at, accepts)
         local part = sub(text, at + 1)
         if not may_start(part, 0) then return false end
         local type = MESSAGE_TYPES[byte(part, HEADER_SIZE)]
         if not type then return true end
-        if not accepts(type) then return false end
+        if accepts and not accepts(type) then return false end
         if type.carries == "system" and #part > HEADER_SIZE then
             return SYSTEM_COMMANDS[byte(part, HEADER_SIZE + 1)] ~= nil
         end
@@ -158,13 +161,26 @@ do
         return true
     end
 
+    -- How many frames begin here, one after the other, of those whose headers are here; nil where none can. Few are
+    -- enough to tell, as the next gap may come soon.
+    local function follow(text, at)
+        local size, count = #text, 0
+        while at < size and count < MOST_FOLLOWING do
+            if not may_start(text, at) then return nil end
+            if size - at < HEADER_SIZE then break end
+            local low, high = byte(text, at + 1, at + 2)
+            at, count = at + LENGTH_FIELD + low + high * 0x100, count + 1
+        end
+        return count
+    end
+
     -- Where a stream goes on that is out of step, from an offset on: the place of a frame that is whole there and
     -- without a fault, and followed by what may be the next one. If frames may go on in the next packet, this is also
     -- the place of the first that may be one as far as it goes, and the second result is true. Where a packet starts,
-    -- at `first` and from `second` on, a frame may have faults. nil: no frame is here.
+    -- at `first` and at `second`, a frame may have faults, or nothing that can follow it. nil: no frame is here.
     function find_step(text, at, accepts, may_go_on, first, second)
         accepts = accepts or accepts_any
-        local open, is_start, single
+        local open, single, begun
         local trials, hit = 0, find(text, STARTS, at + 2)
         while hit and trials < MOST_TRIALS do
             local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
@@ -172,25 +188,27 @@ do
             if is_length(low, high) and accepts(MESSAGE_TYPES[code]) then
                 trials = trials + 1
                 if stop > #text then
-                    if not open and may_become_flawless(text, place, accepts) then
-                        open, is_start = place, place == first or place == second
-                    end
-                elseif stop == #text or may_start(text, stop) then
-                    local message = read_message(sub(text, place + 1, stop))
-                    local is_found = place == first or place == second
-                    if not is_found and is_flawless(message) then
-                        is_found = not message.type.is_command or is_sensible_command(message)
-                    end
-                    if is_found then
-                        -- Only one with which a packet starts is more likely than one that is whole.
-                        if not may_go_on or not is_start or (count_chain(text, place) or 0) > 1 then return place end
-                        single = single or place
+                    if may_go_on and not open and may_become_flawless(text, place, accepts) then open = place end
+                else
+                    local following = follow(text, stop)
+                    local is_begin = place == first or place == second
+                    if following or is_begin then
+                        local message = read_message(sub(text, place + 1, stop))
+                        local stands = is_flawless(message)
+                            and (not message.type.is_command or is_sensible_command(message))
+                        if stands and following and following > 0 then return place end
+                        if stands and following then
+                            single = single or place
+                        elseif is_begin and (stands or following) then
+                            begun = begun or place
+                        end
                     end
                 end
             end
             hit = find(text, STARTS, hit + 1)
         end
-        if open and may_go_on then return open, true end
-        return single
+        single = single or begun
+        if single then return single end
+        return open, open ~= nil
     end
 end

@@ -155,6 +155,9 @@ do
             return not is_chained or at == 0 and (stop > captured or has_frame_inside(text, at, stop))
         end
         if is_chained and at > 0 then return false end
+        if stop > captured and not may_become_flawless(text, at, accepts) then
+            return find_step(text, at + 1, accepts) ~= nil
+        end
         if stop <= captured and is_flawless(read_message(sub(text, at + 1, stop))) then return false end
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
     end
@@ -179,11 +182,12 @@ do
     --   is_last    there is nothing more to wait for
     --   step       "sure" where a frame starts with the piece, "likely" where one does unless there is a gap before
     --              it, "lost" where it must be looked for
+    --   start      how many bytes of it are done, if there are any
     --   joint      where in the piece the newest packet starts; `first` is 0 where a packet starts with the piece, too
     --   may_gap    nothing tells of gaps between the packets
     --   accepts    tells which types go its way, if that is known
     function dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
-        local at, captured, is_ours, start = 0, #text, false, tvb:offset()
+        local at, captured, is_ours, start = stream.start or 0, #text, false, tvb:offset()
         local reported, is_last, accepts = stream.reported, stream.is_last, stream.accepts
         local step, joint = stream.step, stream.joint
         while at < captured do
@@ -234,7 +238,9 @@ do
                     -- Its header must be right before it can ask for all of itself.
                     return at, nil, true, step
                 elseif not is_last and (not size or at + size > reported) then
-                    return at, size and at + size - reported, true, "sure"
+                    if step ~= "likely" or at > 0 then return at, size and at + size - reported, true, "sure" end
+                    -- A gap may be before it: it is looked at again with each packet.
+                    return at, nil, true, step
                 elseif captured - at < HEADER_SIZE then
                     local reason = "the frame is cut off in its header"
                     said, behind =

@@ -17,12 +17,12 @@ do
     local bricks, answers, announced, declined, has_found
 
     -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
-    -- bytes that wait for the next segment; the `step` with them; the packet `number` that came last, and
-    -- at which `offset` its data began.
+    -- bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done` before them;
+    -- the packet `number` that came last, and at which `offset` its data began.
     local connections
 
-    -- By buffer: how the stream stands with it, where that is not what one sees.
-    local steps
+    -- By buffer: how the stream stands with it, where that is not what one sees; where in it is what was not done yet.
+    local steps, starts
 
     -- The ports on which connections are looked at, those that beacons named, and who was there before us.
     local ports, named_ports, is_named, others = {}, {}, {}, {}
@@ -40,7 +40,7 @@ do
 
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        connections, steps = {}, {}
+        connections, steps, starts = {}, {}, {}
         for _, port in ipairs(named_ports) do
             give_port_back(port)
         end
@@ -118,50 +118,60 @@ do
             return offset == 0 and "sure" or "likely"
         end
 
-        -- The step of a buffer that is seen for the first time, and how many bytes of it were there before.
+        -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how many of
+        -- these are done: TCP hands some over again where a frame that begins in them is not whole yet.
         local function first_step(known, text, offset, number, pinfo)
             local pending, is_lost = known.pending, known.step == "lost"
             local is_further, usual = number == known.number, known.offset
             known.pending, known.number = nil, number
             if offset == 0 then
-                if pending and sub(text, 1, #pending) == pending then return known.step, #pending end
-                return "likely", 0
+                if pending and sub(text, 1, #pending) == pending then return known.step, #pending, 0 end
+                local done = known.done
+                if pending and sub(text, done + 1, done + #pending) == pending then
+                    return known.step, done + #pending, done
+                end
+                return "likely", 0, 0
             end
-            if is_further then return is_lost and "lost" or "sure", 0 end
+            if is_further then return is_lost and "lost" or "sure", 0, 0 end
             known.offset = offset
             if not pending and not is_lost then
                 -- The capture may begin inside a frame.
-                return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0
+                return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0, 0
             end
             -- What was asked for did not come. The rest of a segment follows the frame that was asked for all the same.
             local is_rest = pending and usual and not is_lost and offset > usual and may_go(text, types_of(pinfo))
-            return is_rest and "likely" or "lost", 0
+            return is_rest and "likely" or "lost", 0, 0
         end
 
-        -- How a stream stands with a buffer, and how many bytes of it were there before; `known` is what is known of
-        -- the stream, when the buffer is seen for the first time.
+        -- How a stream stands with a buffer, how many bytes of it were there before, and how many are done; `known` is
+        -- what is known of the stream, when the buffer is seen for the first time.
         function step_of(known, text, offset, number, pinfo)
             -- Nearly always it goes on as it went.
             if known and offset == known.offset and number ~= known.number and not known.pending
                 and known.step ~= "lost" then
                 known.number = number
-                return "likely", 0
+                return "likely", 0, 0
             end
             local usual = usual_step(offset)
-            if not known then return next(steps) and steps[place_of(number, offset)] or usual, 0 end
-            local step, joint = first_step(known, text, offset, number, pinfo)
+            if not known then
+                if not next(steps) and not next(starts) then return usual, 0, 0 end
+                local place = place_of(number, offset)
+                return steps[place] or usual, 0, starts[place] or 0
+            end
+            local step, joint, done = first_step(known, text, offset, number, pinfo)
             if step ~= usual then steps[place_of(number, offset)] = step end
-            return step, joint
+            if done > 0 then starts[place_of(number, offset)] = done end
+            return step, joint, done
         end
     end
 
     local function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
         local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
-        local step, joint = step_of(known, text, offset, number, pinfo)
+        local step, joint, done = step_of(known, text, offset, number, pinfo)
         brick = is_shown and (talk or connection_of(pinfo)).name
         -- Nearly always one frame is all there is.
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        if step ~= "lost" and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
+        if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
             and MESSAGE_TYPES[code] then
             local place = place_of(number, offset)
             show_line(pinfo, number, offset,
@@ -173,6 +183,7 @@ do
                 reported = reported,
                 is_last = captured < reported or pinfo.can_desegment == 0,
                 step = step,
+                start = done,
                 joint = joint,
                 first = 0,
                 accepts = types_of(pinfo),
@@ -185,7 +196,7 @@ do
             end
             if known then
                 known.pending = behind < captured and sub(text, behind + 1) or nil
-                known.step = step_after
+                known.step, known.done = step_after, behind
             end
             show(pinfo)
         end

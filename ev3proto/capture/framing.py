@@ -202,7 +202,7 @@ class Cutter:
             found.append(self._piece(PartKind.LOST, 0, at, self._reason))
             self._rest -= at
             self._in_step = not self._rest
-        if len(buffer) < self._next_try and not is_last:
+        if len(buffer) < self._next_try and not is_last and not self._ends_with_frame():
             return found
         self._next_try = 0
         while at < len(buffer):
@@ -241,6 +241,12 @@ class Cutter:
         for index, (start, number) in enumerate(self._marks):
             last = index + 1 == len(self._marks)
             yield start, number, len(self._buffer) if last else self._marks[index + 1][0]
+
+    def _ends_with_frame(self) -> bool:
+        """Whether the newest packet is one frame without a fault: the stream goes on there, whatever waits before it."""
+        buffer, start = self._buffer, self._marks[-1][0]
+        size = len(buffer) - start
+        return size >= HEADER_SIZE and frame_size(buffer, start) == size and self._finder.stands(buffer, start, len(buffer))
 
     def _piece(self, kind: PartKind, at: int, end: int, reason: str = "") -> StreamPart:
         numbers = tuple(dict.fromkeys(number for start, number, stop in self._spans() if start < end and stop > at))

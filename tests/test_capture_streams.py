@@ -330,18 +330,20 @@ def test_a_capture_begun_inside_a_frame() -> None:
     assert complaints(events) == [(voltage(1)[3:], 0, 1, reason), (volts(1)[-2:], 0, 4, reason)]
 
 
-def test_a_frame_that_is_a_packet_does_not_wait_for_what_may_have_begun_before_it() -> None:
-    """Bytes from inside a frame look like the beginning of a long one, but the command is shown before its reply."""
-    inside = b"\xff\xff" + struct.pack("<HHB", 300, 0x0707, 0x02) + b"\xaa" * 10
-    events, _ = of(
-        [
-            segment(True, 1000, inside),
-            segment(True, 1000 + len(inside), voltage(1)),
-            segment(False, 5000, volts(1)),
-            segment(True, 1000 + len(inside) + len(voltage(1)), voltage(2)),
-        ]
-    )
-    assert frames(events) == [(voltage(1), (2,)), (volts(1), (3,)), (voltage(2), (4,))]
+@pytest.mark.parametrize(
+    "inside", [b"", b"\xff\xfe", b"\xff\xff" + struct.pack("<HHB", 300, 0x0707, 0x02) + b"\xaa" * 10]
+)
+def test_frames_that_are_packets_do_not_wait_for_one_another(inside: bytes) -> None:
+    """Whatever was before, such as what looks like the beginning of a long frame: each reply is after its command."""
+    at = 1000 + len(inside)
+    dialogue = [
+        segment(True, at, voltage(1)),
+        segment(False, 5000, volts(1)),
+        segment(True, at + len(voltage(1)), voltage(2)),
+        segment(False, 5000 + len(volts(1)), volts(2)),
+    ]
+    events, _ = of([segment(True, 1000, inside), *dialogue] if inside else dialogue)
+    assert [frame for frame, _ in frames(events)] == [voltage(1), volts(1), voltage(2), volts(2)]
 
 
 def test_a_capture_begun_between_segments_of_a_frame() -> None:

@@ -242,11 +242,16 @@ class Cutter:
             last = index + 1 == len(self._marks)
             yield start, number, len(self._buffer) if last else self._marks[index + 1][0]
 
+    def _is_newest_packet(self, at: int, end: int) -> bool:
+        return at == self._marks[-1][0] and end == len(self._buffer)
+
     def _ends_with_frame(self) -> bool:
-        """Whether the newest packet is one frame without a fault: the stream goes on there, whatever waits before it."""
+        """Whether the newest packet is one frame without a fault: there the stream goes on, whatever waits."""
         buffer, start = self._buffer, self._marks[-1][0]
-        size = len(buffer) - start
-        return size >= HEADER_SIZE and frame_size(buffer, start) == size and self._finder.stands(buffer, start, len(buffer))
+        if len(buffer) - start < HEADER_SIZE:
+            return False
+        end = start + frame_size(buffer, start)
+        return self._is_newest_packet(start, end) and self._finder.stands(buffer, start, end)
 
     def _piece(self, kind: PartKind, at: int, end: int, reason: str = "") -> StreamPart:
         numbers = tuple(dict.fromkeys(number for start, number, stop in self._spans() if start < end and stop > at))
@@ -291,7 +296,7 @@ class Cutter:
         if end > len(buffer):
             return (PartKind.LOST if self._misleads(buffer, at, is_last) else PartKind.FRAME), end
         follows, stands = finder.follow(buffer, end), finder.stands(buffer, at, end)
-        if stands and (follows or finder.tells_itself(buffer, at)):
+        if stands and (follows or finder.tells_itself(buffer, at) or self._is_newest_packet(at, end)):
             return PartKind.FRAME, end
         if follows is None:
             return PartKind.LOST, end

@@ -6,6 +6,7 @@ import pytest
 
 import ev3proto
 from ev3proto import Beacon, Unlock
+from ev3proto.schema.discovery import is_beacon
 from ev3proto.tables.discovery import ACCEPT
 
 BEACON = b"Serial-Number: 0016533f0c1e\r\nPort: 5555\r\nName: EV3\r\nProtocol: EV3\r\n"
@@ -36,6 +37,28 @@ def test_no_beacon(datagram: bytes, offset: int, reason: str) -> None:
     with pytest.raises(ev3proto.DecodeError, match=reason) as error:
         Beacon.parse(datagram)
     assert error.value.offset == offset
+
+
+@pytest.mark.parametrize(
+    ("datagram", "is_whole", "is_cut"),
+    [
+        (BEACON, True, True),
+        (BEACON + b"x", True, True),
+        (BEACON[:-3], True, True),
+        (BEACON[:35], True, True),
+        (BEACON.replace(b"Name: EV3\r\n", b""), True, True),
+        (BEACON[:34], False, True),
+        (BEACON[:20], False, True),
+        (BEACON[:14], False, False),
+        (BEACON.replace(b"Port", b"Type"), False, False),
+        (BEACON.replace(b"Protocol: EV3", b"Protocol: IPP"), False, False),
+        (BEACON.replace(b"Protocol: EV3", b"Protocol: EV3000"), False, False),
+        (b"", False, False),
+    ],
+)
+def test_what_is_taken_for_a_beacon(datagram: bytes, is_whole: bool, is_cut: bool) -> None:
+    assert is_beacon(datagram) is is_whole
+    assert is_beacon(datagram, is_cut=True) is is_cut
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import random
 import re
 import struct
@@ -26,6 +27,7 @@ from support.packets import (
 from support.wireshark import Tshark
 
 import ev3proto
+from ev3proto.capture import Announcement, read
 
 CAPTURES = Path(__file__).parent.parent / "captures"
 SERIAL = "06165300000a"
@@ -245,6 +247,25 @@ def test_a_beacon_with_another_line(tshark: Tshark) -> None:
     text = tshark.run(tshark.place(capture.data(), "beacon.pcap"), "-V")
     assert "at offset 41: a line 'Name: ...' should stand here" in text
     assert "    Port: 5555" in text
+
+
+def test_a_beacon_of_which_less_was_captured(ask: Ask) -> None:
+    """What is there tells nothing else: the first label has 15 bytes, the first line 29, the last label ends at 64."""
+    whole = datagram(BEACON)
+    head = len(whole) - len(BEACON)
+    capture = Capture(RAW_IP)
+    for captured in (14, 15, 27, 29, 32, 40, 65):
+        capture.add(whole[: head + captured], len(whole))
+    assert ask(capture, "ev3") == ["2", "3", "4", "5", "6", "7"]
+    events = read(io.BytesIO(capture.data())).events()
+    assert [event.numbers for event in events if isinstance(event, Announcement)] == [(n,) for n in range(2, 8)]
+
+
+def test_decode_as_takes_faulty_beacons(ask: Ask) -> None:
+    capture = Capture(RAW_IP)
+    capture.add(datagram(b"Serial-Number: 06165300000a\r\nProtocol: EV3\r\n", target_port=3016))
+    words = ("-d", "udp.port==3016,ev3")
+    assert ask(capture, "ev3.beacon.serial", "ev3.beacon.serial", words=words) == [SERIAL]
 
 
 # USB

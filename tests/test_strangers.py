@@ -28,6 +28,7 @@ from support.strangers import (
     nxt,
     object_exchange,
     reports,
+    similar_beacons,
     torrent,
 )
 from support.wireshark import Tshark
@@ -73,10 +74,10 @@ def over_bluetooth(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes
     return over(capture, SerialPort(capture), stranger(random.Random(1)))
 
 
-def over_udp() -> bytes:
+def over_udp(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes:
     rng = random.Random(1)
     capture = Capture(RAW_IP)
-    for from_host, data in torrent(rng):
+    for from_host, data in stranger(rng):
         capture.add(datagram(data, port=3015 if from_host else 6881, target_port=6881 if from_host else 3015))
         capture.add(datagram(rng.randbytes(50)))
     return capture.data()
@@ -90,7 +91,8 @@ def over_usb() -> bytes:
 STRANGERS: dict[str, tuple[Callable[[], bytes], int]] = {
     "adb": (lambda: over_tcp(debug_bridge), 0),
     "tls": (lambda: over_tcp(encrypted), 0),
-    "bittorrent": (over_udp, 0),
+    "bittorrent": (lambda: over_udp(torrent), 0),
+    "similar beacons": (lambda: over_udp(similar_beacons), 0),
     "obex": (lambda: over_bluetooth(object_exchange), 0),
     "nxt": (lambda: over_bluetooth(nxt), 0),
     "modbus": (lambda: over_bluetooth(modbus), 0),

@@ -57,6 +57,28 @@ BEACON = Struct(*(name / line for name, line in LINES.items()))
 """The datagram that a brick broadcasts every few seconds."""
 
 
+def is_beacon(datagram: bytes, *, is_cut: bool = False) -> bool:
+    """Says whether a datagram is a beacon, though perhaps one at fault.
+
+    Args:
+        datagram: What it carries.
+        is_cut: The capture has only the beginning of it.
+
+    Returns:
+        True where it begins with the labels of a beacon's first two lines, as far as it is there, and names no other
+        protocol.
+
+    """
+    first, second, *_, last = (line.head for line in LINES.values())
+    if not datagram.startswith(first):
+        return False
+    rest = datagram.partition(NEWLINE)[2]
+    if not rest.startswith(second) and not (is_cut and second.startswith(rest)):
+        return False
+    protocol = rest.partition(NEWLINE + last)[2].partition(NEWLINE[:1])[0]
+    return PROTOCOL.encode(STRING_CODING).startswith(protocol)
+
+
 @dataclass(frozen=True, slots=True)
 class Beacon:
     """A brick that says it is there: serial number (its MAC address in hex), TCP port, name, protocol, all as text."""

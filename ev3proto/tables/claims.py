@@ -16,8 +16,9 @@ dissector and the built-in reader of captures follow the same rule, and this mod
 - On Bluetooth and USB the claim ends after `FAULTS_IN_A_ROW` packets without anything that can be a frame. The next one
   may begin. On Bluetooth, where `PROOFS` packets have shown that the traffic is ours, these must have more bytes than a
   frame: what is left of one of which something is missing may come in many packets.
-- A datagram is a beacon when it begins like one. It is an answer to a beacon when it goes to a brick whose beacon was
-  seen: to the port where the beacon came from, the one that it names, or the one for beacons.
+- A datagram is a beacon when it begins with the labels of a beacon's first two lines, as far as it was captured, and
+  names no other protocol. It is an answer to a beacon when it goes to a brick whose beacon was seen: to the port where
+  the beacon came from, the one that it names, or the one for beacons.
 - On other TCP ports connections are claimed by the unlock text, and where a beacon named the port.
 """
 

@@ -93,6 +93,14 @@ def torrent(rng: random.Random) -> Iterator[Said]:
         yield False, bytes((0x21, 0)) + rng.randbytes(18)
 
 
+def similar_beacons(rng: random.Random) -> Iterator[Said]:
+    """Datagrams of other devices with the words of a beacon."""
+    for number in range(20):
+        yield rng.random() < 0.5, b"Serial-Number: XYZ-%d\r\nPort: 9100\r\nName: printer\r\nProtocol: IPP\r\n" % number
+        yield rng.random() < 0.5, b"Serial-Number: %d\r\nModel: 5555\r\n" % number
+        yield rng.random() < 0.5, b"Serial-Number: %d" % number
+
+
 def reports(rng: random.Random, count: int) -> Iterator[Said]:
     """USB reports of some vendor: any bytes, of a length and a type that a frame may have."""
     for _ in range(count):

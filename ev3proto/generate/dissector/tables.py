@@ -291,6 +291,7 @@ def _carriers() -> Iterator[str]:
         "tcp_port": discovery.TCP_PORT,
         "beacon_port": discovery.BEACON_PORT,
         "beacon_lines": Table(lines),
+        "protocol": discovery.PROTOCOL,
     }
     yield "-- Of USB, vendor and product in one number: the brick, and its bootloader.\n"
     yield _assign("CARRIERS", Table(named=places))

@@ -30,9 +30,9 @@ from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
 from ev3proto.errors import DecodeError, counted
-from ev3proto.schema.discovery import Beacon
+from ev3proto.schema.discovery import Beacon, is_beacon
 from ev3proto.tables.carriers import Carrier
-from ev3proto.tables.discovery import BEACON_LINES, BEACON_PORT, UNLOCK_REQUEST
+from ev3proto.tables.discovery import BEACON_PORT, UNLOCK_REQUEST
 
 MOST_CONNECTIONS = 1024
 """Connections that are followed at the same time; those unused for longest are given up."""
@@ -42,7 +42,6 @@ MOST_BRICKS = 1024
 
 _UNLOCK_START = UNLOCK_REQUEST.encode()
 _BEACON_PORT = port_bytes(BEACON_PORT)
-_BEACON_START = f"{next(iter(BEACON_LINES.values()))}: ".encode()
 
 _TURNS = SYN | RST
 
@@ -303,14 +302,15 @@ class Connections:
     # UDP
 
     def _datagram(self, packet: Packet, ends: Ends, data: bytes) -> Iterable[Event]:
-        is_beacon = data.startswith(_BEACON_START) and _BEACON_PORT in (source_port(ends), target_port(ends))
-        if not data or not (is_beacon or target_of(ends) in self._answered):
+        is_for_beacons = _BEACON_PORT in (source_port(ends), target_port(ends))
+        is_announced = is_for_beacons and is_beacon(data, is_cut=len(packet.data) < packet.size)
+        if not data or not (is_announced or target_of(ends) in self._answered):
             self._account.other += len(packet.data)
             return
         self._account.headers += len(packet.data) - len(data)
         self._account.texts += len(data)
-        route = self._route(packet, ends, is_from_host=not is_beacon)
-        if not is_beacon:
+        route = self._route(packet, ends, is_from_host=not is_announced)
+        if not is_announced:
             yield Announcement(Said.ANSWER, data, None, (packet.number,), packet.time_ns, route)
             return
         try:

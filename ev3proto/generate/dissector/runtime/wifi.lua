@@ -316,13 +316,29 @@ do
         return said, port
     end
 
+    -- Whether a datagram begins with the labels of a beacon's first two lines, as far as it was captured, and names no
+    -- other protocol. By Decode As the first label is enough.
+    local function is_beacon(tvb, text, is_forced)
+        local lines = CARRIERS.beacon_lines
+        local first, second, last = lines[1].label .. ": ", lines[2].label .. ": ", lines[#lines].label .. ": "
+        if sub(text, 1, #first) ~= first then return false end
+        if is_forced then return true end
+        local _, stop = find(text, "\r\n", 1, true)
+        local rest = stop and sub(text, stop + 1) or ""
+        local is_cut = tvb:len() < tvb:reported_len()
+        if sub(rest, 1, #second) ~= second and not (is_cut and sub(second, 1, #rest) == rest) then return false end
+        local _, before = find(rest, "\r\n" .. last, 1, true)
+        local protocol = before and rest:match("^[^\r]*", before + 1) or ""
+        return sub(CARRIERS.protocol, 1, #protocol) == protocol
+    end
+
     -- A beacon that a brick broadcasts, or whatever a host answers to it.
     local function dissect_udp(tvb, pinfo, tree)
         local text, number = tvb:raw(), pinfo.number
         brick = nil
-        local head = CARRIERS.beacon_lines[1].label .. ": "
+        local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
         local said
-        if sub(text, 1, #head) == head then
+        if is_beacon(tvb, text, is_forced) then
             local port
             said, port = dissect_beacon(tvb, text, tree, tostring(pinfo.src))
             if not pinfo.visited then remember_brick(pinfo, port) end
@@ -330,7 +346,6 @@ do
             if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
                 answers[number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
             end
-            local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
             if not answers[number] and not is_forced then return 0 end
             said = "answer to a beacon"
             brick = answers[number]

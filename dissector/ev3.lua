@@ -3890,7 +3890,7 @@ local DAISY = {
 
 local CLAIMS = {
     never_sent = { [0] = true },
-    strange_packets = 8, faults_in_a_row = 3,
+    strange_packets = 8, faults_in_a_row = 3, proofs = 8,
     nxt = {
         lengths = { [0] = 22, [2] = 23, [3] = 6, [4] = 12 },
         counted = { [9] = 4, [15] = 5 },
@@ -6414,7 +6414,7 @@ end
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step
+local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step, judge_split
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
     local MOST_TRIALS = 64
@@ -6619,6 +6619,38 @@ do
         if single then return single end
         return open, open ~= nil
     end
+
+    -- What a frame is that seems to come in several packets, if a gap may be between them: OURS, PART where more is
+    -- needed to tell, nil where it is none. `joint` is where the newest packet starts.
+    function judge_split(text, at, accepts, joint, is_last)
+        local low, high = byte(text, at + 1, at + 2)
+        local stop = at + LENGTH_FIELD + low + high * 0x100
+        if stop > #text then
+            if may_become_flawless(text, at, accepts) or not find_step(text, at + 1, accepts) then return PART end
+            return nil
+        end
+        local message = read_message(sub(text, at + 1, stop))
+        local type, following = message.type, follow(text, stop)
+        local stands = type and (not accepts or accepts(type)) and is_flawless(message)
+            and (not type.is_command or is_sensible_command(message))
+        -- Few bytes are operations by chance.
+        local tells_itself = stands and type.is_command and type.carries == "direct"
+        if stands and following and following > 0 or tells_itself then return OURS end
+        if not following then
+            -- The next frame may be of an unknown type: then the one after it must start.
+            local next_low, next_high = byte(text, stop + 1, stop + 2)
+            local next_stop = next_high and stop + LENGTH_FIELD + next_low + next_high * 0x100
+            if not next_stop or not is_length(next_low, next_high) then return nil end
+            if next_stop < #text and not may_start(text, next_stop) then return nil end
+            following = next_stop < #text and 1 or 0
+        end
+        local place, is_open = find_step(text, stands and joint or at + 1, accepts, true, joint)
+        if not place or place >= stop then place = nil end
+        if place and not is_open and following < 2 then return nil end
+        if is_last or stands and following > 0 then return OURS end
+        if not stands and following == 0 or place and following < 2 then return PART end
+        return OURS
+    end
 end
 
 -- Carriers ----------------------------------------------------------------------------------------------------------
@@ -6806,19 +6838,6 @@ do
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
     end
 
-    -- Whether a frame that came in several packets shows that something is missing between them: another one stands
-    -- inside it, while after it none can start, or it has faults and nothing tells what comes after it.
-    local function hides_gap(text, at, size, stream)
-        local stop = at + size
-        local may_go_on = not stream.is_last
-        if stop >= #text or may_follow(text, stop) or UNLOCK.starts[byte(text, stop + 1)] then
-            if #text - stop >= HEADER_SIZE then return false end
-            if is_flawless(read_message(sub(text, at + 1, stop)), true) then return false end
-            may_go_on = false
-        end
-        return find_step(text, at + 1, stream.accepts, may_go_on, stream.joint) ~= nil
-    end
-
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
     -- next one wants, nil where its length is not known yet; whether there was anything that is ours; and the step
     -- at the end. `stream` is how it stands:
@@ -6848,7 +6867,9 @@ do
                 local is_frame = step ~= "lost" and (not size or is_length(low, high))
                 if is_frame and code then
                     if at < joint and stream.may_gap then
-                        is_frame = at + size > captured or not hides_gap(text, at, size, stream)
+                        local verdict = judge_split(text, at, accepts, joint, is_last)
+                        if verdict == PART and at + size <= captured then return at, nil, true, step end
+                        is_frame = verdict ~= nil
                     elseif step == "likely" and at + size ~= captured then
                         is_frame = not is_misleading(text, at, size, accepts)
                     end
@@ -7073,7 +7094,7 @@ do
         local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
         if not stream then
-            stream = { left = "" }
+            stream = { left = "", look_at = 0 }
             streams[key] = stream
         end
         return talk, stream
@@ -7107,7 +7128,7 @@ do
     end
 
     local function clear(stream)
-        stream.left, stream.list = "", nil
+        stream.left, stream.list, stream.look_at = "", nil, 0
     end
 
     -- A packet of a channel that is not known to be ours: whether it is. Other programs use the same channels. What may
@@ -7143,9 +7164,16 @@ do
         return not high or is_length(low, high) and LENGTH_FIELD + low + high * 0x100 > #text
     end
 
-    -- Whether all of a text waits for more.
-    local function waits(stream, text)
-        if stream.step ~= "lost" then return is_part(text) end
+    -- Whether all of a text waits for more; the newest packet starts at `joint`.
+    local function waits(stream, text, joint)
+        if stream.step ~= "lost" then
+            local part = is_part(text)
+            if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
+            -- A frame that comes byte by byte is not looked at with each of them.
+            stream.look_at = floor(#text * 1.25) + 1
+            if not is_length(byte(text, 1, 2)) then return false end
+            return judge_split(text, 0, stream.accepts, joint) == PART
+        end
         local place, is_open = find_step(text, 0, stream.accepts, true, 0)
         return is_open and place == 0
     end
@@ -7162,7 +7190,7 @@ do
         local text = left .. piece
         if left == "" then return text, true end
         continued[number], earlier[number] = stream.list, #stream.list
-        if waits(stream, text) then
+        if waits(stream, text, #left) then
             stream.left = text
             table.insert(stream.list, number)
             return text, false
@@ -7171,6 +7199,22 @@ do
         stream.list.complete_in = number
         clear(stream)
         return text, true
+    end
+
+    -- Counts the packets in a row without anything of ours, after which the channel is not known to be ours. What is
+    -- left of a frame of which something is missing may come in many, where frames have shown that it is.
+    local function count_faults(talk, stream, has_ours, size)
+        if has_ours then
+            talk.faults, talk.unread = 0, 0
+            if size > 0 then talk.proofs = (talk.proofs or 0) + 1 end
+            return
+        end
+        talk.faults, talk.unread = (talk.faults or 0) + 1, (talk.unread or 0) + size
+        if talk.faults < CLAIMS.faults_in_a_row then return end
+        if (talk.proofs or 0) < CLAIMS.proofs or talk.unread > MAX_LENGTH then
+            talk.is_claimed, talk.faults, talk.unread, talk.proofs = false, 0, 0, 0
+            clear(stream)
+        end
     end
 
     local function add_joined(tree, tvb, before, number)
@@ -7242,11 +7286,7 @@ do
             end
             if is_first then
                 stream.step = step
-                talk.faults = has_ours and 0 or (talk.faults or 0) + 1
-                if talk.faults >= CLAIMS.faults_in_a_row then
-                    talk.is_claimed, talk.faults = false, 0
-                    clear(stream)
-                end
+                count_faults(talk, stream, has_ours, behind)
             end
         end
         if size > 0 then
@@ -7440,8 +7480,8 @@ do
         brick = is_shown and (talk or connection_of(pinfo)).name
         -- Nearly always one frame is all there is.
         local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured and is_length(low, high)
-            and MESSAGE_TYPES[code] then
+        if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
+            and is_length(low, high) and MESSAGE_TYPES[code] then
             local place = place_of(number, offset)
             show_line(pinfo, number, offset,
                 (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))

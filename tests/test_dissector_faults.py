@@ -466,8 +466,8 @@ def test_a_channel_that_begins_with_another_firmwares_operation(tshark: Tshark) 
 
 @pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
 def test_few_are_hidden_where_they_are_cut(tshark: Tshark, carrier: str) -> None:
-    # On RFCOMM nothing tells whether packets are missing between two: where a faulty frame comes in several, and others
-    # stand inside it by chance, those count. One mutated frame in some hundreds is like that, and may hide several.
+    # On RFCOMM nothing tells whether packets are missing between two: a faulty frame that comes in several is doubted,
+    # as nearly all such frames are two of which the middle is missing. One mutated frame in some dozens is lost so.
     capture = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION)
     stream = Connection(capture) if carrier == "tcp" else SerialPort(capture)
     rng = random.Random(3)
@@ -485,7 +485,8 @@ def test_few_are_hidden_where_they_are_cut(tshark: Tshark, carrier: str) -> None
     found = [number for numbers in counters(tshark, capture) for number in numbers]
     hidden = Counter(expected) - Counter(found)
     invented = Counter(found) - Counter(expected)
-    assert hidden.total() <= 0.01 * len(expected)
+    most_hidden = 0.003 if carrier == "tcp" else 0.015
+    assert hidden.total() <= most_hidden * len(expected)
     assert invented.total() <= 0.001 * len(expected)
 
 

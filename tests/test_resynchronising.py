@@ -77,7 +77,7 @@ def test_the_built_in_reader_finds_what_is_whole(carrier: str, size: str, made: 
     hold(carrier, size, made.whole, read_by_us(made.data))
 
 
-@pytest.mark.parametrize("carrier", ["tcp"])
+@pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
 @pytest.mark.parametrize("size", SIZES)
 def test_the_dissector_finds_what_is_whole(carrier: str, size: str, made: Lossy, tshark: Tshark) -> None:
     hold(carrier, size, made.whole, dissected(tshark, made.data))

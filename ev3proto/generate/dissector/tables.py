@@ -313,6 +313,7 @@ def _claims() -> Iterator[str]:
         "never_sent": Table(named={operations()[name].opcode.number: True for name in claims.NEVER_SENT}),
         "strange_packets": claims.STRANGE_PACKETS,
         "faults_in_a_row": claims.FAULTS_IN_A_ROW,
+        "proofs": claims.PROOFS,
         "nxt": Table(named=nxt),
     }
     yield _assign("CLAIMS", Table(named=rule))

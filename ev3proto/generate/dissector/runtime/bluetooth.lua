@@ -29,7 +29,7 @@ do
         local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
         if not stream then
-            stream = { left = "" }
+            stream = { left = "", look_at = 0 }
             streams[key] = stream
         end
         return talk, stream
@@ -63,7 +63,7 @@ do
     end
 
     local function clear(stream)
-        stream.left, stream.list = "", nil
+        stream.left, stream.list, stream.look_at = "", nil, 0
     end
 
     -- A packet of a channel that is not known to be ours: whether it is. Other programs use the same channels. What may
@@ -99,9 +99,16 @@ do
         return not high or is_length(low, high) and LENGTH_FIELD + low + high * 0x100 > #text
     end
 
-    -- Whether all of a text waits for more.
-    local function waits(stream, text)
-        if stream.step ~= "lost" then return is_part(text) end
+    -- Whether all of a text waits for more; the newest packet starts at `joint`.
+    local function waits(stream, text, joint)
+        if stream.step ~= "lost" then
+            local part = is_part(text)
+            if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
+            -- A frame that comes byte by byte is not looked at with each of them.
+            stream.look_at = floor(#text * 1.25) + 1
+            if not is_length(byte(text, 1, 2)) then return false end
+            return judge_split(text, 0, stream.accepts, joint) == PART
+        end
         local place, is_open = find_step(text, 0, stream.accepts, true, 0)
         return is_open and place == 0
     end
@@ -118,7 +125,7 @@ do
         local text = left .. piece
         if left == "" then return text, true end
         continued[number], earlier[number] = stream.list, #stream.list
-        if waits(stream, text) then
+        if waits(stream, text, #left) then
             stream.left = text
             table.insert(stream.list, number)
             return text, false
@@ -127,6 +134,22 @@ do
         stream.list.complete_in = number
         clear(stream)
         return text, true
+    end
+
+    -- Counts the packets in a row without anything of ours, after which the channel is not known to be ours. What is
+    -- left of a frame of which something is missing may come in many, where frames have shown that it is.
+    local function count_faults(talk, stream, has_ours, size)
+        if has_ours then
+            talk.faults, talk.unread = 0, 0
+            if size > 0 then talk.proofs = (talk.proofs or 0) + 1 end
+            return
+        end
+        talk.faults, talk.unread = (talk.faults or 0) + 1, (talk.unread or 0) + size
+        if talk.faults < CLAIMS.faults_in_a_row then return end
+        if (talk.proofs or 0) < CLAIMS.proofs or talk.unread > MAX_LENGTH then
+            talk.is_claimed, talk.faults, talk.unread, talk.proofs = false, 0, 0, 0
+            clear(stream)
+        end
     end
 
     local function add_joined(tree, tvb, before, number)
@@ -198,11 +221,7 @@ do
             end
             if is_first then
                 stream.step = step
-                talk.faults = has_ours and 0 or (talk.faults or 0) + 1
-                if talk.faults >= CLAIMS.faults_in_a_row then
-                    talk.is_claimed, talk.faults = false, 0
-                    clear(stream)
-                end
+                count_faults(talk, stream, has_ours, behind)
             end
         end
         if size > 0 then

@@ -6,7 +6,7 @@
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step
+local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step, judge_split
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
     local MOST_TRIALS = 64
@@ -210,5 +210,37 @@ do
         single = single or begun
         if single then return single end
         return open, open ~= nil
+    end
+
+    -- What a frame is that seems to come in several packets, if a gap may be between them: OURS, PART where more is
+    -- needed to tell, nil where it is none. `joint` is where the newest packet starts.
+    function judge_split(text, at, accepts, joint, is_last)
+        local low, high = byte(text, at + 1, at + 2)
+        local stop = at + LENGTH_FIELD + low + high * 0x100
+        if stop > #text then
+            if may_become_flawless(text, at, accepts) or not find_step(text, at + 1, accepts) then return PART end
+            return nil
+        end
+        local message = read_message(sub(text, at + 1, stop))
+        local type, following = message.type, follow(text, stop)
+        local stands = type and (not accepts or accepts(type)) and is_flawless(message)
+            and (not type.is_command or is_sensible_command(message))
+        -- Few bytes are operations by chance.
+        local tells_itself = stands and type.is_command and type.carries == "direct"
+        if stands and following and following > 0 or tells_itself then return OURS end
+        if not following then
+            -- The next frame may be of an unknown type: then the one after it must start.
+            local next_low, next_high = byte(text, stop + 1, stop + 2)
+            local next_stop = next_high and stop + LENGTH_FIELD + next_low + next_high * 0x100
+            if not next_stop or not is_length(next_low, next_high) then return nil end
+            if next_stop < #text and not may_start(text, next_stop) then return nil end
+            following = next_stop < #text and 1 or 0
+        end
+        local place, is_open = find_step(text, stands and joint or at + 1, accepts, true, joint)
+        if not place or place >= stop then place = nil end
+        if place and not is_open and following < 2 then return nil end
+        if is_last or stands and following > 0 then return OURS end
+        if not stands and following == 0 or place and following < 2 then return PART end
+        return OURS
     end
 end

@@ -162,19 +162,6 @@ do
         return not is_chained or captured > HEADER_SIZE and has_frame_inside(text, at, stop)
     end
 
-    -- Whether a frame that came in several packets shows that something is missing between them: another one stands
-    -- inside it, while after it none can start, or it has faults and nothing tells what comes after it.
-    local function hides_gap(text, at, size, stream)
-        local stop = at + size
-        local may_go_on = not stream.is_last
-        if stop >= #text or may_follow(text, stop) or UNLOCK.starts[byte(text, stop + 1)] then
-            if #text - stop >= HEADER_SIZE then return false end
-            if is_flawless(read_message(sub(text, at + 1, stop)), true) then return false end
-            may_go_on = false
-        end
-        return find_step(text, at + 1, stream.accepts, may_go_on, stream.joint) ~= nil
-    end
-
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
     -- next one wants, nil where its length is not known yet; whether there was anything that is ours; and the step
     -- at the end. `stream` is how it stands:
@@ -204,7 +191,9 @@ do
                 local is_frame = step ~= "lost" and (not size or is_length(low, high))
                 if is_frame and code then
                     if at < joint and stream.may_gap then
-                        is_frame = at + size > captured or not hides_gap(text, at, size, stream)
+                        local verdict = judge_split(text, at, accepts, joint, is_last)
+                        if verdict == PART and at + size <= captured then return at, nil, true, step end
+                        is_frame = verdict ~= nil
                     elseif step == "likely" and at + size ~= captured then
                         is_frame = not is_misleading(text, at, size, accepts)
                     end

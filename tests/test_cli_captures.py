@@ -356,7 +356,7 @@ def on_a_terminal(path: Path, *words: str) -> str:
 def test_a_progress_bar_on_long_files_only(tmp_path: Path) -> None:
     capture = Capture(RAW_IP)
     connection = Connection(capture)
-    for _ in range(30_000):
+    for _ in range(120_000):
         connection.send(TONE)
     path = tmp_path / "long.pcap"
     path.write_bytes(capture.data())

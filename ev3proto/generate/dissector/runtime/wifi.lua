@@ -59,14 +59,6 @@ do
         return known.talk, known
     end
 
-    local function is_command(type)
-        return type.is_command
-    end
-
-    local function is_reply(type)
-        return not type.is_command
-    end
-
     -- Whether a packet goes to, or comes from, a port on which a brick listens.
     local function is_to_brick(pinfo)
         local port = pinfo.dst_port
@@ -78,129 +70,142 @@ do
         return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
     end
 
-    local function is_daisy_or(is_right_way)
-        return function(type)
-            return type.carries == "daisy" or is_right_way(type)
-        end
-    end
-
-    -- Bricks in a chain send commands both ways.
-    is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
-
-    -- Whether data that nobody has claimed so far begin with something of ours.
-    local function judge_segment(text, to_brick)
-        local verdict = judge_text(text)
-        if verdict then return verdict end
-        verdict = judge_frames(text, 0, to_brick and is_command or is_reply)
-        if verdict or not to_brick then return verdict end
-        -- The capture may have begun inside a frame.
-        local at = find_frame(text, 1, is_command)
-        return at and judge_frames(text, at, is_command)
-    end
-
-    -- Which types go the way of a packet, where the port says which end is the brick.
-    local function types_of(pinfo)
-        if ports[pinfo.dst_port] then return is_command end
-        return ports[pinfo.src_port] and is_reply or nil
-    end
-
-    local step_of
+    local judge_segment, dissect_claimed
     do
-        -- Whether data may begin with a frame that goes the right way, or with a text.
-        local function may_go(text, accepts)
-            local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
-            if type and accepts and not accepts(type) then return false end
-            return may_start(text, 0) or UNLOCK.starts[byte(text, 1)] ~= nil
+        local function is_command(type)
+            return type.is_command
         end
 
-        -- TCP puts segments together where that was asked for: such a buffer begins anew, others after their headers.
-        local function usual_step(offset)
-            return offset == 0 and "sure" or "likely"
+        local function is_reply(type)
+            return not type.is_command
         end
 
-        -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how many of
-        -- these are done: TCP hands some over again where a frame that begins in them is not whole yet.
-        local function first_step(known, text, offset, number, pinfo)
-            local pending, is_lost = known.pending, known.step == "lost"
-            local is_further, usual = number == known.number, known.offset
-            known.pending, known.number = nil, number
-            if offset == 0 then
-                if pending and sub(text, 1, #pending) == pending then return known.step, #pending, 0 end
-                local done = known.done
-                if pending and sub(text, done + 1, done + #pending) == pending then
-                    return known.step, done + #pending, done
+        local function is_daisy_or(is_right_way)
+            return function(type)
+                return type.carries == "daisy" or is_right_way(type)
+            end
+        end
+
+        -- Bricks in a chain send commands both ways.
+        is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
+
+        -- Whether data that nobody has claimed so far begin with something of ours.
+        function judge_segment(text, to_brick)
+            local verdict = judge_text(text)
+            if verdict then return verdict end
+            verdict = judge_frames(text, 0, to_brick and is_command or is_reply)
+            if verdict or not to_brick then return verdict end
+            -- The capture may have begun inside a frame.
+            local at = find_frame(text, 1, is_command)
+            return at and judge_frames(text, at, is_command)
+        end
+
+        -- Which types go the way of a packet, where the port says which end is the brick.
+        local function types_of(pinfo)
+            if ports[pinfo.dst_port] then return is_command end
+            return ports[pinfo.src_port] and is_reply or nil
+        end
+
+        local step_of
+        do
+            -- Whether data may begin with a frame that goes the right way, or with a text.
+            local function may_go(text, accepts)
+                local type = MESSAGE_TYPES[byte(text, HEADER_SIZE)]
+                if type and accepts and not accepts(type) then return false end
+                return may_start(text, 0) or UNLOCK.starts[byte(text, 1)] ~= nil
+            end
+
+            -- TCP puts segments together where that was asked for: such a buffer begins anew, others after their
+            -- headers.
+            local function usual_step(offset)
+                return offset == 0 and "sure" or "likely"
+            end
+
+            -- The step of a buffer that is seen for the first time, how many bytes of it were there before, and how
+            -- many of these are done: TCP hands some over again where a frame that begins in them is not whole yet.
+            local function first_step(known, text, offset, number, pinfo)
+                local pending, is_lost = known.pending, known.step == "lost"
+                local is_further, usual = number == known.number, known.offset
+                known.pending, known.number = nil, number
+                if offset == 0 then
+                    if pending and sub(text, 1, #pending) == pending then return known.step, #pending, 0 end
+                    local done = known.done
+                    if pending and sub(text, done + 1, done + #pending) == pending then
+                        return known.step, done + #pending, done
+                    end
+                    return "likely", 0, 0
                 end
-                return "likely", 0, 0
+                if is_further then return is_lost and "lost" or "sure", 0, 0 end
+                known.offset = offset
+                if not pending and not is_lost then
+                    -- The capture may begin inside a frame.
+                    return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0, 0
+                end
+                -- What was asked for did not come. The rest of a segment follows the frame that was asked for all the
+                -- same.
+                local is_rest = pending and usual and not is_lost and offset > usual and may_go(text, types_of(pinfo))
+                return is_rest and "likely" or "lost", 0, 0
             end
-            if is_further then return is_lost and "lost" or "sure", 0, 0 end
-            known.offset = offset
-            if not pending and not is_lost then
-                -- The capture may begin inside a frame.
-                return (usual or may_go(text, types_of(pinfo))) and "likely" or "lost", 0, 0
+
+            -- How a stream stands with a buffer, how many bytes of it were there before, and how many are done; `known`
+            -- is what is known of the stream, when the buffer is seen for the first time.
+            function step_of(known, text, offset, number, pinfo)
+                -- Nearly always it goes on as it went.
+                if known and offset == known.offset and number ~= known.number and not known.pending
+                    and known.step ~= "lost" then
+                    known.number = number
+                    return "likely", 0, 0
+                end
+                local usual = usual_step(offset)
+                if not known then
+                    if not next(steps) and not next(starts) then return usual, 0, 0 end
+                    local place = place_of(number, offset)
+                    return steps[place] or usual, 0, starts[place] or 0
+                end
+                local step, joint, done = first_step(known, text, offset, number, pinfo)
+                if step ~= usual then steps[place_of(number, offset)] = step end
+                if done > 0 then starts[place_of(number, offset)] = done end
+                return step, joint, done
             end
-            -- What was asked for did not come. The rest of a segment follows the frame that was asked for all the same.
-            local is_rest = pending and usual and not is_lost and offset > usual and may_go(text, types_of(pinfo))
-            return is_rest and "likely" or "lost", 0, 0
         end
 
-        -- How a stream stands with a buffer, how many bytes of it were there before, and how many are done; `known` is
-        -- what is known of the stream, when the buffer is seen for the first time.
-        function step_of(known, text, offset, number, pinfo)
-            -- Nearly always it goes on as it went.
-            if known and offset == known.offset and number ~= known.number and not known.pending
-                and known.step ~= "lost" then
-                known.number = number
-                return "likely", 0, 0
-            end
-            local usual = usual_step(offset)
-            if not known then
-                if not next(steps) and not next(starts) then return usual, 0, 0 end
+        function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
+            local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
+            local step, joint, done = step_of(known, text, offset, number, pinfo)
+            brick = is_shown and (talk or connection_of(pinfo)).name
+            -- Nearly always one frame is all there is.
+            local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
+            if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
+                and is_length(low, high) and MESSAGE_TYPES[code] then
                 local place = place_of(number, offset)
-                return steps[place] or usual, 0, starts[place] or 0
+                show_line(pinfo, number, offset,
+                    (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))
+            else
+                start_line(number, offset)
+                local reported = tvb:reported_len()
+                local stream = {
+                    reported = reported,
+                    is_last = captured < reported or pinfo.can_desegment == 0,
+                    step = step,
+                    start = done,
+                    joint = joint,
+                    first = 0,
+                    accepts = types_of(pinfo),
+                }
+                local behind, wanted, _, step_after =
+                    dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
+                if behind < captured then
+                    pinfo.desegment_offset = behind
+                    pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
+                end
+                if known then
+                    known.pending = behind < captured and sub(text, behind + 1) or nil
+                    known.step, known.done = step_after, behind
+                end
+                show(pinfo)
             end
-            local step, joint, done = first_step(known, text, offset, number, pinfo)
-            if step ~= usual then steps[place_of(number, offset)] = step end
-            if done > 0 then starts[place_of(number, offset)] = done end
-            return step, joint, done
+            return captured
         end
-    end
-
-    local function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
-        local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
-        local step, joint, done = step_of(known, text, offset, number, pinfo)
-        brick = is_shown and (talk or connection_of(pinfo)).name
-        -- Nearly always one frame is all there is.
-        local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
-        if step ~= "lost" and done == 0 and code and LENGTH_FIELD + low + high * 0x100 == captured
-            and is_length(low, high) and MESSAGE_TYPES[code] then
-            local place = place_of(number, offset)
-            show_line(pinfo, number, offset,
-                (dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)))
-        else
-            start_line(number, offset)
-            local reported = tvb:reported_len()
-            local stream = {
-                reported = reported,
-                is_last = captured < reported or pinfo.can_desegment == 0,
-                step = step,
-                start = done,
-                joint = joint,
-                first = 0,
-                accepts = types_of(pinfo),
-            }
-            local behind, wanted, _, step_after =
-                dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
-            if behind < captured then
-                pinfo.desegment_offset = behind
-                pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
-            end
-            if known then
-                known.pending = behind < captured and sub(text, behind + 1) or nil
-                known.step, known.done = step_after, behind
-            end
-            show(pinfo)
-        end
-        return captured
     end
 
     -- A connection is named after the end of it that is the brick.
@@ -278,95 +283,98 @@ do
         return true
     end
 
-    -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
-    local function remember_brick(pinfo, named)
-        local address = tostring(pinfo.src) .. " "
-        local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
-        bricks[address .. pinfo.src_port], bricks[address .. CARRIERS.beacon_port] = name, name
-        if named then
-            bricks[address .. named], announced[address .. named] = name, true
-            if not ports[named] and not is_named[named] and #named_ports < MOST_NAMED then
-                named_ports[#named_ports + 1], is_named[named] = named, true
-                take_port(named)
+    local dissect_udp, guess_udp
+    do
+        -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
+        local function remember_brick(pinfo, named)
+            local address = tostring(pinfo.src) .. " "
+            local name = tostring(pinfo.src) .. ":" .. (named or pinfo.src_port)
+            bricks[address .. pinfo.src_port], bricks[address .. CARRIERS.beacon_port] = name, name
+            if named then
+                bricks[address .. named], announced[address .. named] = name, true
+                if not ports[named] and not is_named[named] and #named_ports < MOST_NAMED then
+                    named_ports[#named_ports + 1], is_named[named] = named, true
+                    take_port(named)
+                end
             end
         end
-    end
 
-    local function dissect_beacon(tvb, text, tree, address)
-        local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
-        local at, values = 0, {}
-        local port
-        for _, line in ipairs(CARRIERS.beacon_lines) do
-            local head = line.label .. ": "
-            local stop = find(text, "\r\n", at + 1, true)
-            if not stop or sub(text, at + 1, at + #head) ~= head then
-                complain(item or tree, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
-                break
-            end
-            local value = sub(text, at + #head + 1, stop - 1)
-            values[#values + 1] = on_one_line(value)
-            if line.name == "port" then port = tonumber(value:match("^%d+$")) end
-            local range = tvb(at + #head, #value)
-            if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
-            at = stop + 1
-        end
-        local said = "beacon: " .. concat(values, " ")
-        if item then item:set_text("EV3: " .. said) end
-        if item and port then item:add(field.brick, address .. ":" .. port):set_generated() end
-        return said, port
-    end
-
-    -- Whether a datagram begins with the labels of a beacon's first two lines, as far as it was captured, and names no
-    -- other protocol. By Decode As the first label is enough.
-    local function is_beacon(tvb, text, is_forced)
-        local lines = CARRIERS.beacon_lines
-        local first, second, last = lines[1].label .. ": ", lines[2].label .. ": ", lines[#lines].label .. ": "
-        if sub(text, 1, #first) ~= first then return false end
-        if is_forced then return true end
-        local _, stop = find(text, "\r\n", 1, true)
-        local rest = stop and sub(text, stop + 1) or ""
-        local is_cut = tvb:len() < tvb:reported_len()
-        if sub(rest, 1, #second) ~= second and not (is_cut and sub(second, 1, #rest) == rest) then return false end
-        local _, before = find(rest, "\r\n" .. last, 1, true)
-        local protocol = before and rest:match("^[^\r]*", before + 1) or ""
-        return sub(CARRIERS.protocol, 1, #protocol) == protocol
-    end
-
-    -- A beacon that a brick broadcasts, or whatever a host answers to it.
-    local function dissect_udp(tvb, pinfo, tree)
-        local text, number = tvb:raw(), pinfo.number
-        brick = nil
-        local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
-        local said
-        if is_beacon(tvb, text, is_forced) then
+        local function dissect_beacon(tvb, text, tree, address)
+            local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
+            local at, values = 0, {}
             local port
-            said, port = dissect_beacon(tvb, text, tree, tostring(pinfo.src))
-            if not pinfo.visited then remember_brick(pinfo, port) end
-        else
-            if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-                answers[number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
+            for _, line in ipairs(CARRIERS.beacon_lines) do
+                local head = line.label .. ": "
+                local stop = find(text, "\r\n", at + 1, true)
+                if not stop or sub(text, at + 1, at + #head) ~= head then
+                    complain(item or tree, "fault", format("at offset %d: a line '%s...' should stand here", at, head))
+                    break
+                end
+                local value = sub(text, at + #head + 1, stop - 1)
+                values[#values + 1] = on_one_line(value)
+                if line.name == "port" then port = tonumber(value:match("^%d+$")) end
+                local range = tvb(at + #head, #value)
+                if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
+                at = stop + 1
             end
-            if not answers[number] and not is_forced then return 0 end
-            said = "answer to a beacon"
-            brick = answers[number]
-            if has_tree(tree) then
-                add_item(tree, tvb(), said):add(field.beacon_answer, tvb())
-            end
+            local said = "beacon: " .. concat(values, " ")
+            if item then item:set_text("EV3: " .. said) end
+            if item and port then item:add(field.brick, address .. ":" .. port):set_generated() end
+            return said, port
         end
-        start_line(number, tvb:offset())
-        say(said)
-        show(pinfo)
-        return tvb:len()
-    end
 
-    -- An answer goes to the port that the beacon came from, which is known by nothing else.
-    local function guess_udp(tvb, pinfo, tree)
-        if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
-            answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
+        -- Whether a datagram begins with the labels of a beacon's first two lines, as far as it was captured, and names
+        -- no other protocol. By Decode As the first label is enough.
+        local function is_beacon(tvb, text, is_forced)
+            local lines = CARRIERS.beacon_lines
+            local first, second, last = lines[1].label .. ": ", lines[2].label .. ": ", lines[#lines].label .. ": "
+            if sub(text, 1, #first) ~= first then return false end
+            if is_forced then return true end
+            local _, stop = find(text, "\r\n", 1, true)
+            local rest = stop and sub(text, stop + 1) or ""
+            local is_cut = tvb:len() < tvb:reported_len()
+            if sub(rest, 1, #second) ~= second and not (is_cut and sub(second, 1, #rest) == rest) then return false end
+            local _, before = find(rest, "\r\n" .. last, 1, true)
+            local protocol = before and rest:match("^[^\r]*", before + 1) or ""
+            return sub(CARRIERS.protocol, 1, #protocol) == protocol
         end
-        if not answers[pinfo.number] then return false end
-        dissect_udp(tvb, pinfo, tree)
-        return true
+
+        -- A beacon that a brick broadcasts, or whatever a host answers to it.
+        function dissect_udp(tvb, pinfo, tree)
+            local text, number = tvb:raw(), pinfo.number
+            brick = nil
+            local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
+            local said
+            if is_beacon(tvb, text, is_forced) then
+                local port
+                said, port = dissect_beacon(tvb, text, tree, tostring(pinfo.src))
+                if not pinfo.visited then remember_brick(pinfo, port) end
+            else
+                if not pinfo.visited and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
+                    answers[number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
+                end
+                if not answers[number] and not is_forced then return 0 end
+                said = "answer to a beacon"
+                brick = answers[number]
+                if has_tree(tree) then
+                    add_item(tree, tvb(), said):add(field.beacon_answer, tvb())
+                end
+            end
+            start_line(number, tvb:offset())
+            say(said)
+            show(pinfo)
+            return tvb:len()
+        end
+
+        -- An answer goes to the port that the beacon came from, which is known by nothing else.
+        function guess_udp(tvb, pinfo, tree)
+            if not pinfo.visited and next(bricks) and bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port] then
+                answers[pinfo.number] = bricks[tostring(pinfo.dst) .. " " .. pinfo.dst_port]
+            end
+            if not answers[pinfo.number] then return false end
+            dissect_udp(tvb, pinfo, tree)
+            return true
+        end
     end
 
     local listened = tostring(CARRIERS.tcp_port)

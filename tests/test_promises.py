@@ -57,7 +57,10 @@ LIMITS = {
     "`stats`: bricks, files, and unanswered commands, faults, skipped pieces one by one": (
         f"{statistics.MOST_PEERS}, {statistics.MOST_TRANSFERS}, {statistics.MOST_LISTED}"
     ),
-    "`timeline`: marks one by one": f"{collecting.MOST_MARKS:,}, about 150 MiB with the library that draws them",
+    "`timeline`: marks one by one": (
+        f"{collecting.MOST_MARKS:,}, about 150 MiB with the library that draws them, "
+        "400 where all their texts are as long as texts may be"
+    ),
     "`check --format sarif`: places that cannot be read, one by one": f"{MOST_COMPLAINTS:,}",
     "`values`: rows and values together": f"{series.MOST_CELLS:,}, about 160 MiB",
     "`values`: columns of a table, and with `--csv`": f"{values.MOST_SHOWN}, {values.MOST_COLUMNS['csv']:,}",

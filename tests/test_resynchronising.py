@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from support.frames import Segment
 from support.losses import Lossy, lossy
+from support.packets import RAW_IP, Capture, Connection
 from support.wireshark import Tshark
 
 import ev3proto
@@ -82,3 +83,17 @@ def test_the_built_in_reader_finds_what_is_whole(carrier: str, size: str, made: 
 def test_the_dissector_finds_what_is_whole(carrier: str, size: str, made: Lossy, tshark: Tshark) -> None:
     hold(carrier, size, made.whole, dissected(tshark, made.data))
     hold(carrier, size, made.whole, dissected(tshark, made.data, "-2"))
+
+
+def test_a_capture_begins_inside_a_frame_of_tiny_packets(tshark: Tshark) -> None:
+    """Packets as small as a header do not show that a connection is a stranger's, unless they are many."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for _ in range(20):
+        connection.send(b"\xff\xff\xff")
+    frames = [segment.data for segment in speeds(2)]
+    for frame in frames:
+        connection.send(frame)
+    expected = Counter(Segment(True, frame) for frame in frames)
+    assert read_by_us(capture.data()) == expected
+    assert dissected(tshark, capture.data()) == expected

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ev3proto.checking.report import Finding, Severity, new_finding
+from ev3proto.checking.report import Finding, Severity
 from ev3proto.schema.header import with_length
 from ev3proto.tables import operations
 
@@ -44,7 +44,7 @@ class Code(NamedTuple):
         parameter: str | None = None,
     ) -> Finding:
         """One that was found; parameters as those of `Finding`."""
-        return new_finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
+        return Finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
 
 
 CODES: dict[str, Code] = {}

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ev3proto.checking.codes import Code
 from ev3proto.checking.facts import OperationFacts, operation_facts
-from ev3proto.checking.report import Finding, new_finding
+from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Verdict
 from ev3proto.errors import Fault
 from ev3proto.messages import Argument, Message, Operation
@@ -49,7 +49,7 @@ class CheckedOperation:
         """A finding about one of its arguments."""
         parameter, form, _, offset, _ = argument
         length = argument.length if form.width is None else 1 + form.width
-        return new_finding(code.severity, code.code, offset, length, message, help_, self.name, parameter.name)
+        return Finding(code.severity, code.code, offset, length, message, help_, self.name, parameter.name)
 
 
 def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperation, ...]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from enum import Enum, auto
 from functools import cache, cached_property
 from typing import Any
 
@@ -48,6 +49,14 @@ _SHORT_HEAD = 2
 
 def _layout(schema: OperationSchema) -> _Layout:
     return schema, len(schema.head), schema.readers, schema.list_parameter is not None
+
+
+class _Flaw(Enum):
+    """What is wrong with byte code: nothing, nothing but that its end comes too early, or something else."""
+
+    NONE = auto()
+    END = auto()
+    FAULT = auto()
 
 
 class InstructionSet(Bytewise):
@@ -188,18 +197,7 @@ class InstructionSet(Bytewise):
         if self._scanned <= _MOST_SCANNED:
             self._scanned += end - at
             return self.scan(data, at, end)[1] is None
-        while True:
-            usual = self._usual(data, at, end)
-            assert usual is not None, "no operations at all are usual, too"
-            at = usual.end()
-            if at == end:
-                return True
-            if self._is_unknown(data, at, end):
-                return False
-            operation, fault = self._scan_one(data, at, end)
-            if operation is None or fault is not None:
-                return False
-            at += operation.length
+        return self._flaw(data, at, end) is _Flaw.NONE
 
     def may_become_flawless(self, data: bytes, at: int, end: int) -> bool:
         """Says whether there would be no fault if more followed.
@@ -213,17 +211,20 @@ class InstructionSet(Bytewise):
             True where there is no fault, or none but that the end comes too early.
 
         """
+        return self._flaw(data, at, end) is not _Flaw.FAULT
+
+    def _flaw(self, data: bytes, at: int, end: int) -> _Flaw:
         while True:
             usual = self._usual(data, at, end)
             assert usual is not None, "no operations at all are usual, too"
             at = usual.end()
             if at == end:
-                return True
+                return _Flaw.NONE
             if self._is_unknown(data, at, end):
-                return False
+                return _Flaw.FAULT
             operation, fault = self._scan_one(data, at, end)
             if operation is None or fault is not None:
-                return fault is not None and fault.truncated
+                return _Flaw.END if fault is not None and fault.truncated else _Flaw.FAULT
             at += operation.length
 
     def _is_unknown(self, data: bytes, at: int, end: int) -> bool:

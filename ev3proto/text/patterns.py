@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
+from functools import cache
 
-from ev3proto.messages import Argument, ArgumentValue, Operation
+from ev3proto.messages import Argument, ArgumentValue, DirectCommand, Operation, unread_operations
 from ev3proto.schema.argument import SHORT, Unpack, reader_of
 from ev3proto.schema.instructions import PADDING, InstructionSet
 from ev3proto.schema.operation import OperationSchema
@@ -37,6 +38,9 @@ _PLACES = {
     form: (_SHORT_FORMS.index(form), _SHORT_FORMS.index(form) + _SHORT_FORMS.count(form)) for form in set(_SHORT_FORMS)
 }
 """By each short form, the first of its bytes and the one after the last."""
+
+LONG = len(SHORT)
+"""The first identification byte of long forms."""
 
 SHORT_NUMBERS = tuple(str(value) for _, value in SHORT)
 """The values of short forms, by their only byte."""
@@ -268,6 +272,59 @@ class DialectTexts:
                 commands = self._by_opcode[code] = [None] * 256
             commands[data[at + 1]] = found
         return found
+
+
+class CommandTexts:
+    """The texts of the operations of direct commands: straight from the bytes, or of one operation after the other."""
+
+    def __init__(self, made: _Made, general: Callable[[Operation], list[str]]) -> None:
+        """Knows no operation yet.
+
+        Args:
+            made: Makes the texts of operations with certain parameters.
+            general: The texts of any operation.
+
+        """
+        self._made = made
+        self._general = general
+        self._of = cache(self._new)
+        self._in = cache(lambda instructions: DialectTexts(instructions, self._of))
+
+    def _new(self, schema: OperationSchema) -> OperationTexts:
+        if schema.list_parameter is not None:
+            return ListTexts(schema, self._made)
+        return self._made(schema, schema.declaration.parameters)
+
+    def add(self, texts: list[str], frame: bytes, at: int, instructions: InstructionSet) -> bool:
+        """Adds the texts of all operations from an offset of a frame on.
+
+        Returns:
+            False where one of them is at fault or unusual: nothing is added then.
+        """
+        return self._in(instructions).add(texts, frame, at)
+
+    def add_all(self, texts: list[str], message: DirectCommand) -> None:
+        """Adds the texts of all operations of a message, whatever they are like."""
+        unread = unread_operations(message)
+        if unread is not None:
+            instructions, frame, at = unread
+            if self.add(texts, frame, at, instructions):
+                return
+        for operation in message.operations:
+            if not self._add_usual(texts, operation):
+                texts += self._general(operation)
+
+    def _add_usual(self, texts: list[str], operation: Operation) -> bool:
+        if not is_usual(operation):
+            return False
+        schema, data, at = operation[:3]
+        before = len(texts)
+        try:
+            self._of(schema).add(texts, data, at)
+        except UnusualError:
+            del texts[before:]
+            return False
+        return True
 
 
 def is_usual(operation: Operation) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cache
 
 from ev3proto.dialogue import Exchange, Transfer
 from ev3proto.messages import (
@@ -17,9 +16,7 @@ from ev3proto.messages import (
     Operation,
     SystemCommand,
     SystemReply,
-    unread_operations,
 )
-from ev3proto.schema.argument import SHORT
 from ev3proto.schema.frame import command_head
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS
@@ -33,23 +30,18 @@ from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
 from ev3proto.text.heading import Seen, heading
 from ev3proto.text.patterns import (
+    LONG,
     SHORT_NUMBERS,
     ArgumentTexts,
     Around,
-    DialectTexts,
-    ListTexts,
+    CommandTexts,
     OperationTexts,
     Pattern,
-    UnusualError,
-    is_usual,
 )
 from ev3proto.text.phrases import argument_meaning, argument_value, around_value, plain, spaced_hex, value_text
 from ev3proto.text.spans import Line, Role, plain_text
 
 _MOST_REST = 32
-
-_LONG = len(SHORT)
-"""The first identification byte of long forms."""
 
 _OFFSETS = tuple(f"  {offset:4}  " for offset in range(MAX_FRAME + len(PADDING)))
 """What the line of an operation starts with, by its offset."""
@@ -85,10 +77,7 @@ def tree_texts(exchange: Exchange, seen: Seen) -> list[str]:
     texts = [plain_text(heading(exchange, seen))]
     if message.global_size or message.local_size:
         texts.append(_memory(message.global_size, message.local_size))
-    unread = unread_operations(message)
-    if unread is None or not _texts_in(unread[0]).add(texts, *unread[1:]):
-        for operation in message.operations:
-            _add_texts(operation, texts)
+    _COMMANDS.add_all(texts, message)
     return texts
 
 
@@ -111,20 +100,7 @@ def command_texts(frame: bytes, origin: str, instructions: InstructionSet) -> li
     texts = [f"{origin}{kind._name_}, counter {counter}, {len(frame)} bytes"]
     if global_size or local_size:
         texts.append(_memory(global_size, local_size))
-    return texts if _texts_in(instructions).add(texts, frame, COMMAND_HEADER_SIZE) else None
-
-
-def _add_texts(operation: Operation, texts: list[str]) -> None:
-    before = len(texts)
-    if is_usual(operation):
-        schema, data, at = operation[:3]
-        try:
-            _texts_of(schema).add(texts, data, at)
-        except UnusualError:
-            del texts[before:]
-        else:
-            return
-    texts += [plain_text(line) for line in operation_lines(operation)]
+    return texts if _COMMANDS.add(texts, frame, COMMAND_HEADER_SIZE, instructions) else None
 
 
 def _memory(global_size: int, local_size: int) -> str:
@@ -155,7 +131,7 @@ class _TreeTexts(OperationTexts):
         at += self._start
         for argument in self._arguments:
             first = data[at]
-            if first < _LONG:
+            if first < LONG:
                 before, after = argument.short[first] or argument.of_short(first)
                 texts.append(f"{_INDENTED[at]}{before}{SHORT_NUMBERS[first]}{after}")
                 at += 1
@@ -172,18 +148,6 @@ class _TreeTexts(OperationTexts):
         return at
 
 
-@cache
-def _texts_of(schema: OperationSchema) -> OperationTexts:
-    if schema.list_parameter is not None:
-        return ListTexts(schema, _TreeTexts)
-    return _TreeTexts(schema, schema.declaration.parameters)
-
-
-@cache
-def _texts_in(instructions: InstructionSet) -> DialectTexts:
-    return DialectTexts(instructions, _texts_of)
-
-
 def operation_lines(operation: Operation) -> Iterator[Line]:
     """The lines of one operation: what it is, and each argument with its encoding and meaning."""
     line: Line = [(f"  {operation.offset:4}  ", Role.ASIDE), (operation.name, Role.OPERATION)]
@@ -197,6 +161,9 @@ def operation_lines(operation: Operation) -> Iterator[Line]:
     width = max((len(argument.name) for argument in operation.arguments), default=0)
     for argument in operation.arguments:
         yield _argument(argument, width)
+
+
+_COMMANDS = CommandTexts(_TreeTexts, lambda operation: [plain_text(line) for line in operation_lines(operation)])
 
 
 def _argument(argument: Argument, width: int) -> Line:

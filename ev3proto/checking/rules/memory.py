@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
-from ev3proto.checking.report import Finding, Severity, new_finding
+from ev3proto.checking.report import Finding, Severity
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
 from ev3proto.messages import Argument, DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
@@ -66,7 +66,7 @@ class _Remark(NamedTuple):
 
     def at(self, offset: int) -> Finding:
         severity, code, length, message, help_, operation, parameter = self
-        return new_finding(severity, code, offset, length, message, help_, operation, parameter)
+        return Finding(severity, code, offset, length, message, help_, operation, parameter)
 
 
 def _remark(found: Footprint, code: codes.Code, message: str, help_: str) -> _Remark:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from contextlib import suppress
 from functools import cache
 from types import MappingProxyType
 from typing import Any
@@ -21,9 +20,8 @@ from ev3proto.messages import (
     Operation,
     SystemCommand,
     SystemReply,
-    unread_operations,
 )
-from ev3proto.schema.argument import SHORT, STRINGS
+from ev3proto.schema.argument import STRINGS
 from ev3proto.schema.frame import command_head
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.schema.instructions import PADDING, InstructionSet
@@ -33,19 +31,14 @@ from ev3proto.tables.encoding import TEXT, Encoding
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 from ev3proto.text.heading import Seen
 from ev3proto.text.patterns import (
+    LONG,
     SHORT_NUMBERS,
     ArgumentTexts,
     Around,
-    DialectTexts,
-    ListTexts,
+    CommandTexts,
     OperationTexts,
     Pattern,
-    UnusualError,
-    is_usual,
 )
-
-_LONG = len(SHORT)
-"""The first identification byte of long forms."""
 
 
 def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
@@ -111,25 +104,9 @@ def record_text(exchange: Exchange, seen: Seen, more: Mapping[str, Any] = Mappin
         return _encode(record(exchange, seen) | dict(more))
     # The operations are most of the text. They are put together from what those of the same kind have in common.
     entry = _encode(_record(exchange, seen, []) | dict(more))
-    return entry.replace(_NO_OPERATIONS, f'"operations": [{", ".join(_operation_texts(message))}]', 1)
-
-
-def _operation_texts(message: DirectCommand) -> list[str]:
     texts: list[str] = []
-    unread = unread_operations(message)
-    if unread is None or not _texts_in(unread[0]).add(texts, *unread[1:]):
-        for operation in message.operations:
-            _add_text(operation, texts)
-    return texts
-
-
-def _add_text(operation: Operation, texts: list[str]) -> None:
-    if is_usual(operation):
-        schema, data, at = operation[:3]
-        with suppress(UnusualError):
-            _texts_of(schema).add(texts, data, at)
-            return
-    texts.append(_encode(operation_record(operation)))
+    _COMMANDS.add_all(texts, message)
+    return entry.replace(_NO_OPERATIONS, f'"operations": [{", ".join(texts)}]', 1)
 
 
 def command_text(frame: bytes, direction: str | None, more: str, instructions: InstructionSet) -> str | None:
@@ -147,7 +124,7 @@ def command_text(frame: bytes, direction: str | None, more: str, instructions: I
     """
     head = command_head(frame)
     texts: list[str] = []
-    if head is None or not _texts_in(instructions).add(texts, frame, COMMAND_HEADER_SIZE):
+    if head is None or not _COMMANDS.add(texts, frame, COMMAND_HEADER_SIZE, instructions):
         return None
     kind, counter, global_size, local_size = head
     sent = "" if direction is None else f', "direction": "{direction}"'
@@ -181,7 +158,7 @@ class _JsonTexts(OperationTexts):
         found = []
         for argument in self._arguments:
             first = data[at]
-            if first < _LONG:
+            if first < LONG:
                 before, after = argument.short[first] or argument.of_short(first)
                 found.append(f"{before}{SHORT_NUMBERS[first]}{_PLACES[at]}{after}")
                 at += 1
@@ -200,16 +177,7 @@ class _JsonTexts(OperationTexts):
         return at
 
 
-@cache
-def _texts_of(schema: OperationSchema) -> OperationTexts:
-    if schema.list_parameter is not None:
-        return ListTexts(schema, _JsonTexts)
-    return _JsonTexts(schema, schema.declaration.parameters)
-
-
-@cache
-def _texts_in(instructions: InstructionSet) -> DialectTexts:
-    return DialectTexts(instructions, _texts_of)
+_COMMANDS = CommandTexts(_JsonTexts, lambda operation: [_encode(operation_record(operation))])
 
 
 def _said(value: float | str) -> str:

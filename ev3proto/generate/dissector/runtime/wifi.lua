@@ -227,8 +227,12 @@ do
         if verdict == OURS then
             talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
             name_brick(talk, pinfo, to_brick)
-        elseif not verdict then
+        elseif not verdict and #text > HEADER_SIZE then
             talk.strange = strange + 1
+        elseif not verdict then
+            -- A frame may be cut into packets that are as small.
+            talk.unread = (talk.unread or 0) + #text
+            if talk.unread > LENGTH_FIELD + MAX_LENGTH then talk.strange = CLAIMS.strange_packets end
         end
         return verdict
     end

@@ -248,3 +248,52 @@ def test_help() -> None:
     done = run("--help")
     assert done.returncode == 0
     assert "--explain" in done.stdout
+
+
+SPOILT_SOURCE = "vmthread MAIN\n{\n  FOO(1)\n  DATA8 x\n  DATA8 x\n}\n"
+"""An operation that there is not, and a variable that is declared twice."""
+
+SOURCE_WITH_A_WARNING = "vmthread MAIN\n{\n  DATA8 x\n  MOVE8_8(300, x)\n}\n"
+"""300 is more than a DATA8 can be."""
+
+
+def test_json_has_what_is_wrong_with_a_source(tmp_path: Path) -> None:
+    source = tmp_path / "robot.lms"
+    source.write_text(SPOILT_SOURCE)
+    (entry,) = entries(str(source))
+    assert (entry["source"], entry["accepted"], entry["rejected_at"], entry["hex"]) == (str(source), False, None, "")
+    assert entry["findings"] == [
+        {
+            "severity": "error",
+            "code": "source",
+            "offset": 0,
+            "length": 0,
+            "message": "there is no operation FOO",
+            "mend": "change line 3 of the source",
+            "line": 3,
+            "column": 3,
+        },
+        {
+            "severity": "error",
+            "code": "source",
+            "offset": 0,
+            "length": 0,
+            "message": "x is declared already",
+            "mend": "change line 5 of the source",
+            "line": 5,
+            "column": 9,
+        },
+    ]
+    assert run("--json", str(source)).returncode == 1
+
+
+def test_json_has_what_a_source_is_warned_of(tmp_path: Path) -> None:
+    source = tmp_path / "robot.lms"
+    source.write_text(SOURCE_WITH_A_WARNING)
+    (entry,) = entries(str(source))
+    assert entry["hex"].startswith("4c45474f")
+    warning = entry["findings"][0]
+    assert (warning["severity"], warning["code"], warning["line"], warning["column"]) == ("warning", "source", 4, 11)
+    assert warning["message"].endswith("which reaches from -127 to 127: it cannot be 300")
+    (entry,) = entries("--errors-only", str(source))
+    assert "source" not in [finding["code"] for finding in entry["findings"]]

@@ -84,6 +84,9 @@ def test_what_is_printed_of_programs(tmp_path: Path) -> None:
     (line,) = printed("decode", str(image))
     assert [part["kind"] for part in line["objects"]] == ["vmthread", "subcall"]
     assert len(printed("check", str(image))) == 1
+    (tmp_path / "spoilt.lms").write_text(source.replace("TONE", "TOEN"))
+    (line,) = printed("check", str(tmp_path / "spoilt.lms"))
+    assert [finding["code"] for finding in line["findings"]] == ["source"]
 
 
 @pytest.mark.parametrize(

@@ -715,3 +715,17 @@ def test_a_text_without_times_is_drawn_in_its_order(tmp_path: Path) -> None:
     assert "UI_READ" in svg
     for invented in ("seconds", " ms<", " s<", "median answer", "2026-01-01", "How long a brick took"):
         assert invented not in svg, invented
+
+
+def test_a_part_of_a_text_without_times_is_told_in_lines(tmp_path: Path) -> None:
+    log, path = tmp_path / "robot.log", tmp_path / "robot.svg"
+    log.write_text("sent 09 00 01 00 00 04 00 81 01 60 00\nreceived 07 00 01 00 02 00 00 00 41\n" * 3)
+    said = f"{log}: has no times: --from and --to count its lines\n"
+    done = run(log, "-o", path, "--from", "3", "--to", "4")
+    assert (done.exit_code, done.output) == (0, f"{said}{path}: written\n")
+    assert "in their order, without times: 2 messages" in path.read_text()
+    done = run(log, "-o", path, "--from", "7")
+    assert (done.exit_code, done.output) == (
+        1,
+        f"{said}{log}: there is nothing to draw from line 7: no frame was found\n",
+    )

@@ -11,6 +11,7 @@ from urllib.parse import quote
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.cli.programs import SOURCE_CODE
 from ev3proto.version import VERSION
 
 if TYPE_CHECKING:
@@ -23,16 +24,13 @@ SARIF_VERSION = "2.1.0"
 REFUSED = "E000"
 """The code of a frame that the brick refuses where no finding that is shown explains it."""
 
-SOURCE = "source"
-"""What stands in place of a code where a source cannot be assembled, or is assembled with a warning."""
-
 UNREAD = "unread"
 """What stands in place of a code where input could not be read."""
 
 MOST_COMPLAINTS = 1_000
 """Places that could not be read and stand in a SARIF log one by one."""
 
-_TITLES = {REFUSED: "refused by the brick", SOURCE: "a program's source"}
+_TITLES = {REFUSED: "refused by the brick", SOURCE_CODE: "a program's source"}
 
 _GITHUB = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.HINT: "notice"}
 _SARIF = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.HINT: "note"}
@@ -104,8 +102,8 @@ def notes_on_source(
 ) -> list[Note]:
     """The errors and warnings of a program's source as notes."""
     found = [] if error is None else [error, *error.others]
-    notes = [Note(Severity.ERROR, SOURCE, one.reason, label, one.line, one.column) for one in found]
-    return notes + [Note(Severity.WARNING, SOURCE, one.reason, label, one.line, one.column) for one in warnings]
+    notes = [Note(Severity.ERROR, SOURCE_CODE, one.reason, label, one.line, one.column) for one in found]
+    return notes + [Note(Severity.WARNING, SOURCE_CODE, one.reason, label, one.line, one.column) for one in warnings]
 
 
 def github(note: Note) -> str:

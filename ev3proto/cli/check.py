@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -19,6 +19,7 @@ from ev3proto.cli.programs import (
     complain_of_warnings,
     program_explanation,
     read_source,
+    source_findings,
 )
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import counted, near_misses
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from ev3proto.checking.fixing import Fix
     from ev3proto.checking.report import Finding, Report
     from ev3proto.cli.annotations import Annotations
+    from ev3proto.program.source.errors import SourceWarning
 
 FORMATS = ("text", "json", "sarif", "github")
 """How findings are printed."""
@@ -164,6 +166,10 @@ class Checking(SourceReader):
 
     def program(self, source: Source, image: bytes) -> None:
         """A program image."""
+        self._image(source, image, ())
+
+    def _image(self, source: Source, image: bytes, warnings: Sequence[SourceWarning]) -> None:
+        """A program image, and what its source was warned of."""
         from ev3proto.program import check_program
         from ev3proto.program.report import program_findings
 
@@ -172,7 +178,7 @@ class Checking(SourceReader):
         self.programs += 1
         report = check_program(image, dialect=self.reading.dialect)
         place = Place("" if self._is_single else source.label, {"source": source.label})
-        if not self._is_shown_otherwise(report, place, report.as_dict, is_file=True):
+        if not self._is_shown_otherwise(report, place, report.as_dict, is_file=True, warnings=warnings):
             shown = self._options.shown(report)
             label = f"{place.label}, " if place.label else ""
             self._paragraph(program_findings(report, shown, label), len(shown) > 0)
@@ -197,6 +203,9 @@ class Checking(SourceReader):
                 self._annotations.source(source.label, error)
             elif not self._options.quiet:
                 complain_of(source.label, error)
+                if self._options.as_json:
+                    entry = {"accepted": False, "rejected_at": None, "findings": source_findings(error), "hex": ""}
+                    self._print({"source": source.label}, entry)
             return
         self.counts["warning"] += len(made.warnings)
         if self._annotations is not None:
@@ -204,7 +213,7 @@ class Checking(SourceReader):
         elif not self._options.hidden >= {"warning"} and not self._options.quiet:
             complain_of_warnings(source.label, made.warnings)
         self.at_fault |= self._options.strict and bool(made.warnings)
-        self.program(source, made.image)
+        self._image(source, made.image, made.warnings)
 
     def complain(self, sentence: str) -> None:
         """Prints a sentence about input that is at fault, also where a workflow shows it."""
@@ -274,7 +283,13 @@ class Checking(SourceReader):
         self._paragraph(fixed(fix, shown, place=place.label, dialect=self.reading.dialect), True)
 
     def _is_shown_otherwise(
-        self, report: Report, place: Place, entry: Callable[[], dict[str, Any]], *, is_file: bool = False
+        self,
+        report: Report,
+        place: Place,
+        entry: Callable[[], dict[str, Any]],
+        *,
+        is_file: bool = False,
+        warnings: Sequence[SourceWarning] = (),
     ) -> bool:
         """Shows what was found in any form but as text; says whether nothing is left to be shown."""
         if self._options.leaves_out(report, is_alone=self._is_single and not place.is_among):
@@ -282,12 +297,17 @@ class Checking(SourceReader):
         if self._annotations is not None:
             self._annotations.report(report, self._options.shown(report), place.facts, is_file=is_file)
         elif self._options.as_json:
-            self._json(place, entry(), report)
+            self._json(place, entry(), report, warnings)
         return self._options.style != FORMATS[0]
 
-    def _json(self, place: Place, entry: dict[str, Any], report: Report) -> None:
+    def _json(self, place: Place, entry: dict[str, Any], report: Report, warnings: Sequence[SourceWarning]) -> None:
         entry["findings"] = [finding.as_dict() for finding in self._options.shown(report)]
-        self._printer.text(json.dumps(place.facts | entry, ensure_ascii=False))
+        if warnings and "warning" not in self._options.hidden:
+            entry["findings"] = source_findings(warnings=warnings) + entry["findings"]
+        self._print(place.facts, entry)
+
+    def _print(self, facts: dict[str, Any], entry: dict[str, Any]) -> None:
+        self._printer.text(json.dumps(facts | entry, ensure_ascii=False))
 
     def _paragraph(self, lines: Iterable[Line], is_long: bool) -> None:
         """Lines that belong together."""

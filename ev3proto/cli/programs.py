@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 SUFFIX, SOURCE_SUFFIX = ".rbf", ".lms"
 RBF = "rbf"
 """The form of `encode` that makes images."""
+
+SOURCE_CODE = "source"
+"""What stands in place of a code where a source cannot be assembled, or is assembled with a warning."""
 
 PROGRAM_FORMATS = ("listing",)
 """The formats of `decode` that there are for programs only."""
@@ -95,6 +98,26 @@ def complain_of_warnings(label: str, warnings: Sequence[SourceWarning]) -> None:
         complain(f"{label}, {warning} (warning)")
     if len(warnings) > _MOST_WARNINGS:
         complain(f"{label}: and {len(warnings) - _MOST_WARNINGS} more warnings")
+
+
+def source_findings(error: AssemblyError | None = None, warnings: Iterable[SourceWarning] = ()) -> list[dict[str, Any]]:
+    """What is wrong with a source as `Finding.as_dict` has it; `line` and `column` say where, and not the offset."""
+    found: list[tuple[str, AssemblyError | SourceWarning]] = [("warning", one) for one in warnings]
+    if error is not None:
+        found += [("error", one) for one in (error, *error.others)]
+    return [
+        {
+            "severity": severity,
+            "code": SOURCE_CODE,
+            "offset": 0,
+            "length": 0,
+            "message": one.reason,
+            "mend": f"change line {one.line} of the source",
+            "line": one.line,
+            "column": one.column,
+        }
+        for severity, one in found
+    ]
 
 
 def read_source(source: Source) -> bytes | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +14,7 @@ from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain, say
 
 if TYPE_CHECKING:
+    from ev3proto.capture import Event
     from ev3proto.capture.timeline import Timeline
 
 
@@ -49,13 +51,14 @@ def timeline(
     """Draws who said what when, how long the brick took to answer, and what went wrong.
 
     The file's suffix says what is drawn: .html is a page to zoom and point at, which needs no network; .svg and .png
-    are pictures for texts. With --filter, a command is drawn with its reply where either of them is let through.
+    are pictures for texts. With --filter, a command is drawn with its reply where either of them is let through. A
+    log without times is drawn in its order, and --from and --to count its lines.
 
     \b
       ev3proto timeline robot.pcapng -o robot.html
       ev3proto timeline robot.pcapng -o start.png --from 5 --to 5.5
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.capture.timeline import Form, MissingLibraryError, require_library
+    from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect, require_library
 
     try:
         Form.of(output)
@@ -68,29 +71,35 @@ def timeline(
         complain(f"{output}: cannot be written: there is no folder {output.parent}")
         sys.exit(1)
     found = [CaptureSource(file, reading) for file in files]
-    drawn = _collected(found, reading, first, last)
+    labels = ", ".join(source.label for source in found)
     names = ", ".join(Path(source.label).name for source in found)
+    # The timeline filters by itself: a reply that is kept back must not look as if it never came.
+    chosen, reading.filter = reading.filter, None
+    events, is_timed = _begun(chain.from_iterable(source.events() for source in found))
+    if not is_timed and (first is not None or last is not None):
+        complain(f"{labels}: has no times: --from and --to count its lines")
+    drawn = collect(events, chosen, Window(first, last))
     if drawn is None:
         if not any(source.status for source in found):
-            complain(_nothing(", ".join(source.label for source in found), first, last))
+            complain(_nothing(labels, first, last, is_timed=is_timed))
         sys.exit(1)
     _write(drawn, output, names)
     say(f"{output}: written")
     sys.exit(max(source.status for source in found))
 
 
-def _collected(
-    found: list[CaptureSource], reading: CaptureOptions, first: float | None, last: float | None
-) -> Timeline | None:
-    from ev3proto.capture.timeline import Window, collect
-
-    # The timeline filters by itself: a reply that is kept back must not look as if it never came.
-    chosen, reading.filter = reading.filter, None
-    return collect(chain.from_iterable(source.events() for source in found), chosen, Window(first, last))
+def _begun(events: Iterator[Event]) -> tuple[Iterator[Event], bool]:
+    """The same events, and whether the first one has a time: else all of them are drawn in their order."""
+    begin = next(events, None)
+    return (events, True) if begin is None else (chain([begin], events), begin.route.is_timed)
 
 
-def _nothing(names: str, first: float | None, last: float | None) -> str:
-    limits = [f"{name} {value:g} s" for name, value in (("from", first), ("to", last)) if value is not None]
+def _nothing(names: str, first: float | None, last: float | None, *, is_timed: bool) -> str:
+    limits = [
+        f"{name} {value:g} s" if is_timed else f"{name} line {value:g}"
+        for name, value in (("from", first), ("to", last))
+        if value is not None
+    ]
     where = f" {' '.join(limits)}" if limits else ""
     return f"{names}: there is nothing to draw{where}: no frame was found"
 

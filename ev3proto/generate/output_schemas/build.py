@@ -77,15 +77,17 @@ def _counts() -> Schema:
 def _finding() -> Schema:
     properties: Schema = {
         "severity": {"enum": [severity.value for severity in Severity]},
-        "code": {"type": "string", "pattern": "^[EWH][0-9]{3}$"},
+        "code": {"type": "string", "pattern": "^([EWH][0-9]{3}|source)$"},
         "offset": WHOLE,
         "length": WHOLE,
         "message": TEXT,
         "mend": TEXT,
         "operation": TEXT,
         "parameter": TEXT,
+        "line": WHOLE,
+        "column": WHOLE,
     }
-    return object_of(properties, "operation", "parameter")
+    return object_of(properties, "operation", "parameter", "line", "column")
 
 
 def _values() -> Schema:

@@ -3890,7 +3890,7 @@ local DAISY = {
 
 local CLAIMS = {
     never_sent = { [0] = true },
-    strange_packets = 8, faults_in_a_row = 3, proofs = 8,
+    strange_packets = 8, faults_in_a_row = 3, proofs = 8, odd_reports = 2,
     nxt = {
         lengths = { [0] = 22, [2] = 23, [3] = 6, [4] = 12 },
         counted = { [9] = 4, [15] = 5 },
@@ -7008,36 +7008,55 @@ do
         return dissect(tvb, text, pinfo, tree)
     end
 
+    -- Whether a command is a claim by itself. Of a device whose reports are not like a brick's it is none, until a
+    -- reply answers one: so it is remembered.
+    local function stands_alone(talk, message)
+        if talk.is_claimed or (talk.odd or 0) <= CLAIMS.odd_reports then return true end
+        if message.type.wants_reply then talk.asked = message.type.carries .. message.counter end
+        return false
+    end
+
+    local function answers(talk, message)
+        return answers_command(talk, message) or talk.asked == message.type.carries .. message.counter
+    end
+
+    -- The frame that a report may hold, and whether the report begins with a frame's length and holds none: it has
+    -- another type, another size, or goes the wrong way.
+    local function frame_in(tvb, pinfo)
+        local sort, captured = REPORT_SIZES[tvb:reported_len()], tvb:len()
+        if not sort or captured < HEADER_SIZE then return nil, false end
+        local low, high, _, _, code = byte(tvb:raw(0, HEADER_SIZE), 1, HEADER_SIZE)
+        if not is_length(low, high) then return nil, false end
+        local size, type = LENGTH_FIELD + low + high * 0x100, MESSAGE_TYPES[code]
+        local is_odd = not type or (type.carries == "daisy") ~= (sort == "daisy")
+        if is_odd then return nil, size <= captured end
+        local message = read_message(tvb:raw(0, math.min(size, captured)))
+        return message, type.carries == "direct" and (type.is_command == true) ~= is_from_host(pinfo)
+    end
+
     -- Whether a report holds a frame of ours, although nobody knows its device as a brick. Other devices have reports,
     -- too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks like a frame
     -- is taken, until there are faults in a row.
     local function is_claimed(tvb, pinfo)
-        local sort = REPORT_SIZES[tvb:reported_len()]
-        if not sort or tvb:len() < HEADER_SIZE then return false end
-        local head = tvb:raw(0, HEADER_SIZE)
-        local looks_right = may_start(head, 0)
-            and (MESSAGE_TYPES[byte(head, HEADER_SIZE)].carries == "daisy") == (sort == "daisy")
-        local talk = looks_right and talk_of(device_key(pinfo)) or talk_if_any(device_key(pinfo))
+        local message, is_odd = frame_in(tvb, pinfo)
+        local key = device_key(pinfo)
+        local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
         if not talk then return false end
-        local is_taken, message = false, nil
-        if looks_right then
-            message = read_message(tvb:raw(0, math.min(LENGTH_FIELD + unsigned16(head, 0), tvb:len())))
+        if is_odd then talk.odd = (talk.odd or 0) + 1 end
+        local is_taken = false
+        if message and is_flawless(message) then
             local type = message.type
-            if is_overwritten(message, pinfo) then
-                is_taken = is_flawless(message)
-            elseif is_flawless(message) then
-                -- Bricks in a chain send commands both ways.
-                if type.carries == "daisy" then
-                    is_taken = true
-                elseif type.is_command then
-                    is_taken = is_from_host(pinfo) and is_sensible_command(message)
-                else
-                    is_taken = not is_from_host(pinfo) and answers_command(talk, message)
-                    talk.is_claimed = talk.is_claimed or is_taken
-                end
+            -- Bricks in a chain send commands both ways.
+            if type.carries == "daisy" or is_overwritten(message, pinfo) then
+                is_taken = true
+            elseif type.is_command then
+                is_taken = is_from_host(pinfo) and is_sensible_command(message) and stands_alone(talk, message)
+            else
+                is_taken = not is_from_host(pinfo) and answers(talk, message)
+                talk.is_claimed = talk.is_claimed or is_taken
             end
         end
-        if not is_taken and talk.is_claimed then is_taken = looks_right end
+        if not is_taken and talk.is_claimed then is_taken = message ~= nil end
         talk.faults = is_taken and 0 or (talk.faults or 0) + 1
         if talk.faults >= CLAIMS.faults_in_a_row then talk.is_claimed, talk.faults = false, 0 end
         return is_taken

@@ -199,6 +199,28 @@ def test_a_reply_on_usb_answers_a_command(shown: Callable[..., list[str]]) -> No
     assert shown(capture) == [str(number) for number in (*ours, faulty + 1)]
 
 
+def odd_device() -> tuple[bytes, list[int]]:
+    """A device with reports that are not like a brick's: commands alone are none of ours until a reply answers one."""
+    capture = Capture(USBMON)
+    device = Device(capture)
+    ours = [device.send(tone(1))]
+    device.receive(bytes.fromhex("0500 0100 77 01 02"))
+    device.receive(voltage(2))
+    ours.append(device.send(tone(3)))
+    device.receive(bytes.fromhex("0500 0100 08 01 02"))
+    device.send(tone(4))
+    device.send(voltage(5))
+    ours += [device.receive(volts(5)), device.send(tone(6))]
+    return capture.data(), ours
+
+
+def test_commands_alone_do_not_claim_a_device_with_odd_reports(tshark: Tshark) -> None:
+    data, ours = odd_device()
+    path = tshark.place(data, "odd.pcap")
+    assert tshark.run(path, "-Y", "ev3", "-T", "fields", "-e", "frame.number").split() == list(map(str, ours))
+    assert [event.numbers[0] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)] == ours
+
+
 # Streams of which something is missing
 
 

@@ -11,8 +11,10 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   bytes than a frame's header do not count until they have more than a frame together: one may be cut into them.
 - Bluetooth's channel and USB devices that nobody knows as bricks are claimed by a flawless command that makes sense:
   it has at least one operation, and none of those that nobody sends (`NEVER_SENT`). On USB a reply is taken when it
-  answers a command, and what has faults once such a reply was seen. On Bluetooth a command may come in several packets,
-  as long as the other side says nothing in between, and what may be a telegram of LEGO's NXT claims nothing.
+  answers a command, and what has faults once such a reply was seen. After more than `ODD_REPORTS` reports that have a
+  frame's length and not its type, or not the size of its type's reports, no command is taken either until a reply
+  answers one; daisy-chain frames are, and the bootloader's faulty replies. On Bluetooth a command may come in several
+  packets, as long as the other side says nothing in between, and what may be a telegram of LEGO's NXT claims nothing.
 - On Bluetooth and USB the claim ends after `FAULTS_IN_A_ROW` packets without anything that can be a frame. The next one
   may begin. On Bluetooth, where `PROOFS` packets have shown that the traffic is ours, these must have more bytes than a
   frame: what is left of one of which something is missing may come in many packets.
@@ -33,6 +35,10 @@ FAULTS_IN_A_ROW = 3
 
 PROOFS = 8
 """Packets of Bluetooth in which frames end after which it is no chance that there are some."""
+
+ODD_REPORTS = 2
+"""USB reports that a device may have that begin with a frame's length and are none, before its commands alone claim it
+no more."""
 
 NEVER_SENT = ("ERROR",)
 """Operations that stand for a fault. The number of this one is that of the bytes of an empty report."""

@@ -314,6 +314,7 @@ def _claims() -> Iterator[str]:
         "strange_packets": claims.STRANGE_PACKETS,
         "faults_in_a_row": claims.FAULTS_IN_A_ROW,
         "proofs": claims.PROOFS,
+        "odd_reports": claims.ODD_REPORTS,
         "nxt": Table(named=nxt),
     }
     yield _assign("CLAIMS", Table(named=rule))

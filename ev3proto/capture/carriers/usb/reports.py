@@ -11,10 +11,10 @@ from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.finding import makes_sense
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped
-from ev3proto.schema.header import HEADER_SIZE, Header, frame_size, is_frame_size
+from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables import system
 from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
-from ev3proto.tables.claims import FAULTS_IN_A_ROW
+from ev3proto.tables.claims import FAULTS_IN_A_ROW, ODD_REPORTS
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES, MessageType
 
 MOST_DEVICES = 4096
@@ -34,28 +34,40 @@ OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply w
 
 
 class _Claim:
-    """What is known of a device that nobody knows as a brick, once a command went to it that wants a reply."""
+    """What is known of a device that nobody knows as a brick."""
 
-    __slots__ = ("_asked", "_faults", "_is_answered")
+    __slots__ = ("_asked", "_faults", "_is_answered", "_odd")
 
     def __init__(self) -> None:
-        self._asked: dict[tuple[str, int], None] = {}
+        self._asked: dict[tuple[str, bytes], None] = {}
         self._is_answered = False
         self._faults = 0
+        self._odd = 0
 
-    def take(self, member: MessageType, counter: int) -> bool:
-        """Takes a flawless frame that goes the right way. A reply must answer a command."""
-        key = member.carries, counter
+    def meet_odd(self) -> None:
+        """Meets a report that begins with a frame's length and is none."""
+        self._odd += 1
+
+    def take(self, member: MessageType, frame: bytes) -> bool:
+        """Takes a flawless frame that goes the right way.
+
+        A reply must answer a command, and a command of a device with odd reports must follow such a reply.
+        """
+        counter_and_number = frame[LENGTH_FIELD : HEADER_SIZE - 1] + frame[HEADER_SIZE:][: member.carries == "system"]
+        key = member.carries, counter_and_number
         if not member.is_command:
             is_answer = key in self._asked
             self._asked.pop(key, None)
             self._is_answered |= is_answer
             return is_answer
+        is_alone = self._odd > ODD_REPORTS and not self._is_answered
         if member.wants_reply:
+            if is_alone:
+                self._asked.clear()
             self._asked[key] = None
             if len(self._asked) > MOST_ASKED:
                 del self._asked[next(iter(self._asked))]
-        return True
+        return not is_alone
 
     def judge(self, is_flawless: bool) -> bool:
         """Says whether a frame is ours that is known to be flawless or not: after a dialogue faults are, too."""
@@ -94,7 +106,7 @@ class Reports:
         frame = found.data[:size]
         is_length = is_frame_size(size)
         is_brick = self._products.get(found.device, False)
-        if not is_brick and not (is_length and self._looks_right(found, frame, size, is_from_host, packet)):
+        if not is_brick and not self._is_claimed(found, frame, size, is_from_host, packet):
             self._account.other += len(packet.data)
             return ()
         self._account.headers += len(packet.data) - len(found.data)
@@ -132,31 +144,41 @@ class Reports:
             self._routes.add(key, Route(Carrier.USB, *ends, direction, packet.interface.name, device))
         return self._routes[key]
 
-    def _looks_right(self, found: Urb, frame: bytes, size: int, is_from_host: bool, packet: Packet) -> bool:
+    def _is_claimed(self, found: Urb, frame: bytes, size: int, is_from_host: bool, packet: Packet) -> bool:
         """Whether a report of a device that is not known to be a brick is one of ours.
 
         Other devices have reports, too, and some of them begin like a frame: it must fit in every respect.
         """
         reported = len(found.data) + packet.size - len(packet.data)
-        member = _TYPES.get(frame[HEADER_SIZE - 1])
-        if reported not in REPORT_SIZES or member is None or len(frame) < size:
-            return False
-        if (member.carries == "daisy") != (reported != _BIG_REPORT):
-            return False
-        if _is_overwritten(frame, is_from_host):
-            return self._context.schema.read_for_later(frame, strict=False).fault is None
-        message = self._context.schema.read_for_later(frame, strict=False)
-        is_taken = message.fault is None and makes_sense(message)
+        is_whole = reported in REPORT_SIZES and is_frame_size(size) and len(frame) == size
+        member = _TYPES.get(frame[HEADER_SIZE - 1]) if is_whole else None
+        is_right = member is not None and (member.carries == "daisy") == (reported != _BIG_REPORT)
         claim = self._claims.get(found.device)
+        if is_whole and (not is_right or _is_backwards(member, is_from_host)):
+            claim = claim or self._claims.use(found.device, _Claim)[0]
+            claim.meet_odd()
+        if member is None or not is_right:
+            if claim is not None:
+                claim.judge(is_flawless=False)
+            return False
+        message = self._context.schema.read_for_later(frame, strict=False)
+        if _is_overwritten(frame, is_from_host):
+            return message.fault is None
+        is_taken = message.fault is None and makes_sense(message)
         # Bricks in a chain send commands both ways.
         if member.carries != "daisy":
             is_taken = is_taken and member.is_command == is_from_host
             if is_taken and (member.wants_reply or claim is not None):
                 claim = claim or self._claims.use(found.device, _Claim)[0]
-                is_taken = claim.take(member, Header.read(frame).counter)
+                is_taken = claim.take(member, frame)
             elif not member.is_command:
                 is_taken = False
         return is_taken if claim is None else claim.judge(is_taken)
+
+
+def _is_backwards(member: MessageType | None, is_from_host: bool) -> bool:
+    """Whether a direct command comes from the device, or a reply to one goes to it."""
+    return member is not None and member.carries == "direct" and member.is_command != is_from_host
 
 
 def _is_overwritten(frame: bytes, is_from_host: bool) -> bool:

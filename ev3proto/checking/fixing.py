@@ -6,12 +6,13 @@ another index, everywhere at once. Whatever cannot be fixed with certainty is sa
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
 from ev3proto.checking.checking import check
+from ev3proto.checking.facts import operation_facts
 from ev3proto.checking.moving import Layout, is_misaligned, multiple
 from ev3proto.checking.report import Report
 from ev3proto.checking.rules.encodings import is_longer, shortest
@@ -22,7 +23,6 @@ from ev3proto.schema.argument import SHORT, encode_as, encode_variable
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length, write_memory
 from ev3proto.semantics.footprint import Footprint, Taken, footprints
-from ev3proto.tables.declaration import Role
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
 
@@ -137,9 +137,11 @@ class _Fixing:
         for operation in message.operations:
             for place in footprints(operation):
                 self._places[place.argument.form.kind].append(place)
-        message = self._move_variables(message)
-        message = self._reply_type(message)
-        self._memory(message)
+        self._move_variables(message)
+        self._memory(self._reply_type(message))
+        # Only now is it read again, once for all that was done; a check reads the same.
+        message = self._parsed(self.frame)
+        assert isinstance(message, DirectCommand)
         self._shorten(message)
 
     def _parsed(self, frame: bytes) -> Message:
@@ -169,31 +171,31 @@ class _Fixing:
     def _changed(self, what: str, before: str, after: str, why: str) -> None:
         self.changes.append(Change(what, before, after, why))
 
-    def _move_variables(self, command: DirectCommand) -> DirectCommand:
+    def _move_variables(self, command: DirectCommand) -> None:
+        misaligned = {scope: list(filter(is_misaligned, found)) for scope, found in self._places.items()}
+        if not any(misaligned.values()):
+            return
         keeps_size = _spanned(command, len(self.frame))
-        pieces: dict[int, tuple[Argument, bytes]] = {}
         moved: list[tuple[Footprint, int]] = []
         for scope, size in ((GLOBAL, command.global_size), (LOCAL, command.local_size)):
+            if not misaligned[scope]:
+                continue
             # No variable moves where a reply would not carry it: it may still turn out that one is wanted.
-            layout = Layout(self._places[scope], size, MOST_IN_REPLY if scope == GLOBAL else MAX_LOCALS, keeps_size)
+            most = MOST_IN_REPLY if scope == GLOBAL else MAX_LOCALS
+            layout = Layout(self._places[scope], misaligned[scope], size, most, keeps_size)
             for block, shift in layout.moves():
-                for place in block:
-                    pieces[place.argument.offset] = place.argument, _moved(place, shift)
-                    moved.append((place, shift))
+                moved += [(place, shift) for place in block]
             self.unfixed += [_left(block, why) for block, why in layout.left]
         if not moved:
-            return command
-        frame = _replaced(self.frame, pieces)
+            return
+        frame = _replaced(self.frame, [(place.argument, _moved(place, shift)) for place, shift in moved])
         if len(frame) > MAX_FRAME:
             self.unfixed.append("moving the misaligned variables would make the frame longer than any can be")
-            return command
+            return
         self._tell_moves(moved)
         for place, shift in moved:
             place.start += shift
         self.frame = frame
-        fixed = self._parsed(frame)
-        assert isinstance(fixed, DirectCommand)
-        return fixed
 
     def _tell_moves(self, moved: list[tuple[Footprint, int]]) -> None:
         """One line a variable, however often it is used."""
@@ -260,22 +262,26 @@ class _Fixing:
             self._changed(f"{scope} memory", f"{stated} bytes", f"{most} bytes", why)
 
     def _shorten(self, command: DirectCommand) -> None:
+        longer = [
+            (operation, argument)
+            for operation in command.operations
+            for argument in _in_long_forms(operation)
+            if is_longer(argument)
+        ]
+        if not longer:
+            return
         keeps_size = _spanned(command, len(self.frame))
-        pieces: dict[int, tuple[Argument, bytes]] = {}
-        spanned = 0
-        for operation in command.operations:
-            for argument in _encoded(operation):
-                if not is_longer(argument):
-                    continue
-                if keeps_size[argument.offset]:
-                    spanned += 1
-                    continue
-                shorter = shortest(argument)
-                saved = argument.length - len(shorter)
-                pieces[argument.offset] = argument, shorter
-                what = f"{argument.name} of {operation.full_name} at offset {argument.offset}"
-                before, after = argument.raw.hex(":").upper(), shorter.hex(":").upper()
-                self._changed(what, before, after, f"the same in {saved} byte{'s' * (saved > 1)} less")
+        pieces: list[tuple[Argument, bytes]] = []
+        for operation, argument in longer:
+            if keeps_size[argument.offset]:
+                continue
+            shorter = shortest(argument)
+            saved = argument.length - len(shorter)
+            pieces.append((argument, shorter))
+            what = f"{argument.name} of {operation.full_name} at offset {argument.offset}"
+            before, after = argument.raw.hex(":").upper(), shorter.hex(":").upper()
+            self._changed(what, before, after, f"the same in {saved} byte{'s' * (saved > 1)} less")
+        spanned = len(longer) - len(pieces)
         if spanned:
             are = "longer encodings stay" if spanned > 1 else "longer encoding stays"
             self.unfixed.append(f"{spanned} {are}: a jump counts {'their' if spanned > 1 else 'its'} bytes")
@@ -321,22 +327,23 @@ def _variable_bytes(kind: str, index: int, handle: bool, address: bool) -> bytes
     return encode_variable(Variable(kind, index, handle, address))
 
 
-def _encoded(operation: Operation) -> Iterator[Argument]:
-    """CMD, where it is not in its short form, and the arguments."""
-    has_long_cmd = operation.length > 1 and operation.raw[1] >= len(SHORT)
-    if has_long_cmd and operation.cmd is not None:
-        yield operation.cmd
-    yield from operation.arguments
+def _in_long_forms(operation: Operation) -> list[Argument]:
+    """CMD and the arguments, those that are a single byte left out."""
+    _, data, start, end, *_ = operation
+    found = [argument for argument in operation.arguments if argument[1].width]
+    if end - start > 1 and data[start + 1] >= len(SHORT):
+        cmd = operation.cmd
+        return found if cmd is None else [cmd, *found]
+    return found
 
 
 def _spanned(command: DirectCommand, size: int) -> bytearray:
     """For each byte of the frame, whether it lies between a jump and where that goes: its length must stay."""
     spanned = bytearray(size)
     for operation in command.operations:
-        arguments = operation.arguments
-        if not arguments or arguments[-1].parameter.role is not Role.JUMP:
+        if not operation_facts(operation[0]).is_jump:
             continue
-        jump = arguments[-1]
+        jump = operation.arguments[-1]
         if jump.kind not in (CONSTANT, JUMP):
             return bytearray(b"\1" * size)
         end = operation.offset + operation.length
@@ -346,10 +353,15 @@ def _spanned(command: DirectCommand, size: int) -> bytearray:
     return spanned
 
 
-def _replaced(frame: bytes, pieces: Mapping[int, tuple[Argument, bytes]]) -> bytes:
+def _replaced(frame: bytes, pieces: Iterable[tuple[Argument, bytes]]) -> bytes:
     """The frame with other bytes for some arguments, and the length field that this gives."""
     done, at = [], LENGTH_FIELD
-    for offset, (argument, new) in sorted(pieces.items()):
+    for argument, new in sorted(pieces, key=_by_offset):
+        offset = argument.offset
         done += [frame[at:offset], new]
         at = offset + argument.length
     return with_length(b"".join((*done, frame[at:])))
+
+
+def _by_offset(piece: tuple[Argument, bytes]) -> int:
+    return piece[0].offset

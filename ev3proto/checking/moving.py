@@ -68,13 +68,21 @@ class Layout:
     left  blocks that cannot be moved, and why not
     """
 
-    def __init__(self, found: list[Footprint], stated: int, most: int, rigid: bytearray) -> None:
-        """`stated` bytes were asked for, `most` can be used; where `rigid` is set, an argument keeps its length."""
+    def __init__(
+        self, found: list[Footprint], misaligned: list[Footprint], stated: int, most: int, rigid: bytearray
+    ) -> None:
+        """Looks at all variables of a memory.
+
+        found       the variables
+        misaligned  those of them that are
+        stated      bytes that were asked for
+        most        bytes that can be used
+        rigid       where it is set, an argument keeps its length
+        """
         self.left: list[tuple[tuple[Footprint, ...], str]] = []
         self._most = most
         self._rigid = rigid
         self._blocks: list[Block] = []
-        misaligned = [place for place in found if is_misaligned(place)]
         for place in misaligned:
             if place.end > most:
                 self.left.append(((place,), f"it reaches beyond the {most} bytes that there are"))

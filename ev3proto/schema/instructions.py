@@ -323,7 +323,8 @@ class InstructionSet(Bytewise):
                 at = stop
         except DecodeError as fault:
             return PartialOperation((schema, data, start, at)), fault
-        return Operation((schema, data, start, at)), None
+        # With its arguments, as the loop of `scan` makes it: to read those of a list takes as long as all else.
+        return Operation((schema, data, start, at, schema.arguments(data, start))), None
 
     def _select(self, data: bytes, at: int, end: int) -> tuple[OperationSchema, int]:
         """The schema for the opcode (and CMD) at an offset, and where its arguments start. Raises DecodeError."""

@@ -7,12 +7,12 @@ from functools import cached_property
 from typing import Any
 
 from ev3proto.errors import BuildError, DecodeError
-from ev3proto.messages import Argument, Operation
-from ev3proto.schema.argument import SIZES, ArgumentSchema, Reader, encode_integer, reader_of
+from ev3proto.messages import Argument, ArgumentValue, Operation
+from ev3proto.schema.argument import SHORT, SIZES, ArgumentSchema, Reader, encode_integer, reader_of
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DATA8, Command, Declaration, Direction, Opcode, Parameter, Type
-from ev3proto.tables.encoding import CONSTANT, RANGES
+from ev3proto.tables.encoding import CONSTANT, RANGES, STRING_CODING
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import MAX_FRAME
 
@@ -176,27 +176,36 @@ class OperationSchema(Bytewise):
         if start == 2 and data[at - 1] > 0x3F:
             at += SIZES[data[at - 1]] - 1
         found: list[Argument] = []
-        element: Type | None = None
-        for schema, start, end in self.scan(data, at, len(data)):
-            if len(found) == len(self.fixed):
-                element = self._element_type(found)
-            if len(found) >= len(self.fixed):
-                schema = self._element(len(found) - len(self.fixed), element)
-            found.append(schema.read_measured(data, start, end))
+        readers = self.readers if self.list_parameter is None else self.readers_with_list(found, len(data))
+        value: ArgumentValue
+        for parameter, long_forms in readers:
+            first = data[at]
+            if first < len(SHORT):
+                encoding, value = SHORT[first]
+                end = at + 1
+            else:
+                form = long_forms[first]
+                assert form is not None, "whoever scanned it let no undefined identification byte pass"
+                encoding, unpack, size = form
+                end = at + size if unpack is not None else data.index(0, at + 1) + 1
+                value = unpack(data, at)[0] if unpack is not None else data[at + 1 : end - 1].decode(STRING_CODING)
+            found.append(Argument((parameter, encoding, value, at, data)))
+            at = end
         return tuple(found)
 
-    def readers_with_list(self, found: list[Argument]) -> Iterator[Reader]:
+    def readers_with_list(self, found: list[Argument], most: int = MOST_COUNTED) -> Iterator[Reader]:
         """Says what reads each argument of an operation with a list.
 
         Args:
             found: The arguments that were read so far, which whoever asks appends to.
+            most: How many elements there may be.
 
         Yields:
-            What reads the next argument. Nothing more where the counter is none, or says more than `MOST_COUNTED`.
+            What reads the next argument. Nothing more where the counter is none, or says more than `most`.
         """
         yield from self.readers
         count = _count_of(found[-1])
-        if count <= MOST_COUNTED:
+        if count <= most:
             element = self._element_type(found)
             for index in range(count):
                 yield self._element(index, element).reader

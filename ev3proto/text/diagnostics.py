@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.messages import DirectCommand, Message
-from ev3proto.schema.frame import parse
+from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD
 from ev3proto.text.excerpt import Excerpt
@@ -186,10 +186,9 @@ def explanation(code: Code, report: Report, dialect: str = "official") -> Iterat
 
 def grouped_hex(frame: bytes, dialect: str = "official") -> str:
     """`0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|`: a frame as the lesson prints it, argument by argument."""
-    cuts = sorted({0, *_cuts(parse(frame, strict=False, dialect=dialect), len(frame)), len(frame)})
+    cuts = sorted({0, *_cuts(read_last(frame, dialect), len(frame)), len(frame)})
     digits = frame.hex(":").upper()
-    pieces = (digits[3 * start : 3 * end - 1] for start, end in pairwise(cuts))
-    return f"0x|{''.join(f'{piece}|' for piece in pieces)}"
+    return "|".join(["0x", *[digits[3 * start : 3 * end - 1] for start, end in pairwise(cuts)], ""])
 
 
 def _cuts(message: Message, size: int) -> list[int]:
@@ -199,7 +198,9 @@ def _cuts(message: Message, size: int) -> list[int]:
         starts.append(COMMAND_HEADER_SIZE)
         for operation in message.operations:
             at = operation.offset
-            starts += [at, at + 1, *[argument.offset for argument in operation.arguments], at + operation.length]
+            starts += [at, at + 1]
+            starts += [argument[3] for argument in operation.arguments]
+            starts.append(at + operation.length)
     elif message.type is not None:
         starts.append(HEADER_SIZE + 1)
     return [start for start in starts if start <= size]

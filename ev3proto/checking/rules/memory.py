@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import NamedTuple
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
-from ev3proto.checking.report import Finding, Severity
+from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
-from ev3proto.messages import Argument, DirectCommand, Variable
+from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
-from ev3proto.semantics.footprint import Footprint, MemoryFacts, Taken, footprint
+from ev3proto.semantics.footprint import Footprint, MemoryFacts, Taken
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
 
@@ -42,64 +41,63 @@ def check_memory(
     if not context.has_jumps:
         # With jumps nobody knows what comes first.
         if len(local) > 1 and _have_results_in_common(local):
-            yield from _overlaps(list(map(_footprint, local)), is_kept=False)
+            yield from _overlaps(local, is_kept=False)
         if len(shared) > 1 and _have_results_in_common(shared):
-            yield from _overlaps(list(map(_footprint, shared)), is_kept=command.wants_reply)
+            yield from _overlaps(shared, is_kept=command.wants_reply)
     yield from _asked_for(command, local, shared)
 
 
-def _footprint(use: Use) -> Footprint:
-    *_, operation, number = use
-    return footprint(operation.parsed, number, operation.arguments)
+_Identity = tuple[str, int, int, int, int, int | None]
 
 
-class _Remark(NamedTuple):
-    """What is said of a variable wherever it stands: a finding without its offset."""
-
-    severity: Severity
-    code: str
-    length: int
-    message: str
-    help: str
-    operation: str
-    parameter: str
-
-    def at(self, offset: int) -> Finding:
-        severity, code, length, message, help_, operation, parameter = self
-        return Finding(severity, code, offset, length, message, help_, operation, parameter)
+def _identity(use: Use) -> _Identity:
+    """What is the same of two variables of which the same is to be said."""
+    start, end, most, _, operation, number = use
+    return operation.name, number, id(operation.arguments[number][1]), start, end, most
 
 
-def _remark(found: Footprint, code: codes.Code, message: str, help_: str) -> _Remark:
-    argument = found.argument
-    width = argument.form.width
-    assert width is not None  # a variable is no text
-    return _Remark(
-        code.severity, code.code, 1 + width, message, help_, found.operation.full_name, argument.parameter.name
+def _again(finding: Finding, offset: int) -> Finding:
+    """What was said of a variable, said of it in another place."""
+    return Finding(
+        finding.severity,
+        finding.code,
+        offset,
+        finding.length,
+        finding.message,
+        finding.help,
+        finding.operation,
+        finding.parameter,
     )
 
 
 def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     """Variables that are misaligned, or beyond the bytes of memory that are asked for."""
-    # One variable may be misaligned in a thousand places: what is said of it is made once.
-    said: dict[tuple[object, ...], _Remark] = {}
+    # One variable may be wrong in a thousand places: what is said of it is made once.
+    said: dict[_Identity, list[Finding]] = {}
     for use in used:
         start, end, _, known, operation, number = use
-        if start % known.validator_alignment or start % known.cpu_alignment:
-            found = _footprint(use)
-            key = _identity(found)
-            remark = said.get(key)
-            if remark is None:
-                remark = said[key] = _misaligned(found, asked)
-            yield remark.at(found.argument.offset)
-        if end > asked:
-            yield _beyond(start, end, operation, operation.arguments[number], asked)
+        if end > asked or start % known.validator_alignment or start % known.cpu_alignment:
+            key = _identity(use)
+            found = said.get(key)
+            if found is None:
+                found = said[key] = list(_wrongly_placed(use, asked))
+            offset = operation.arguments[number][3]
+            for finding in found:
+                yield _again(finding, offset)
 
 
-def _misaligned(found: Footprint, asked: int) -> _Remark:
-    is_validated = found.start % found.validator_alignment != 0
-    multiples = found.validator_alignment, found.cpu_alignment
-    texts = _misaligned_texts(found.argument.name, found.is_global, found.start, found.size, multiples, asked)
-    return _remark(found, codes.MISALIGNED if is_validated else codes.UNALIGNED, *texts)
+def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
+    start, end, _, known, operation, number = use
+    argument = operation.arguments[number]
+    is_global = argument.form.kind == GLOBAL
+    multiples = known.validator_alignment, known.cpu_alignment
+    if start % max(multiples):
+        code = codes.MISALIGNED if start % known.validator_alignment else codes.UNALIGNED
+        texts = _misaligned_texts(argument.name, is_global, start, end - start, multiples, asked)
+        yield operation.finding_at(code, argument, *texts)
+    if end > asked:
+        code = codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS
+        yield operation.finding_at(code, argument, *_beyond_texts(argument.name, is_global, start, end, asked))
 
 
 # Senders use the same variables again and again: what is said of one is kept.
@@ -146,13 +144,6 @@ def _memory(is_global: bool) -> tuple[str, int]:
     return ("global", MOST_IN_REPLY) if is_global else ("local", MAX_LOCALS)
 
 
-def _beyond(start: int, end: int, operation: CheckedOperation, argument: Argument, asked: int) -> Finding:
-    """A variable that lies beyond its memory, in whole or in part."""
-    is_global = argument.form.kind == GLOBAL
-    texts = _beyond_texts(argument.parameter.name, is_global, start, end, asked)
-    return operation.finding_at(codes.BEYOND_GLOBALS if is_global else codes.BEYOND_LOCALS, argument, *texts)
-
-
 @lru_cache(_MOST_TEXTS)
 def _beyond_texts(name: str, is_global: bool, start: int, end: int, asked: int) -> tuple[str, str]:
     """What is wrong with a variable beyond its memory, and what to do."""
@@ -165,54 +156,51 @@ def _beyond_texts(name: str, is_global: bool, start: int, end: int, asked: int) 
     return message, f"ask for {plural(end, 'byte')} of {scope} memory, or use a lower index"
 
 
-def _overlaps(used: list[Footprint], *, is_kept: bool) -> Iterator[Finding]:
+def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
     """Results that destroy one another, in one memory.
 
     is_kept  whether a reply brings what is in that memory in the end
     """
     # What stands in each byte, written and searched in slices: with arrays there may be a thousand bytes each time.
-    results: list[Footprint | None] = [None] * MAX_FRAME
-    said: dict[tuple[object, ...], _Remark | None] = {}
+    results: list[tuple[_Identity, Use] | None] = [None] * MAX_FRAME
+    said: dict[tuple[_Identity, _Identity], Finding | None] = {}
     for together in _by_operation(used):
         # Arguments that may take all bytes from their start on are a thousand at worst: the first one is enough.
         open_from = MAX_FRAME
-        for found in together:
-            if not found.is_read:
+        for start, _, most, known, _, _ in together:
+            if not known.is_read:
                 continue
-            if found.most is None:
-                open_from = min(open_from, found.start)
+            if most is None:
+                open_from = min(open_from, start)
             else:
-                end = min(found.start + found.most, MAX_FRAME)
-                results[found.start : end] = [None] * (end - found.start)
+                end = min(most, MAX_FRAME)
+                results[start:end] = [None] * (end - start)
         results[open_from:] = [None] * (MAX_FRAME - open_from)
-        for found in together:
-            if not found.is_written:
+        for use in together:
+            start, end, _, known, operation, number = use
+            if not known.is_written:
                 continue
-            end = min(found.end, MAX_FRAME)
-            before = next(filter(None, results[found.start : end]), None)
+            end = min(end, MAX_FRAME)
+            key = _identity(use)
+            before = next(filter(None, results[start:end]), None)
             if before is not None:
-                key = (*_identity(before), *_identity(found))
-                if key not in said:
-                    said[key] = _destroyed(before, found, is_kept)
-                remark = said[key]
-                if remark is not None:
-                    yield remark.at(found.argument.offset)
-            results[found.start : end] = [found] * (end - found.start)
+                both = before[0], key
+                if both not in said:
+                    said[both] = _destroyed(before[1], use, is_kept)
+                finding = said[both]
+                if finding is not None:
+                    yield _again(finding, operation.arguments[number][3])
+            results[start:end] = [(key, use)] * (end - start)
 
 
-def _identity(found: Footprint) -> tuple[object, ...]:
-    """What is the same of two variables of which the same is to be said."""
-    return found.operation[0], found.number, id(found.argument.form), found.start, found.size, found.most
-
-
-def _by_operation(used: list[Footprint]) -> Iterator[list[Footprint]]:
+def _by_operation(used: list[Use]) -> Iterator[list[Use]]:
     """The variables of each operation."""
-    together: list[Footprint] = []
-    for found in used:
-        if together and together[0].operation is not found.operation:
+    together: list[Use] = []
+    for use in used:
+        if together and together[0][4] is not use[4]:
             yield together
             together = []
-        together.append(found)
+        together.append(use)
     yield together
 
 
@@ -227,33 +215,48 @@ def _have_results_in_common(used: list[Use]) -> bool:
     return False
 
 
-def _destroyed(before: Footprint, found: Footprint, is_kept: bool) -> _Remark | None:
+def _destroyed(before: Use, use: Use, is_kept: bool) -> Finding | None:
     """A result where another one was that nobody has read."""
-    is_vague = not before.is_exact or not found.is_exact
-    if before.start == found.start and (before.end == found.end or is_vague):
+    first, first_end, first_most, first_known, *_ = before
+    start, end, most, known, operation, number = use
+    argument = operation.arguments[number]
+    is_vague = first_most != first_end or most != end
+    if first == start and (first_end == end or is_vague):
         if not is_kept:
             return None
-        return _remark(
-            found,
+        return operation.finding_at(
             codes.OVERWRITTEN,
-            f"{found.argument.name} is stored in {found.variable}, where {before.full_name} was: the reply brings only"
-            " the last",
+            argument,
+            f"{argument.name} is stored in {_of(use)}, where {_full_name(before)} was: the reply brings only the last",
             "store them in different places",
         )
-    if (before.is_array or found.is_array) and (_is_within(before, found) or _is_within(found, before)):
+    if (first_known.is_array or known.is_array) and (_is_within(before, use) or _is_within(use, before)):
         # An array is often filled element by element.
         return None
-    return _remark(
-        found,
+    return operation.finding_at(
         codes.OVERLAP,
-        f"{found.argument.name} takes bytes {found.start} to {found.end - 1}, and {before.full_name} takes"
-        f" {before.start} to {before.end - 1}: the later one destroys the other",
+        argument,
+        f"{argument.name} takes bytes {start} to {end - 1}, and {_full_name(before)} takes {first} to {first_end - 1}:"
+        " the later one destroys the other",
         "store them in places that have no byte in common",
     )
 
 
-def _is_within(inner: Footprint, outer: Footprint) -> bool:
-    return inner.start >= outer.start and (outer.most is None or inner.end <= outer.start + outer.most)
+def _is_within(inner: Use, outer: Use) -> bool:
+    return inner[0] >= outer[0] and (outer[2] is None or inner[1] <= outer[2])
+
+
+def _full_name(use: Use) -> str:
+    """`VALUE of UI_READ.GET_VBATT`."""
+    *_, operation, number = use
+    return f"{operation.arguments[number].name} of {operation.name}"
+
+
+def _of(use: Use) -> Variable:
+    """The variable itself."""
+    start, _, _, _, operation, number = use
+    form = operation.arguments[number].form
+    return Variable(form.kind, start, form.handle, form.address)
 
 
 def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> Iterator[Finding]:
@@ -265,12 +268,12 @@ def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> I
         return
     unread = _unread(shared)
     if unread is not None:
-        lost = _footprint(unread)
+        *_, operation, number = unread
         yield codes.NO_REPLY.finding(
             TYPE_OFFSET,
             1,
-            f"{lost.operation.full_name} stores {lost.argument.name} in {lost.variable}, which only a reply brings, and"
-            " the type says that none is wanted",
+            f"{operation.name} stores {operation.arguments[number].name} in {_of(unread)}, which only a reply brings,"
+            " and the type says that none is wanted",
             f"give the type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}, or store it in local memory",
         )
     elif command.global_size and not shared:

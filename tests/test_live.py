@@ -264,6 +264,53 @@ def test_a_reader_that_goes_away(capturing: str | None) -> None:
         assert group(process.pid) == []
 
 
+ENDLESS = """#!{python}
+import json, signal, sys
+if sys.argv[1:] == ["-v"]:
+    print("TShark (Wireshark) 4.0.17")
+elif "-T" in sys.argv:
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    print("Capture started.", file=sys.stderr, flush=True)
+    data = b"Serial-Number: 06\\r\\nPort: 5555\\r\\nName: EV3\\r\\nProtocol: EV3\\r\\n".hex()
+    layers = {{"frame_number": ["1"], "frame_protocols": ["eth:ip:udp:ev3"], "ev3_bytes": [data]}}
+    while True:
+        print(json.dumps({{"timestamp": "1", "layers": layers}}), flush=True)
+"""
+"""A tshark that has captured more than it will ever have handed over, and does that first when it is to stop."""
+
+
+@pytest.mark.parametrize("is_read", [True, False], ids=["read", "not read"])
+def test_it_ends_soon_whatever_was_captured(is_read: bool, tmp_path: Path) -> None:
+    program = tmp_path / "tshark"
+    program.write_text(ENDLESS.format(python=sys.executable))
+    program.chmod(0o755)
+    hasty = "from ev3proto.cli import ending, main; ending.PATIENCE = 0.3; main.main()"
+    call = [sys.executable, "-c", hasty, "live", "-i", LOOPBACK, "--tshark", str(program), "--json"]
+    with subprocess.Popen(
+        call, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=ROOT, start_new_session=True
+    ) as process:
+        assert process.stdout
+        assert process.stderr
+        try:
+            assert process.stderr.readline().startswith(b"Capturing on")
+            process.stdout.readline()
+            output = process.stdout
+            reader = threading.Thread(target=lambda: all(iter(lambda: output.read(1 << 16), b"")), daemon=True)
+            if is_read:
+                reader.start()
+            begin = time.monotonic()
+            process.send_signal(signal.SIGTERM)
+            assert process.wait(WITHIN) == 128 + signal.SIGTERM
+            assert time.monotonic() - begin < 5
+            assert group(process.pid) == []
+            assert process.stderr.read() == b""
+            if is_read:
+                reader.join(WITHIN)
+        finally:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL)
+
+
 def test_an_interface_that_is_not_there(tshark: Tshark) -> None:
     program = str(tshark.program)
     status, complaint = refused("-i", "nothing0", "--tshark", program)

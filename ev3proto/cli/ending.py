@@ -24,6 +24,9 @@ _SAME = 1.0
 
 _SOON = 0.01
 
+PATIENCE = 5.0
+"""Seconds that something gets to stop in order: it may have more to show than anybody waits for, or no reader."""
+
 Handler = Callable[[int, object], object]
 
 
@@ -65,19 +68,32 @@ def _handled_by(handler: Handler, numbers: list[signal.Signals]) -> Iterator[Non
 def stopped_by_signals(stop: Callable[[], object]) -> Iterator[None]:
     """While it lasts, the first signal stops something in order; the next does what it did before.
 
+    Where it takes longer than PATIENCE to stop, the signal comes once more by itself.
+
     Args:
         stop: Is called once, between any two steps of the program.
     """
     numbers = _numbers(also_ignored=True)
     before = {number: signal.getsignal(number) for number in numbers}
+    again: threading.Timer | None = None
 
-    def handle(_number: int, _frame: object) -> None:
-        for number, former in before.items():
-            signal.signal(number, former)
+    def handle(number: int, _frame: object) -> None:
+        nonlocal again
+        for each, former in before.items():
+            signal.signal(each, former)
+        if before[signal.Signals(number)] is signal.SIG_IGN:
+            number = signal.SIGTERM
+        again = threading.Timer(PATIENCE, os.kill, (os.getpid(), number))
+        again.daemon = True
+        again.start()
         stop()
 
-    with _handled_by(handle, numbers):
-        yield
+    try:
+        with _handled_by(handle, numbers):
+            yield
+    finally:
+        if again is not None:
+            again.cancel()
 
 
 @contextmanager

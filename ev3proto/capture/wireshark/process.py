@@ -22,6 +22,9 @@ from ev3proto.capture.wireshark.row import Row
 PATIENCE = 10
 """Seconds that tshark gets to end by itself, once it was asked to or its output has ended."""
 
+_SOON = 1
+"""Seconds until nobody waits any more for what it would still print."""
+
 _CHUNK = 1 << 16
 _MOST_SAID = 1 << 16
 _INDEX = b'{"index"'
@@ -86,7 +89,7 @@ class Process:
                 self._status = _wait(process)
             finally:
                 _terminate(process)
-                _wait(process)
+                _end(process)
                 listener.join(PATIENCE)
 
     def stop(self) -> None:
@@ -130,6 +133,18 @@ def _terminate(process: subprocess.Popen[bytes]) -> None:
     # tshark asks the program that captures for it to end, too; it cannot when it is killed.
     with contextlib.suppress(ProcessLookupError):
         process.terminate()
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    """Waits until it has ended, and no longer than that takes when it stops in order."""
+    try:
+        process.wait(_SOON)
+    except subprocess.TimeoutExpired:
+        # It has captured more than it has handed over, and ends when it finds out that nobody reads that any more. Its
+        # output is not closed before: then it would end without asking the program that captures to end, too.
+        assert process.stdout is not None
+        process.stdout.close()
+        _wait(process)
 
 
 def _wait(process: subprocess.Popen[bytes]) -> int:

@@ -12,10 +12,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, core, settings
+from hypothesis.internal import reflection
 from hypothesis.internal.conjecture import providers
 from hypothesis.internal.constants_ast import Constants
 from support import scratch
+from support.digests import digest_of
 from support.effort import THOROUGH
 from support.wireshark import Tshark
 
@@ -34,6 +36,9 @@ if not THOROUGH:
     # Hypothesis draws some values from the source of all modules that are imported at the time. Without that a test has
     # the same examples whatever runs before it.
     providers._get_local_constants = Constants
+
+# What a test draws depends on its source, which is read anew for each of those that are made within other tests.
+vars(core)["function_digest"] = digest_of(reflection.function_digest)
 
 # Where tests/run installs the compiler of Kaitai Struct.
 COMPILER = Path(__file__).parents[1] / ".kaitai" / "node_modules" / "kaitai-struct-compiler"

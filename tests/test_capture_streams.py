@@ -570,7 +570,7 @@ def test_a_frame_at_fault_is_a_frame_all_the_same() -> None:
 
 def test_a_million_bytes_that_never_fit() -> None:
     """Every other byte of a stream, each in a segment of its own."""
-    count = effort(15_000, 500_000)
+    count = effort(9_000, 500_000)
     start = 1001 + len(UNLOCK)
     packets = [segment(True, 999, flags=SYN), segment(True, 1000, UNLOCK)]
     packets += [segment(True, start + 2 * at, b"\xff") for at in range(count)]
@@ -589,7 +589,7 @@ def test_a_million_bytes_that_never_fit() -> None:
 
 def test_connections_without_end() -> None:
     """Only some connections are remembered."""
-    count = effort(4_000, 60_000)
+    count = effort(2_500, 60_000)
 
     def packets() -> Iterator[bytes]:
         for port in range(1024, 1024 + count):

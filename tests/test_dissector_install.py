@@ -98,11 +98,23 @@ class Home:
         return [name for name in tree(self.folder) if name != "bin/tshark"]
 
 
-@pytest.fixture
-def home(tshark: Tshark) -> Home:
+def make_home(tshark: Tshark) -> Home:
     folder = Path(tempfile.mkdtemp(prefix="home-", dir=tshark.folder))
     folder.chmod(0o755)
     return Home(folder, tshark)
+
+
+@pytest.fixture
+def home(tshark: Tshark) -> Home:
+    return make_home(tshark)
+
+
+@pytest.fixture(scope="module")
+def with_profile(tshark: Tshark) -> Home:
+    """One where the profile is installed, for tests that only look at it."""
+    home = make_home(tshark)
+    assert home.install("--profile").returncode == 0
+    return home
 
 
 def test_installed_it_is_loaded_and_decodes(home: Home) -> None:
@@ -122,35 +134,36 @@ def test_the_tshark_that_is_named(home: Home) -> None:
     assert home.plugin.exists()
 
 
-def test_an_older_one_is_replaced(home: Home) -> None:
-    home.install()
-    assert home.install().stdout.startswith(f"{home.plugin}: there already, the same\n")
-    home.plugin.write_text(build().replace("SOUND", "NOISE"))
-    assert home.install().stdout.startswith(f"{home.plugin}: written in place of an older one\n")
-    assert home.plugin.read_bytes() == build().encode()
+def test_an_older_one_is_replaced(tmp_path: Path) -> None:
+    plugin = tmp_path / "ev3.lua"
+    run("--dir", str(tmp_path))
+    assert run("--dir", str(tmp_path)).stdout.startswith(f"{plugin}: there already, the same\n")
+    plugin.write_text(build().replace("SOUND", "NOISE"))
+    assert run("--dir", str(tmp_path)).stdout.startswith(f"{plugin}: written in place of an older one\n")
+    assert plugin.read_bytes() == build().encode()
 
 
-def test_another_program_keeps_its_file(home: Home) -> None:
-    home.plugin.parent.mkdir(parents=True)
-    home.plugin.write_text("-- mine\n")
-    done = home.install("--profile")
+def test_another_program_keeps_its_file(tmp_path: Path) -> None:
+    plugin = tmp_path / "ev3.lua"
+    plugin.write_text("-- mine\n")
+    done = run("--dir", str(tmp_path), "--profile")
     assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == f"{home.plugin} is another program's: move it away, or overwrite it with --force\n"
-    assert home.plugin.read_text() == "-- mine\n"
-    assert not home.profile.exists()
-    done = home.install("--force")
+    assert done.stderr == f"{plugin} is another program's: move it away, or overwrite it with --force\n"
+    assert plugin.read_text() == "-- mine\n"
+    assert tree(tmp_path) == ["ev3.lua"]
+    done = run("--dir", str(tmp_path), "--force")
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith(f"{home.plugin}: written in place of another one\n")
+    assert done.stdout.startswith(f"{plugin}: written in place of another one\n")
 
 
-def test_what_a_link_points_to_stays(home: Home) -> None:
-    elsewhere = home.folder / "mine.lua"
+def test_what_a_link_points_to_stays(tmp_path: Path) -> None:
+    elsewhere, plugin = tmp_path / "mine.lua", tmp_path / "plugins" / "ev3.lua"
     elsewhere.write_text(build() + "-- mine\n")
-    home.plugin.parent.mkdir(parents=True)
-    home.plugin.symlink_to(elsewhere)
-    assert home.install().returncode == 0
+    plugin.parent.mkdir()
+    plugin.symlink_to(elsewhere)
+    assert run("--dir", str(plugin.parent)).returncode == 0
     assert elsewhere.read_text() == build() + "-- mine\n"
-    assert not home.plugin.is_symlink()
+    assert not plugin.is_symlink()
 
 
 def test_a_folder_of_ones_own_needs_no_tshark(tmp_path: Path) -> None:
@@ -281,10 +294,12 @@ def test_the_profile(home: Home) -> None:
     assert re.search(r" EV3 87 2 0\.0043\d* reply to ", lines[13]), lines[13]
 
 
-def test_the_preferences_of_the_profile(home: Home) -> None:
-    home.install("--profile")
+def test_the_preferences_of_the_profile(with_profile: Home) -> None:
     done = subprocess.run(
-        [str(home.program), "-G", "currentprefs", "-C", "EV3"], capture_output=True, encoding="utf-8", check=True
+        [str(with_profile.program), "-G", "currentprefs", "-C", "EV3"],
+        capture_output=True,
+        encoding="utf-8",
+        check=True,
     )
     # With it a single segment that the capture lacks hides all that follow.
     assert "\n#tcp.reassemble_out_of_order: FALSE\n" in done.stdout
@@ -295,12 +310,11 @@ def test_the_preferences_of_the_profile(home: Home) -> None:
     assert [profile.Column(*pair) for pair in pairs] == list(profile.COLUMNS)
 
 
-def test_the_colours_of_the_profile(home: Home) -> None:
-    home.install("--profile")
+def test_the_colours_of_the_profile(with_profile: Home) -> None:
     form = ["-C", "EV3", "--color", "-2", "-T", "fields", "-e", "frame.number", "-e", "frame.coloring_rule.name"]
     rules: dict[tuple[str, int], str] = {}
     for capture in ("wifi.pcapng", "wifi-reordered.pcap", "usb-bootloader.pcapng", "daisy.pcap", "bluetooth.pcapng"):
-        for line in home.read(capture, *form).splitlines():
+        for line in with_profile.read(capture, *form).splitlines():
             number, _, rule = line.partition("\t")
             rules[capture, int(number)] = rule
     assert set(rules.values()) == {rule.name for rule in profile.RULES}
@@ -327,14 +341,14 @@ def older(text: str) -> str:
     return profile._signed(body)
 
 
-def test_the_button_for_trouble_shows_what_is_wrong_with_ev3_alone(home: Home) -> None:
+def test_the_button_for_trouble_shows_what_is_wrong_with_ev3_alone(with_profile: Home) -> None:
     """Wireshark complains of every packet of a Bluetooth connection whose beginning the capture lacks."""
-    home.install("--profile")
     trouble = {label: text for label, text, _ in profile.BUTTONS}["Trouble"]
 
     def found(capture: str, text: str) -> list[int]:
         return [
-            int(number) for number in home.read(capture, "-2", "-Y", text, "-T", "fields", "-e", "frame.number").split()
+            int(number)
+            for number in with_profile.read(capture, "-2", "-Y", text, "-T", "fields", "-e", "frame.number").split()
         ]
 
     assert len(found("bluetooth.pcapng", "ev3 && _ws.expert")) == 13

@@ -24,6 +24,7 @@ from support.wireshark import Tshark
 from ev3proto.capture import Account, Announcement, CaptureError, Event, Record, Skipped, from_pyshark, read
 from ev3proto.capture import Capture as Captured
 from ev3proto.capture.formats import CaptureFile
+from ev3proto.capture.wireshark.program import Program
 from ev3proto.generate.dissector.build import build
 
 CAPTURES = Path(__file__).parent.parent / "captures"
@@ -53,10 +54,23 @@ ACCEPT = b"Accept:EV340\r\n\r\n\0"
 Open = Callable[..., Captured]
 
 
+ASKED: dict[tuple[str, ...], str] = {}
+"""What the tshark of the tests has said of itself: always the same, and to ask it would be half of the time."""
+
+
 @pytest.fixture
 def opened(tshark: Tshark, monkeypatch: pytest.MonkeyPatch) -> Open:
     """Opens a capture, or the bytes of one, with the engine wireshark."""
     monkeypatch.setattr(tempfile, "tempdir", str(tshark.folder))
+    ask = Program.ask
+
+    def asked_once(program: Program, *words: str) -> str:
+        assert program.path == str(tshark.path)
+        if words not in ASKED:
+            ASKED[words] = ask(program, *words)
+        return ASKED[words]
+
+    monkeypatch.setattr(Program, "ask", asked_once)
 
     def open_capture(source: Path | bytes, *, ports: tuple[int, ...] = (5555,), dialect: str = "official") -> Captured:
         path = tshark.place(source, "" if isinstance(source, Path) else f"{abs(hash(source)):x}.pcap")

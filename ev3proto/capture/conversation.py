@@ -10,7 +10,7 @@ from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, unpack_header, unpack_memory
 from ev3proto.semantics.pairing import Pairing
-from ev3proto.tables.frame import MAX_GLOBALS, MessageType
+from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MessageType
 
 if TYPE_CHECKING:
     from ev3proto.semantics.transfers import Transfers
@@ -20,7 +20,9 @@ MOST_PENDING = 4096
 
 _DIRECT, _SYSTEM = MessageType.DIRECT_COMMAND_REPLY.carries, MessageType.SYSTEM_COMMAND_REPLY.carries
 
-_CARRIED = {carries: kind for kind, carries in enumerate(dict.fromkeys(member.carries for member in MessageType))}
+_CARRIES = tuple(dict.fromkeys(member.carries for member in MessageType))
+_CARRIED = {carries: kind * COUNTERS for kind, carries in enumerate(_CARRIES)}
+_NUMBERS = len(_CARRIES) * COUNTERS
 
 # Looked up by the plain number: what the type is about, whether it is a system message, a command, wants a reply, is an
 # error, and whether the size of a reply tells which command it answers.
@@ -37,9 +39,9 @@ _TYPES = {
 }
 
 
-def _key(kind: int, counter: int, number: int) -> int:
-    """What a reply has in common with the command that it answers, as one number: a capture makes one for each."""
-    return counter | kind << 16 | number << 20
+def _number(frame: bytes) -> int:
+    """Which command a system message is about, as the key in `record` has it."""
+    return (1 + frame[HEADER_SIZE]) * _NUMBERS
 
 
 _RECORD_SIZE = 700
@@ -79,19 +81,19 @@ class Conversation:
         if known is None:
             return record
         kind, is_system, is_command, wants_reply, is_error, has_memory = known
-        number = 0
+        # What a reply has in common with the command that it answers, as one number: a capture makes one for each.
+        key = kind + counter
         if is_system and len(frame) > HEADER_SIZE:
-            number = 1 + frame[HEADER_SIZE]
+            key += _number(frame)
         if not is_command:
-            carried = len(frame) - HEADER_SIZE if has_memory else None
-            request = record.request = self._pairing.answered(_key(kind, counter, number), carried)
+            request = record.request = self._pairing.answered(key, len(frame) - HEADER_SIZE if has_memory else None)
             if request is not None:
                 failed = is_error if not is_system else _is_failure(record.message)
                 request.answered = Answered(time_ns, failed)
         elif wants_reply:
             has_memory = has_memory and len(frame) >= COMMAND_HEADER_SIZE
             asked = unpack_memory(frame, HEADER_SIZE)[0] & MAX_GLOBALS if has_memory else 0
-            self._pairing.remember(_key(kind, counter, number), asked, record)
+            self._pairing.remember(key, asked, record)
         if is_system:
             self._follow_transfer(record)
         return record
@@ -99,7 +101,7 @@ class Conversation:
     def overwritten(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """The record of a reply whose first bytes are those of the command that it answers, its type included."""
         record = Record(frame, numbers, time_ns, route, self._schema)
-        key = _key(_CARRIED[_SYSTEM], Header.read(frame).counter, 1 + frame[HEADER_SIZE])
+        key = _CARRIED[_SYSTEM] + Header.read(frame).counter + _number(frame)
         request = record.request = self._pairing.answered(key, None)
         if request is not None:
             request.answered = Answered(time_ns, failed=_is_failure(record.message))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from enum import StrEnum
@@ -222,19 +221,26 @@ that go are no longer in the processor's cache: `pytest benchmarks -k capture`."
 _LEAST = 64
 """Bytes that a frame counts for besides its own."""
 
-_read: deque[Record] = deque()
-_bytes_read = 0
+_read: list[Record] = []
+_read_before: list[Record] = []
+_bytes_read = 0  # of the former
 
 
 def _keep(record: Record) -> None:
-    """Keeps the message of a record, and lets those go that were read longest ago."""
+    """Keeps the message of a record, and now and then lets those go that were read longest ago."""
     global _bytes_read
     _read.append(record)
     _bytes_read += _LEAST + len(record.frame)
-    while _bytes_read > MOST_READ:
-        oldest = _read.popleft()
-        _bytes_read -= _LEAST + len(oldest.frame)
-        oldest._message = oldest._values = None
+    if _bytes_read > MOST_READ // 2:
+        _let_go()
+
+
+def _let_go() -> None:
+    """Lets go of the messages that were read before those that were read since the last time."""
+    global _bytes_read, _read, _read_before
+    for record in _read_before:
+        record._message = record._values = None
+    _read, _read_before, _bytes_read = [], _read, 0
 
 
 class Said(StrEnum):

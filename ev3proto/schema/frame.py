@@ -239,21 +239,17 @@ class FrameSchema(Bytewise):
         size = len(frame)
         if COMMAND_HEADER_SIZE <= size <= MAX_FRAME:
             length, counter, code, memory = unpack_command_header(frame)
-            is_whole = length + LENGTH_FIELD == size
-            if is_whole and code in _DIRECT_REPLIES:
-                return _direct_reply(_DIRECT_REPLIES[code], counter, frame[HEADER_SIZE:])
-            instructions = self.instructions
-            if (
-                is_whole
-                and code in _DIRECT_COMMANDS
-                and (
-                    instructions.looks_usual(frame, COMMAND_HEADER_SIZE, size)
-                    or instructions.is_flawless(frame, COMMAND_HEADER_SIZE, size)
-                )
-            ):
-                read = partial(InstructionSet.operations, instructions, frame, COMMAND_HEADER_SIZE)
-                member = _DIRECT_COMMANDS[code]
-                return new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, read)
+            if length + LENGTH_FIELD == size:
+                member = _DIRECT_COMMANDS.get(code)
+                if member is not None:
+                    instructions = self.instructions
+                    if instructions.is_usual(frame, COMMAND_HEADER_SIZE, size) or instructions.is_flawless(
+                        frame, COMMAND_HEADER_SIZE, size
+                    ):
+                        read = partial(InstructionSet.operations, instructions, frame, COMMAND_HEADER_SIZE)
+                        return new_direct_command(member, counter, memory & MAX_GLOBALS, memory >> GLOBAL_BITS, read)
+                elif code in _DIRECT_REPLIES:
+                    return _direct_reply(_DIRECT_REPLIES[code], counter, frame[HEADER_SIZE:])
         return self.read_frame(frame, strict=strict)
 
     def is_flawless(self, data: bytes, at: int, end: int) -> bool:

@@ -51,6 +51,10 @@ unpack_memory = _memory.unpack_from
 """The number in `(data, offset)` that asks for memory. Its lower `GLOBAL_BITS` bits are for global memory."""
 
 
+unpack_length = _length.unpack_from
+"""The length field alone."""
+
+
 class Header(NamedTuple):
     """The header of a frame.
 
@@ -91,7 +95,7 @@ def frame_size(data: bytes | bytearray, at: int = 0) -> int:
         Bytes of the whole frame, its length field included: 2 to 65537. `is_frame_size` says whether that can be.
 
     """
-    length: int = _length.unpack_from(data, at)[0]
+    length: int = unpack_length(data, at)[0]
     return length + LENGTH_FIELD
 
 

@@ -5,22 +5,20 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Sequence
 from enum import Enum, auto
 from functools import cache, cached_property
 from typing import Any
 
 from ev3proto.errors import BuildError, DecodeError, near_misses
 from ev3proto.messages import Argument, Operation, PartialOperation
-from ev3proto.schema.argument import SHORT, Reader
+from ev3proto.schema.argument import SHORT, SIZES, STRINGS, Reader
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.operation import CMD, FamilySchema, OperationSchema, operation_schema
-from ev3proto.schema.pattern import byte_code_pattern
 from ev3proto.tables import OPCODES, check_dialect
 from ev3proto.tables.encoding import CONSTANT, STRING_CODING
 
-_Layout = tuple[Any, int, Iterable[Reader], bool]
+_Layout = tuple[Any, int, Sequence[Reader], bool]
 """An operation as `scan` sees it: its schema, the bytes of opcode and CMD, what reads each argument, whether a list of
 them follows."""
 
@@ -37,10 +35,6 @@ none has so many arguments."""
 _MOST_PADDED = 1 << 17
 """Bytes that are copied to be padded. A longer image of a program would take too long to be copied for each object."""
 
-_MOST_SCANNED = 1 << 12
-"""Bytes that are read operation by operation to see whether there is a fault in them. The expression that tells that
-faster takes a quarter of the time in which the command line starts to be made, and many captures are short."""
-
 _ALL_UNUSUAL: list[_Layout | None] = [_UNUSUAL] * 256
 
 _SHORT_HEAD = 2
@@ -49,6 +43,43 @@ _SHORT_HEAD = 2
 
 def _layout(schema: OperationSchema) -> _Layout:
     return schema, len(schema.head), schema.readers, schema.list_parameter is not None
+
+
+_Each = list[None]
+"""An entry for each argument of an operation. To go through it is the fastest way to count."""
+
+_NO_CMD: list[_Each | None] = [None] * 256
+
+_SIZES = tuple(SIZES)
+
+_COUNTS = [[None] * value if encoding.kind == CONSTANT and value >= 0 else None for encoding, value in SHORT]
+"""The elements of a list, by its counter where that is one byte. Only constants count."""
+
+
+def _after_list(data: bytes, at: int, end: int, fixed: Sequence[object]) -> int:
+    """The offset after these arguments, the last of which is a list's counter, and after the list's elements."""
+    at = _after_arguments(data, at, end, fixed[:-1])
+    elements = _COUNTS[data[at]] if data[at] < len(_COUNTS) else None
+    return _BEYOND if elements is None else _after_arguments(data, at + 1, end, elements)
+
+
+def _after_arguments(data: bytes, at: int, end: int, arguments: Iterable[object]) -> int:
+    """The offset after so many arguments."""
+    for _ in arguments:
+        size = _SIZES[data[at]]
+        at = at + size if size else _after_string(data, at, end)
+    return at
+
+
+def _after_string(data: bytes, at: int, end: int) -> int:
+    """The offset after a string; `_BEYOND` where its zero is missing, or where no argument can start."""
+    stop = data.find(0, at + 1, end) if data[at] in STRINGS else -1
+    return stop + 1 if stop >= 0 else _BEYOND
+
+
+def _each(layout: _Layout) -> _Each | None:
+    schema, _, readers, has_list = layout
+    return None if schema is None or has_list else [None] * len(readers)
 
 
 class _Flaw(Enum):
@@ -72,9 +103,9 @@ class InstructionSet(Bytewise):
         self._not_laid_out = set(self._entries)
         self._by_opcode: list[_Layout | None] = [_UNUSUAL] * 256
         self._by_command: list[tuple[_Layout, ...]] = [()] * 256
-        self._scanned = 0
-        self.looks_usual: Callable[[bytes, int, int], object] = self._looks_usual_at_first
-        """`is_usual`, for which the expression is not made before that is worth it."""
+        # The same for `_usual_end`: the arguments of operations without a list.
+        self._counts: list[_Each | None] = [None] * 256
+        self._command_counts: list[list[_Each | None]] = [_NO_CMD] * 256
 
     @cached_property
     def opcodes(self) -> list[OperationSchema | None]:
@@ -121,8 +152,10 @@ class InstructionSet(Bytewise):
                     layouts[schema.head[1]] = _layout(schema)
             self._by_command[code] = tuple(layouts)
             self._by_opcode[code] = None
+            self._command_counts[code] = [_each(layout) for layout in layouts]
         if plain is not None:
-            self._by_opcode[code] = _layout(plain)
+            layout = self._by_opcode[code] = _layout(plain)
+            self._counts[code] = _each(layout)
         return True
 
     def __getitem__(self, name: str) -> OperationSchema:
@@ -160,27 +193,56 @@ class InstructionSet(Bytewise):
             raise fault
         return tuple(operations), len(data)
 
-    @cached_property
-    def _pattern(self) -> re.Pattern[bytes]:
-        return byte_code_pattern(self.by_name.values())
-
-    @cached_property
-    def _usual(self) -> Callable[[bytes, int, int], re.Match[bytes] | None]:
-        return self._pattern.match
-
-    @cached_property
-    def is_usual(self) -> Callable[[bytes, int, int], re.Match[bytes] | None]:
+    def is_usual(self, data: bytes, at: int, end: int) -> bool:
         """Says whether nothing but usual operations without a fault stands between two offsets.
 
         That is most byte code. Of other byte code `is_flawless` says whether there is a fault in it.
-        """
-        return self._pattern.fullmatch
 
-    def _looks_usual_at_first(self, data: bytes, at: int, end: int) -> object:
-        if self._scanned <= _MOST_SCANNED:
-            return self.is_flawless(data, at, end)
-        self.looks_usual = self.is_usual
-        return self.is_usual(data, at, end)
+        Args:
+            data: The bytes that the byte code is in.
+            at: The offset of the first opcode.
+            end: Where the byte code ends.
+
+        Returns:
+            False where there is a fault, or where a CMD or the counter of a list is longer than it need be.
+
+        """
+        return self._usual_end(data, at, end) == end
+
+    def _usual_end(self, data: bytes, at: int, end: int) -> int:
+        """The offset of the first operation that is at fault or unusual, `end` where there is none."""
+        counts, command_counts, sizes = self._counts, self._command_counts, _SIZES
+        start = at
+        try:
+            while at < end:
+                start = at
+                code = data[at]
+                arguments = counts[code]
+                at += 1
+                if arguments is None:
+                    arguments = command_counts[code][data[at]]
+                    at += 1
+                    if arguments is None:
+                        at = self._after_other(data, start, end)
+                        continue
+                for _ in arguments:  # this is `_after_arguments`, whose call would take as long as the rest
+                    size = sizes[data[at]]
+                    if size:
+                        at += size
+                    else:
+                        at = _after_string(data, at, end)
+        except IndexError:
+            # The data ends inside it, or where a CMD would stand of an opcode that is not known yet.
+            return self._usual_end(data, start, end) if self._lay_out(data[start]) else start
+        return at if at == end else start
+
+    def _after_other(self, data: bytes, at: int, end: int) -> int:
+        """The offset after an operation with a list; the same offset where it could not be known as a usual one yet."""
+        code = data[at]
+        if self._lay_out(code):
+            return at
+        _, size, readers, has_list = self._by_opcode[code] or self._by_command[code][data[at + 1]]
+        return _after_list(data, at + size, end, readers) if has_list else _BEYOND
 
     def is_flawless(self, data: bytes, at: int, end: int) -> bool:
         """Says whether `scan` would find no fault, in a fifth of the time, because it makes no operations.
@@ -194,9 +256,6 @@ class InstructionSet(Bytewise):
             True where there is no fault.
 
         """
-        if self._scanned <= _MOST_SCANNED:
-            self._scanned += end - at
-            return self.scan(data, at, end)[1] is None
         return self._flaw(data, at, end) is _Flaw.NONE
 
     def may_become_flawless(self, data: bytes, at: int, end: int) -> bool:
@@ -215,9 +274,7 @@ class InstructionSet(Bytewise):
 
     def _flaw(self, data: bytes, at: int, end: int) -> _Flaw:
         while True:
-            usual = self._usual(data, at, end)
-            assert usual is not None, "no operations at all are usual, too"
-            at = usual.end()
+            at = self._usual_end(data, at, end)
             if at == end:
                 return _Flaw.NONE
             if self._is_unknown(data, at, end):

@@ -34,7 +34,7 @@ class Pairing(Generic[T]):
         self._most = most
         self._budget = Budget(sys.maxsize) if budget is None else budget
         self._size_of = size_of
-        self._drop: Callable[[int], None] | None = None
+        self._drop = dropper(self)
         self._newest: dict[Hashable, int] = {}
         self._older: dict[Hashable, list[int]] = {}  # where several have the same key, which is rare
         self._waiting: dict[int, tuple[Hashable, int, T, int]] = {}  # key, size, command, the budget's number
@@ -55,8 +55,6 @@ class Pairing(Generic[T]):
         before = self._newest.get(key)
         self._newest[key] = number
         self._waiting[number] = key, size, command, given
-        if self._drop is None:
-            self._drop = dropper(self)
         budget.hold(given, self._size_of(command), self._drop, number)
         if before is not None:
             older = self._older.setdefault(key, [])

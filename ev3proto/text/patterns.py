@@ -14,13 +14,15 @@ from ev3proto.messages import Argument, ArgumentValue, DirectCommand, Operation,
 from ev3proto.schema.argument import SHORT, Unpack, reader_of
 from ev3proto.schema.instructions import PADDING, InstructionSet
 from ev3proto.schema.operation import OperationSchema
-from ev3proto.schema.pattern import MOST_LISTED
 from ev3proto.tables.declaration import Parameter, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, STRING_CODING, Encoding
 from ev3proto.tables.frame import MAX_FRAME
 
 Around = tuple[str, str]
 """What stands before and after a value."""
+
+_MOST_LISTED = 8
+"""Elements of the longest list that is made of known texts. Longer ones are rare, and each length has its own texts."""
 
 _MOST_KEPT = 1024
 """Numbers with a meaning of their own, of one parameter, that are kept."""
@@ -204,7 +206,7 @@ class ListTexts(OperationTexts):
 
     def add(self, texts: list[str], data: bytes, at: int) -> int:
         """Adds the texts of the operation at an offset."""
-        parameters = self._schema.parameters_at(data, at, MOST_LISTED)
+        parameters = self._schema.parameters_at(data, at, _MOST_LISTED)
         if parameters is None:
             raise UnusualError
         # The type of one element is that of all.

@@ -84,9 +84,9 @@ class CaptureFile:
         self._trouble: str | None = None
         self._size = _size(stream)
         self._source = _Source(getattr(stream, "read1", stream.read))
-        is_packed = self._source.start().startswith(GZIP)
+        self._is_packed = self._source.start().startswith(GZIP)
         self.contents: io.BufferedReader[Any] = io.BufferedReader(self._source)
-        if is_packed:
+        if self._is_packed:
             self._source = _Source(gzip.GzipFile(fileobj=self.contents).read1)
             self.contents = io.BufferedReader(self._source)
 
@@ -135,7 +135,8 @@ class CaptureFile:
             raise CaptureError(
                 f"no capture file: {what}; pcap, pcapng and btsnoop files can be read, packed with gzip or not"
             )
-        return self._packets(import_module(f"{__name__}.{name}").packets)
+        packets: Reader = import_module(f"{__name__}.{name}").packets
+        return self._unpacked(packets) if self._is_packed else packets(self.contents)
 
     def close(self) -> None:
         """Closes the stream if it is ours."""
@@ -150,7 +151,7 @@ class CaptureFile:
     ) -> None:
         self.close()
 
-    def _packets(self, reader: Reader) -> Iterator[Packet]:
+    def _unpacked(self, reader: Reader) -> Iterator[Packet]:
         try:
             yield from reader(self.contents)
         except _GZIP_TROUBLE as error:

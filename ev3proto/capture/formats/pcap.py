@@ -56,30 +56,35 @@ def packets(stream: io.BufferedIOBase) -> Iterator[Packet]:
     size = packed(MODIFIED_HEAD if magic == MODIFIED else PACKET_HEAD, order).size
     unpack_from = packed(PACKET_HEAD, order).unpack_from
     # Packets are cut out of large pieces: to ask the stream for each and for its head takes twice as long.
-    number, position, piece, at = 0, len(head), b"", 0
+    number, offset, piece, at = 0, len(head), b"", 0
     while True:
         start = at + size
-        if len(piece) < start:
+        if start > len(piece):
+            offset += at
             piece, at, start = _continued(stream, piece[at:], size), 0, size
             if not piece:
                 return
+            if start > len(piece):
+                raise CaptureError(f"the file is cut off in the header of packet {number + 1}, at offset {offset}")
         number += 1
-        if len(piece) < start:
-            raise CaptureError(f"the file is cut off in the header of packet {number}, at offset {position}")
         seconds, fraction, length, on_wire = unpack_from(piece, at)
-        if length > MOST_PACKET:
-            raise CaptureError(
-                f"the file is damaged at offset {position}: packet {number} would have {length} bytes; what follows"
-                " cannot be read"
-            )
-        at = start + length
-        if len(piece) < at:
-            piece, start, at = _continued(stream, piece[start:], length), 0, length
-        data = piece[start:at]
-        yield new_packet((number, seconds * 1_000_000_000 + fraction * unit, data, on_wire, interface, None))
-        if len(data) < length:
-            raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {length} bytes are there")
-        position += size + length
+        time_ns = seconds * 1_000_000_000 + fraction * unit
+        end = start + length
+        if end > len(piece):
+            if length > MOST_PACKET:
+                raise CaptureError(
+                    f"the file is damaged at offset {offset + at}: packet {number} would have {length} bytes; what"
+                    " follows cannot be read"
+                )
+            offset += start
+            piece, start, end = _continued(stream, piece[start:], length), 0, length
+            if end > len(piece):
+                yield new_packet((number, time_ns, piece, on_wire, interface, None))
+                raise CaptureError(
+                    f"the file is cut off in packet {number}: {len(piece)} of its {length} bytes are there"
+                )
+        yield new_packet((number, time_ns, piece[start:end], on_wire, interface, None))
+        at = end
 
 
 def _continued(stream: io.BufferedIOBase, rest: bytes, needed: int) -> bytes:

@@ -37,6 +37,9 @@ from ev3proto.tables.discovery import BEACON_PORT, UNLOCK_REQUEST
 MOST_CONNECTIONS = 1024
 """Connections that are followed at the same time; those unused for longest are given up."""
 
+_MANY_CONNECTIONS = MOST_CONNECTIONS // 2
+"""Connections from which on it counts which were used last."""
+
 MOST_BRICKS = 1024
 """Bricks whose beacons are remembered."""
 
@@ -168,10 +171,11 @@ class Connections:
     def _next(self, packet: Packet, half: _Half, data: bytes, acknowledged: int, flags: int) -> list[Event]:
         """The events that are complete with what comes next in a direction that is at rest, as the other one is."""
         self._account.headers += len(packet.data) - len(data)
-        if len(self._connections) > MOST_CONNECTIONS // 2:
+        if len(self._connections) > _MANY_CONNECTIONS:
             self._connections.move_to_end(half.connection.ends)
-        if flags & ACK and half.back is not None:
-            half.back.reassembly.acknowledged = acknowledged
+        back = half.back
+        if back is not None and flags & ACK:
+            back.reassembly.acknowledged = acknowledged
         stream = half.stream
         stream.packet = packet
         events = stream.feed(data, packet.number, packet.time_ns)
@@ -199,7 +203,7 @@ class Connections:
             if not data:
                 return self._acknowledge(self._halves.get(reversed_ends(ends)), acknowledged) if flags & ACK else events
             half = self._open(packet, ends, None, ended)
-        elif len(self._connections) > MOST_CONNECTIONS // 2:
+        elif len(self._connections) > _MANY_CONNECTIONS:
             self._connections.move_to_end(half.connection.ends)
         stream, reassembly = half.stream, half.reassembly
         if half.interface is not packet.interface:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable
+from typing import Any
 
 from ev3proto.tables.carriers import Link
 
@@ -12,17 +14,31 @@ SYN, RST, ACK = 0x002, 0x004, 0x010
 FLAGS = 0x1FF
 """All of them, in the two bytes that also have the length of the header."""
 
-_plain = struct.Struct(">BxH2xHxB14x IIH")
-"""Of IPv4: version, length, fragment, protocol. Of TCP: numbers, length with flags."""
+_IS_IP = b"\x08\0"
+"""Ethernet's type."""
 
-_STARTS = {int(Link.ETHERNET): 14, int(Link.RAW_IP): 0, int(Link.IPV4): 0}
-"""Where IP starts in the packets of some links."""
+_NO_OPTIONS = b"\x45"
+"""Version 4, and the least length that its header can have."""
 
-_IS_IP = b"\x08\0"  # Ethernet's type
-_NO_OPTIONS = 0x45  # version 4, and the least length that its header can have
-_IP_SIZE = 20
-_ENDS, _ENDS_STOP = 12, 24
-_LEAST = 40
+_IP_SIZE, _LEAST = 20, 40
+_REST = "xH2xHxB2x12sIIH"
+"""Of IPv4: length, fragment, protocol, addresses. Of TCP: ports, which stand right after them, numbers, length with
+flags."""
+
+
+def _layout(before: int, start: bytes) -> tuple[int, bytes, Callable[[bytes], tuple[Any, ...]]]:
+    """How many bytes stand before IP, what the last of them are with IP's first one, what takes the packet apart."""
+    skipped = before + len(_NO_OPTIONS) - len(start)
+    return before, start, struct.Struct(f">{skipped}x{len(start)}s{_REST}").unpack_from
+
+
+_LAYOUTS = {
+    int(Link.ETHERNET): _layout(14, _IS_IP + _NO_OPTIONS),
+    int(Link.RAW_IP): _layout(0, _NO_OPTIONS),
+    int(Link.IPV4): _layout(0, _NO_OPTIONS),
+}
+"""How nearly every packet of some links is made up: no options in IP, nothing between Ethernet and IP."""
+
 _IS_TCP = 6
 _IS_FRAGMENT = 0x3FFF
 
@@ -45,17 +61,15 @@ It is no class of its own, because one is made for each packet: `pytest benchmar
 
 def transport(link: int, data: bytes) -> Transport | None:
     """What a packet of one of the links carries; None where there is none that can be read."""
-    start = _STARTS.get(link)
-    if start is not None and len(data) >= start + _LEAST:
-        # Nearly every packet of a capture of TCP: no options in IP, no fragment, nothing between Ethernet and IP.
+    layout = _LAYOUTS.get(link)
+    if layout is not None and len(data) >= layout[0] + _LEAST:
         # Without dpkt's objects it takes a tenth of the time: `pytest benchmarks -k capture`.
-        version, length, fragment, protocol, sequence, acknowledged, flags = _plain.unpack_from(data, start)
-        is_tcp = version == _NO_OPTIONS and protocol == _IS_TCP and not fragment & _IS_FRAGMENT
-        if is_tcp and (start == 0 or data[start - 2 : start] == _IS_IP):
+        before, expected, unpack = layout
+        start, length, fragment, protocol, ends, sequence, acknowledged, flags = unpack(data)
+        if start == expected and protocol == _IS_TCP and not fragment & _IS_FRAGMENT:
             head = _IP_SIZE + (flags >> 12 << 2)
             if _LEAST <= head <= length:
-                ends = data[start + _ENDS : start + _ENDS_STOP]
-                return ends, data[start + head : start + length], sequence, acknowledged, flags & FLAGS
+                return ends, data[before + head : before + length], sequence, acknowledged, flags & FLAGS
     # All others are taken apart by dpkt, which takes a while to import.
     from ev3proto.capture.carriers.wifi.layers import dissected
 

@@ -41,8 +41,9 @@ class Variable:
         return f"{'G' if self.scope == GLOBAL else 'L'}V({self.index})"
 
     def __repr__(self) -> str:
-        marks = ", handle=True" * self.handle + ", address=True" * self.address
-        return f"{str(self)[:-1]}{marks})"
+        handle = ", handle=True" if self.handle else ""
+        address = ", address=True" if self.address else ""
+        return f"{str(self)[:-1]}{handle}{address})"
 
 
 def _index(index: int) -> int:

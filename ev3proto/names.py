@@ -100,8 +100,10 @@ def constant(name: str) -> Constant:
 
     name  as `constant_names` has it; opcodes in any case after the `op` (`opUI_Draw`, `opUI_DRAW`)
 
-    Raises KeyError, whose message suggests the nearest names.
+    Raises KeyError, whose message suggests the nearest names; TypeError for what is no text.
     """
+    if not isinstance(name, str):
+        raise TypeError(f"the name of a constant is a text, not {name!r}")
     known = _constants()
     if name in known:
         return known[name]

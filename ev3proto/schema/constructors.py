@@ -93,6 +93,8 @@ def _system_entry(command: int | str) -> system.SystemCommand:
         if command in system.SYSTEM_BY_NUMBER:
             return system.SYSTEM_BY_NUMBER[command]
         raise BuildError(f"0x{command:02X} is no system command")
+    if not isinstance(command, str):
+        raise BuildError(f"the name of a system command is a text, such as LIST_FILES, not {command!r}")
     for entry in system.SYSTEM:
         if entry.name == command.upper():
             return entry

@@ -170,6 +170,8 @@ class InstructionSet(Bytewise):
         Raises:
             KeyError: There is no such operation. The error suggests the nearest names.
         """
+        if not isinstance(name, str):
+            raise KeyError(f"the name of an operation is a text, such as SOUND.TONE, not {name!r}")
         found = self.by_name.get(name.upper())
         if found is None:
             raise KeyError(f"the {self.dialect} firmware has no operation {name}{near_misses(name, self.by_name)}")

@@ -82,6 +82,8 @@ def _decoded(source: str | bytes) -> tuple[str, str]:
     """The text, and the coding in which the strict dialect writes its strings."""
     if isinstance(source, str):
         return source, "utf-8"
+    if not isinstance(source, (bytes, bytearray)):
+        raise TypeError(f"a source is a text or its bytes, not {source!r}")
     try:
         return source.decode("utf-8-sig"), "utf-8"
     except UnicodeDecodeError:

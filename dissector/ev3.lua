@@ -4008,14 +4008,14 @@ local gives_bytes = false
 -- The brick of the packet that is dissected, where somebody looks at the tree.
 local brick
 
--- The item of a frame, or of a text around frames.
+-- The item of a frame, or of a text around frames; without `said` its text comes later.
 local add_item
 do
     -- Of an item Wireshark looks up its methods each time; where items are many they are at hand instead.
     local add, set_generated, brick_field = TreeItem.add, TreeItem.set_generated, field.brick
 
     function add_item(tree, range, said)
-        local item = add(tree, ev3, range, "EV3: " .. said)
+        local item = said and add(tree, ev3, range, "EV3: " .. said) or add(tree, ev3, range)
         if brick then set_generated(add(item, brick_field, brick)) end
         if gives_bytes then add(item, field.bytes, range) end
         return item
@@ -4071,8 +4071,7 @@ do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
     -- A typed field of one parameter. Its kind tells which values it takes.
-    local function parameter_field(abbreviation, parameter, kind)
-        local name, text = parameter.label, parameter.text
+    local function parameter_field(abbreviation, parameter, kind, name, text)
         local made
         if kind == TEXT_VALUE then
             made = ProtoField.string(abbreviation, name, text)
@@ -4113,32 +4112,37 @@ do
         end
     end
 
-    local function ready_parameter(abbreviation, row)
+    -- There are more than a thousand parameters, and the collector goes through all of them again and again. In Lua a
+    -- table doubles beyond 16 entries: what is not so of a parameter, or not asked of it, has no entry.
+    local function ready_parameter(operation, abbreviation, row)
+        local name, direction, type, text = row[1], row[2], row[3], row[4]
+        local label = row.label and row.label .. " " .. name or name
+        local kind = PARAMETER_KINDS[type == VALUES and row.element or type] or NUMBER
+        local is_flags = row.enum and row.enum.is_flags
         local parameter = {
-            name = row[1], field_name = row[1], direction = row[2], type = row[3], text = row[4],
-            label = row.label and row.label .. " " .. row[1] or row[1],
-            unit = row.unit, enum = row.enum, special = row.special, length = row.length,
-            element = row.element, elements = row.elements,
+            name = name, field_name = name, type = type, kind = kind, operation = operation, label_head = label .. ":",
+            field = parameter_field(abbreviation, row, kind, label, text),
+            -- Whether its field says all that there is to say of a number.
+            is_plain = kind ~= TEXT_VALUE and not (row.special or is_flags) and not (row.unit and kind == FLOAT),
         }
-        parameter.is_float = row[3] == DATAF
-        parameter.is_output = row[2] ~= IN
-        parameter.size = SIZE_OF[row[3]]
+        if SIZE_OF[type] then parameter.size = SIZE_OF[type] end
         -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
-        parameter.alignment = SIZE_OF[row.validated or row[3]]
-        parameter.is_flags = row.enum and row.enum.is_flags
-        parameter.key = " " .. row[1]:lower() .. "="
-        parameter.value_key = " " .. row[1] .. "="
-        parameter.unit_text = row.unit and " " .. row.unit or ""
-        parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
-        if row[3] == VALUES then
-            parameter.kind = PARAMETER_KINDS[row.element] or NUMBER
-        else
-            parameter.kind = PARAMETER_KINDS[row[3]] or NUMBER
+        local alignment = SIZE_OF[row.validated or type]
+        if alignment then parameter.alignment = alignment end
+        if type == DATAF then parameter.is_float = true end
+        if direction ~= OUT then parameter.is_said, parameter.key = true, " " .. name:lower() .. "=" end
+        if row.unit then parameter.unit = row.unit end
+        if direction ~= IN then
+            parameter.is_output, parameter.value_key = true, " " .. name .. "="
+            if row.unit then
+                parameter.unit_text = " " .. row.unit
+                parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
+            end
         end
-        -- Whether its field says all that there is to say of a number.
-        parameter.is_plain = parameter.kind ~= TEXT_VALUE and not (row.special or parameter.is_flags)
-            and not (row.unit and parameter.kind == FLOAT)
-        parameter.field = parameter_field(abbreviation, parameter, parameter.kind)
+        if row.enum then parameter.enum = row.enum end
+        if is_flags then parameter.is_flags = true end
+        if row.special then parameter.special = row.special end
+        if row.length then parameter.length = row.length end
         return parameter
     end
 
@@ -4148,45 +4152,45 @@ do
             local one = setmetatable({}, { __index = element })
             one.name = element.name .. "[" .. number .. "]"
             one.value_key = " " .. one.name .. "="
+            one.label_head = one.name .. ":"
             elements[number] = one
             return one
         end })
     end
 
     -- An element of a list, by its type. What a count announces has a field of its own beside the count's.
-    local function ready_element(list, abbreviation, type, direction, is_any)
+    local function ready_element(list, abbreviation, type, row, is_any)
+        local direction = list.type == COUNT and row.elements or IN
+        local name, text = list.name, row[4]
         local element = {
-            name = list.name, field_name = list.name, direction = direction, type = type, text = list.text,
-            is_float = type == DATAF, is_output = direction ~= IN, size = SIZE_OF[type], key = list.key,
-            operation = list.operation, unit_text = "", unit_format = "",
+            name = name, field_name = name, type = type, size = SIZE_OF[type], operation = list.operation,
+            is_float = type == DATAF, is_output = direction ~= IN, is_said = direction ~= OUT,
+            key = " " .. name:lower() .. "=",
         }
         if list.type == VALUES then
             element.field, element.kind = list.field, list.kind
         elseif is_any then
             -- Another argument tells the type: a double holds whatever number it is.
-            list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", list.name, list.text)
+            list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", name, text)
             element.field, element.kind = list.any_field, FLOAT
         else
             element.kind = PARAMETER_KINDS[type] or NUMBER
-            local named = { label = list.name, text = list.text }
-            element.field = parameter_field(abbreviation .. ".item", named, element.kind)
+            element.field = parameter_field(abbreviation .. ".item", {}, element.kind, name, text)
         end
         return numbered(element)
     end
 
-    local function ready_list(abbreviation, list)
+    local function ready_list(abbreviation, list, row)
         list.elements_of = {}
-        local direction = list.type == COUNT and list.elements or IN
-        if TYPE_NAMES[list.element] then
-            list.elements_of[list.element] = ready_element(list, abbreviation, list.element, direction)
-            list.element_type = list.element
+        if TYPE_NAMES[row.element] then
+            list.elements_of[row.element] = ready_element(list, abbreviation, row.element, row)
+            list.element_type = row.element
         else
-            list.type_named_by = list.element
             for _, type in pairs(FORMAT_TYPES) do
-                list.elements_of[type] = ready_element(list, abbreviation, type, direction, true)
+                list.elements_of[type] = ready_element(list, abbreviation, type, row, true)
             end
             list.element_type = ARRAY_TYPED
-            list.elements_of[ARRAY_TYPED] = ready_element(list, abbreviation, ARRAY_TYPED, direction, true)
+            list.elements_of[ARRAY_TYPED] = ready_element(list, abbreviation, ARRAY_TYPED, row, true)
         end
         if list.any_field then
             fields[#fields + 1] = list.any_field
@@ -4207,12 +4211,11 @@ do
         local value_name = cmd_name and cmd_name:match("^GET_(.+)$")
         for index = 4, #row do
             local abbreviation = ("ev3." .. name .. "." .. row[index][1]):lower()
-            local parameter = ready_parameter(abbreviation, row[index])
-            parameter.operation = operation
+            local parameter = ready_parameter(operation, abbreviation, row[index])
             if value_name and parameter.name == "VALUE" then parameter.value_key = " " .. value_name .. "=" end
             if parameter.type == COUNT or parameter.type == VALUES then
                 operation.list = parameter
-                ready_list(abbreviation, parameter)
+                ready_list(abbreviation, parameter, row[index])
             end
             if parameter.type ~= VALUES then
                 operation.fixed[#operation.fixed + 1] = parameter
@@ -4220,8 +4223,8 @@ do
         end
         for _, parameter in ipairs(operation.fixed) do
             for index = 4, #row do
-                parameter.tells_length = parameter.tells_length or row[index].length == parameter.name
-                parameter.tells_type = parameter.tells_type or row[index].element == parameter.name
+                if row[index].length == parameter.name then parameter.tells_length = true end
+                if row[index].element == parameter.name then parameter.tells_type = true end
             end
         end
         return operation
@@ -4466,23 +4469,35 @@ end
 -- daisy command with its sub-command and two layers.
 local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
 
-local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_operation, read_fields
+local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
 do
     -- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
     local SIZES = {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
+
+    -- How numbers are written, made when asked for: turning a number into a text takes longer than reading it. Those of
+    -- one byte are kept.
+    local function texts_of(before, after)
+        return setmetatable({}, { __index = function(texts, number)
+            local text = before .. number .. after
+            if number >= -0x80 and number <= 0xFF then texts[number] = text end
+            return text
+        end })
+    end
+
+    local NUMBER_TEXTS = texts_of("", "")
+    local VARIABLE_TEXTS = { [LOCAL] = texts_of(SCOPES[LOCAL], ")"), [GLOBAL] = texts_of(SCOPES[GLOBAL], ")") }
     for _, row in ipairs(ENCODING_ROWS) do
         for first = row[1], row[2] do
             local encoding = {
                 name = row[3], kind = row[4], width = row[5], handle = row.handle, address = row.address,
                 label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-                scope = SCOPES[row[4]],
+                scope = SCOPES[row[4]], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS, is_number = row[4] == CONSTANT,
             }
             if row.value then
                 encoding.value = row.value + first - row[1]
-                -- Made once: turning a number into a text takes longer than reading it.
-                encoding.text = encoding.scope and encoding.scope .. encoding.value .. ")" or tostring(encoding.value)
+                encoding.text = encoding.texts[encoding.value]
             end
             ENCODINGS[first] = encoding
             -- Bytes of the whole argument; 0 for a string, which ends at its zero.
@@ -4616,31 +4631,38 @@ do
         return value
     end
 
-    -- One operation: what it is and the offset after it. Each of its arguments is handed to `visit`, if that is given,
-    -- with its parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only
-    -- variables, and numbers that say how long something is. At a fault the offset is the one after what could be read,
-    -- and the fault's offset, reason and kind follow.
-    function read_operation(text, at, stop, visit, context, is_brief)
-        local operation, after, reason, kind = select_operation(text, at, stop)
-        if not operation then return nil, at, after, reason, kind end
-        at = after
+    -- The arguments of an operation, from the offset after its opcode and CMD: the offset after them. Each is handed to
+    -- `visit`, if that is given, with its parameter, encoding, value, and the offsets of its first byte and after its
+    -- last; with `is_brief` only variables, and numbers that say how long something is. At a fault the offset is the
+    -- one after what could be read, and the fault's offset, reason and kind follow.
+    function read_arguments(operation, text, at, stop, visit, context, is_brief)
         local fixed, list, start, element_type = operation.fixed, operation.list, at, nil
+        local after, offset, reason, kind
         for index = 1, #fixed do
             local parameter = fixed[index]
-            local first = byte(text, at + 1)
+            local first, low, high = byte(text, at + 1, at + 3)
             local size = SIZES[first]
-            local offset
             -- Most arguments are numbers and whole; the others go the long way.
             if size and size > 0 and at + size <= stop then
                 after = at + size
             else
                 after, offset, reason, kind = measure(text, at, stop, parameter.name)
-                if not after then return operation, at, offset, reason, kind end
+                if not after then return at, offset, reason, kind end
             end
             if visit then
                 local encoding = ENCODINGS[first]
                 if not is_brief or encoding.scope or parameter.tells_length or parameter.tells_type then
-                    local value = encoding.value or value_of(text, at, after, encoding, parameter.is_float)
+                    local value = encoding.value
+                    if not value then
+                        if size == 2 then
+                            value = (low < 0x80 or encoding.scope) and low or low - 0x100
+                        elseif size == 3 then
+                            value = low + high * 0x100
+                            if high >= 0x80 and not encoding.scope then value = value - 0x10000 end
+                        else
+                            value = value_of(text, at, after, encoding, parameter.is_float)
+                        end
+                    end
                     visit(context, parameter, encoding, value, at, after)
                     if list and parameter.tells_type and encoding.kind == CONSTANT then
                         element_type = FORMAT_TYPES[value]
@@ -4650,14 +4672,14 @@ do
             start, at = at, after
         end
         if list then
-            local count, offset
+            local count
             count, offset, reason, kind = count_elements(text, list, fixed[#fixed], start, at, stop)
-            if not count then return operation, at, offset, reason, kind end
+            if not count then return at, offset, reason, kind end
             local elements = list.elements_of[element_type or list.element_type]
             for index = 0, count - 1 do
                 local element = elements[index]
                 after, offset, reason, kind = measure(text, at, stop, element.name)
-                if not after then return operation, at, offset, reason, kind end
+                if not after then return at, offset, reason, kind end
                 if visit then
                     local encoding = ENCODINGS[byte(text, at + 1)]
                     if not is_brief or encoding.scope then
@@ -4668,7 +4690,14 @@ do
                 at = after
             end
         end
-        return operation, at
+        return at
+    end
+
+    -- One operation, and its arguments as above: what it is, and the offset after it.
+    function read_operation(text, at, stop, visit, context, is_brief)
+        local operation, after, reason, kind = select_operation(text, at, stop)
+        if not operation then return nil, at, after, reason, kind end
+        return operation, read_arguments(operation, text, after, stop, visit, context, is_brief)
     end
 
     -- One field of a system message: its value and the offset after it; else nil, offset and reason.
@@ -4734,7 +4763,7 @@ end
 --
 -- What the info column and the headings of the tree say.
 
-local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, variable_text, add_phrase, output_text,
+local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, argument_text, add_phrase, output_text,
     values_text, transfer_text
 do
     -- Wireshark cuts the info column anyway; a list of a hundred values says no more than its start.
@@ -4780,23 +4809,19 @@ do
         return names[1] and concat(names, "|")
     end
 
-    function variable_text(encoding, index)
-        return encoding.text or encoding.scope .. index .. ")"
-    end
-
     -- What stands for an argument in a line; for most numbers the number itself.
-    local function argument_text(parameter, encoding, value)
-        if encoding.scope then return variable_text(encoding, value) end
+    function argument_text(parameter, encoding, value)
+        if encoding.scope then return encoding.texts[value] end
         local enum = parameter.enum
         local name = enum and not enum.is_flags and enum.names[value]
         if name or encoding.text then return name or encoding.text end
         if encoding.kind == CONSTANT_TEXT then return shortened(value) end
-        return parameter.is_float and number_text(value) or value
+        return parameter.is_float and number_text(value) or encoding.texts[value]
     end
 
     -- A line on an operation is collected piece by piece, `count` of them: SOUND TONE volume=1 frequency=440
     function add_phrase(pieces, parameter, encoding, value)
-        if parameter.direction == OUT then return end
+        if not parameter.is_said then return end
         local count = pieces.count
         if count <= 2 * MOST_VALUES then
             pieces[count + 1] = parameter.key
@@ -4814,7 +4839,7 @@ do
         if type(value) == "string" then return shortened(value) end
         if output.is_handle then return number_text(value) end
         local enum = parameter.enum
-        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. parameter.unit_text
+        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. (parameter.unit_text or "")
     end
 
     function output_text(output)
@@ -4837,8 +4862,8 @@ do
         local enum = parameter.enum
         local name = enum and not enum.is_flags and enum.names[value]
         if name then return "%s", name, "" end
-        if value % 1 == 0 and value > -1e15 and value < 1e15 then return "%d", value, parameter.unit_format end
-        return "%s", number_text(value), parameter.unit_format
+        if value % 1 == 0 and value > -1e15 and value < 1e15 then return "%d", value, parameter.unit_format or "" end
+        return "%s", number_text(value), parameter.unit_format or ""
     end
 
     local pieces, values = {}, {}
@@ -5559,7 +5584,7 @@ do
             if not is_plain or encoding.handle or encoding.address then return false end
             needed = math.max(needed, layout[at + 3] + SIZE_OF[type])
             pieces[#pieces + 1] = count == 1 and " " or parameter.value_key
-            pieces[#pieces + 1] = (type == DATAF and "%.7g" or "%d") .. parameter.unit_format
+            pieces[#pieces + 1] = (type == DATAF and "%.7g" or "%d") .. (parameter.unit_format or "")
         end
         layout.needed = HEADER_SIZE + needed
         return concat(pieces)
@@ -5620,10 +5645,11 @@ end
 -- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
 -- in the tree.
 
-local value_of_row, say_operations, read_rows, add_rows
+local value_of_row, say_operations, show_operations
 do
     local note_output, note_operation = layout_notes.note_output, layout_notes.note_operation
-    local add = TreeItem.add
+    local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
+    local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
     -- instead of it, or after it. A value that has not the type of its parameter is text.
@@ -5666,7 +5692,7 @@ do
         if alignment and index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
-            local text = variable_text(encoding, index)
+            local text = encoding.texts[index]
             complaints =
                 with_complaint(complaints, "misaligned", format(reason, parameter.name, sort, alignment, text))
         end
@@ -5688,120 +5714,81 @@ do
         return complaints
     end
 
-    -- A row is an item of the tree: field, offset, size, value, label, addition, how it is encoded (true for the
-    -- heading of an operation, of which the rows after it are the children). All rows are one list, so that they cost
-    -- no table each. What is wrong with one is in `wrong` by its index, where anything is.
-    local ROW = 7
-
-    -- The phrase on the operation that is being read.
-    local phrase = { count = 1 }
+    -- What the items of an operation are added to, and what has been said of its arguments so far. There are very many
+    -- arguments, and each reads these faster here than in a table.
     local NO_LENGTHS = {}
-    local VARIABLE = field.variable
+    local shown = {}
+    local heading, buffer, base, said, said_count
 
-    local function add_argument(rows, parameter, encoding, value, at, stop)
-        local count = rows.count
-        rows.count = count + ROW
-        rows[count + 2], rows[count + 3], rows[count + 7] = at, stop - at, encoding.label
+    -- A range costs more than an item: that of the first byte serves the argument and its encoding.
+    local function show_argument(view, parameter, encoding, value, at, stop)
+        local range, size = buffer(base + at, 1), stop - at
+        local added, text
         if encoding.scope then
-            note_output(rows.offset, parameter, encoding, value)
-            local text = encoding.text or variable_text(encoding, value)
-            rows[count + 1], rows[count + 4] = VARIABLE, text
-            rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
-            local complaints = variable_complaints(nil, rows, parameter, encoding, value)
+            text = encoding.texts[value]
+            added = add(heading, VARIABLE, range, text, parameter.label_head, text)
+            if size > 1 then set_len(added, size) end
+            local complaints = variable_complaints(nil, view, parameter, encoding, value)
             if complaints then
-                if rows.wrong then
-                    rows.wrong[count + 1] = complaints
-                else
-                    rows.wrong = { [count + 1] = complaints }
+                for index = 1, #complaints, 2 do
+                    complain(added, complaints[index], complaints[index + 1])
                 end
             end
         else
-            if parameter.is_plain and encoding.kind == CONSTANT then
-                rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
-                    parameter.field, value, false, false
+            if parameter.is_plain and encoding.is_number then
+                added = add(heading, parameter.field, range, value)
             else
-                rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
-                    value_of_row(parameter, parameter.name, value)
+                local declared, own, label, addition = value_of_row(parameter, parameter.name, value)
+                added = add(heading, declared, range, own, label, addition)
             end
+            if size > 1 then set_len(added, size) end
             if parameter.tells_length and tells_length(parameter, encoding) then
-                if rows.lengths == NO_LENGTHS then
-                    rows.lengths = { [parameter.name] = value }
-                else
-                    rows.lengths[parameter.name] = value
-                end
+                if view.lengths == NO_LENGTHS then view.lengths = {} end
+                view.lengths[parameter.name] = value
             end
         end
-        add_phrase(phrase, parameter, encoding, value)
+        add(added, ENCODING, range, encoding.label)
+        if parameter.is_said then
+            if said_count < MOST_VALUES then
+                said = said .. parameter.key .. (text or argument_text(parameter, encoding, value))
+            elseif said_count == MOST_VALUES then
+                said = said .. " ..."
+            end
+            said_count = said_count + 1
+        end
     end
 
-    -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
-    -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is
-    -- noted.
-    function read_rows(rows, text, at, stop, globals, locals)
-        rows.count, rows.globals, rows.locals, rows.wrong = 0, globals, locals, nil
-        rows.lengths, rows.line, rows.operations, rows.fault = NO_LENGTHS, nil, 0, nil
-        layout_notes.start()
+    -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
+    -- Returns the line on the first one, how many there are, the offset after what could be read, and the fault where
+    -- there is one.
+    function show_operations(item, tvb, start, text, at, stop, globals, locals)
+        local line, count = nil, 0
+        buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
         while at < stop do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
-            local code, heading = byte(text, at + 1), rows.count
-            rows.count = heading + ROW
-            rows[heading + 1], rows[heading + 2], rows[heading + 3], rows[heading + 4] = field.opcode, at, 1, code
-            rows[heading + 5], rows[heading + 6], rows[heading + 7] = false, false, true
-            local operation, offset, reason, kind = select_operation(text, at, stop)
-            if not operation then
-                rows.fault = { at = offset, reason = reason, kind = kind }
-                break
-            end
+            heading = add(item, OPCODE, tvb(start + at, 1))
+            local operation, after, reason, kind = select_operation(text, at, stop)
+            if not operation then return line, count, at, { at = after, reason = reason, kind = kind } end
             if operation.cmd_name then
-                local cmd = rows.count
-                rows.count = cmd + ROW
-                rows[cmd + 1], rows[cmd + 2], rows[cmd + 3] = field.cmd, at + 1, offset - at - 1
-                rows[cmd + 4], rows[cmd + 5], rows[cmd + 6] = operation.name, false, false
-                rows[cmd + 7] = offset > at + 2 and ENCODINGS[byte(text, at + 2)].label
-            end
-            phrase.count, phrase[1] = 1, operation.addition
-            rows.offset = at
-            local _, after
-            _, after, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
-            -- Wireshark puts a space between the field's own text and what is added to it.
-            local addition = sub(concat(phrase, "", 1, phrase.count), 2)
-            rows[heading + 3], rows[heading + 6] = after - at, addition ~= "" and addition
-            if not rows.line then
-                phrase[1] = operation.title
-                rows.line = concat(phrase, "", 1, phrase.count)
-            end
-            local lengths = rows.lengths
-            note_operation(at, operation, lengths ~= NO_LENGTHS and lengths)
-            rows.lengths = NO_LENGTHS
-            rows.operations = rows.operations + 1
-            at = after
-            if reason then
-                rows.fault = { at = offset, reason = reason, kind = kind }
-                break
-            end
-        end
-        rows.after = at
-    end
-
-    -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
-    function add_rows(item, tvb, base, rows)
-        local encoding_field, wrong, heading = field.encoding, rows.wrong, item
-        for at = 1, rows.count, ROW do
-            local start, size, encoding = base + rows[at + 1], rows[at + 2], rows[at + 6]
-            local range = tvb(start, size)
-            if encoding == true then
-                heading = add(item, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
-            else
-                local added = add(heading, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
-                local complaints = wrong and wrong[at]
-                if complaints then
-                    for index = 1, #complaints, 2 do
-                        complain(added, complaints[index], complaints[index + 1])
-                    end
+                local range = tvb(start + at + 1, 1)
+                local cmd = add(heading, CMD, range, operation.name)
+                if after > at + 2 then
+                    set_len(cmd, after - at - 1)
+                    add(cmd, ENCODING, range, ENCODINGS[byte(text, at + 2)].label)
                 end
-                if encoding then add(added, encoding_field, size == 1 and range or tvb(start, 1), encoding) end
             end
+            said, said_count = "", 0
+            local offset
+            after, offset, reason, kind = read_arguments(operation, text, after, stop, show_argument, shown)
+            if after > at + 1 then set_len(heading, after - at) end
+            local addition = operation.addition .. said
+            if addition ~= "" then append_text(heading, addition) end
+            line = line or operation.title .. said
+            shown.lengths = NO_LENGTHS
+            count, at = count + 1, after
+            if reason then return line, count, at, { at = offset, reason = reason, kind = kind } end
         end
+        return line, count, at
     end
 
     local function say_argument(view, parameter, encoding, value)
@@ -5861,6 +5848,8 @@ end
 local read_message, show_message
 do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
+    local set_text = TreeItem.set_text
+    local LENGTH, COUNTER, TYPE = field.length, field.counter, field.type
 
     local report_field = {}
     for _, part in ipairs(DAISY.sensor_report) do
@@ -5884,51 +5873,33 @@ do
         return count > 1 and line .. " (+" .. plural(count - 1, "operation") .. ")" or line
     end
 
-    -- What was said of commands, by all that follows their headers: a dialogue says the same again and again. `lines`
-    -- are for one line; just the text where there is nothing to complain about. `rows` are for the tree; true where a
-    -- command was there once.
+    -- What was said of commands in one line, by all that follows their headers: a dialogue says the same again and
+    -- again. Just the text where there is nothing to complain about.
     local lines = new_memory(2048)
-    local rows_of = new_memory(8192, function(rows) return rows == true and 1 or rows.count / 7 end)
 
     local function line_of(message, line, count, fault)
         return line and operations_line(line, count) or fault and message.type.name or "no operations"
     end
 
-    local scratch = {}
-
-    -- The rows of a direct command. They are kept when it comes for the second time: of a command that comes once only
-    -- it would be for nothing.
-    local function rows_of_command(message, globals, locals)
-        local body = message.body
-        local rows = rows_of.get(body)
-        if rows and rows ~= true then return rows end
-        local is_kept = rows
-        rows = is_kept and {} or scratch
-        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
-        if message.type.wants_reply then layout_notes.keep(body) end
-        rows_of.put(body, is_kept and rows or true)
-        return rows
+    local function say_cut_command(message)
+        local reason = "a direct command starts with two bytes that ask for memory"
+        message.fault = { at = message.stop, reason = reason, kind = "cut_off" }
+        return message.type.name
     end
 
-    local function say_direct_command(message, _, is_shown)
-        local text = message.text
-        if message.stop < COMMAND_HEADER_SIZE then
-            local reason = "a direct command starts with two bytes that ask for memory"
-            message.fault = { at = message.stop, reason = reason, kind = "cut_off" }
-            return message.type.name
-        end
+    -- How many bytes of global and of local memory a direct command asks for.
+    local function asked_memory(text)
         local sizes = unsigned16(text, HEADER_SIZE)
-        local globals, locals = sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
-        local body = message.body
-        if is_shown then
-            local rows = rows_of_command(message, globals, locals)
-            message.rows, message.fault = rows, rows.fault
-            return line_of(message, rows.line, rows.operations, rows.fault)
-        end
+        return sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
+    end
+
+    local function say_direct_command(message)
+        local text, body = message.text, message.body
+        if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
         local known = lines.get(body)
         if not known then
             local line, count, fault, complaints =
-                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+                say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
             if message.type.wants_reply then layout_notes.keep(body) end
             known = line_of(message, line, count, fault)
             if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
@@ -5939,16 +5910,24 @@ do
         return known.line
     end
 
-    local function add_direct_command(message, item, tvb, base)
-        local stop = message.stop
-        if stop < COMMAND_HEADER_SIZE then return add_rest(item, tvb, base, HEADER_SIZE, stop) end
+    -- A direct command is said and added at once: it is read but once.
+    local function show_direct_command(message, item, tvb, base)
+        local text, stop = message.text, message.stop
+        if stop < COMMAND_HEADER_SIZE then
+            add_rest(item, tvb, base, HEADER_SIZE, stop)
+            return say_cut_command(message)
+        end
         local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
         local memory = add_le(item, field.memory_sizes, range)
         add_le(memory, field.globals, range)
         add_le(memory, field.locals, range)
-        local rows = message.rows
-        add_rows(item, tvb, base, rows)
-        if rows.fault then add_rest(item, tvb, base, rows.after, stop) end
+        local line, count, after, fault =
+            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, asked_memory(text))
+        if fault then
+            message.fault = fault
+            add_rest(item, tvb, base, after, stop)
+        end
+        return line_of(message, line, count, fault)
     end
 
     local function say_direct_reply(message, place, is_shown)
@@ -6094,7 +6073,7 @@ do
 
     local function say_daisy_command(message)
         local text, stop, at = message.text, message.stop, HEADER_SIZE
-        message.rows = nil
+        message.has_operations = false
         if stop < at + DAISY_PAYLOAD then
             local reason = "a daisy command starts with a sub-command and two layers"
             message.fault = { at = stop, reason = reason, kind = "cut_off" }
@@ -6109,11 +6088,9 @@ do
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
         if payload < stop and DAISY.carries_operations[number] then
-            read_rows(scratch, text, payload, stop)
-            if not scratch.fault then
-                message.rows = scratch
-                line = line .. ": " .. operations_line(scratch.line, scratch.operations)
-            end
+            local first, count, fault = say_operations(text, payload, stop)
+            message.has_operations = not fault
+            if not fault then line = line .. ": " .. operations_line(first, count) end
         end
         return line
     end
@@ -6127,7 +6104,7 @@ do
         item:add(field.layer_to, tvb(base + at + 2, 1))
         if payload < stop then
             local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
-            if message.rows then add_rows(added, tvb, base, message.rows) end
+            if message.has_operations then show_operations(added, tvb, base, message.text, payload, stop) end
         end
     end
 
@@ -6172,7 +6149,7 @@ do
     local SYSTEM_MESSAGE = { say = say_system_message, add = add_system_message }
     local KINDS = {
         direct = {
-            [true] = { say = say_direct_command, add = add_direct_command },
+            [true] = { say = say_direct_command, show = show_direct_command },
             [false] = { say = say_direct_reply, add = add_direct_reply },
         },
         system = { [true] = SYSTEM_MESSAGE, [false] = SYSTEM_MESSAGE },
@@ -6276,11 +6253,26 @@ do
         return message
     end
 
+    -- The item of a message, with its header. Its text may come later.
+    local function add_frame(tree, tvb, base, message, line)
+        local item = add_item(tree, tvb(base, message.stop), line)
+        add_le(item, LENGTH, tvb(base, LENGTH_FIELD))
+        add_le(item, COUNTER, tvb(base + LENGTH_FIELD, 2))
+        add(item, TYPE, tvb(base + HEADER_SIZE - 1, 1))
+        return item
+    end
+
     -- The line on a message at a place. If somebody looks at the tree, its item there, too, with the frame at an offset
     -- in the buffer; `said` is said of the message instead of what it says; `is_new`: it is seen for the first time.
     function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
         local kind = kind_of[message.type] or UNKNOWN
-        local line = kind.say(message, place, is_shown)
+        local line, item
+        if is_shown and kind.show then
+            item = add_frame(tree, tvb, base, message)
+            line = kind.show(message, item, tvb, base)
+        else
+            line = kind.say(message, place, is_shown)
+        end
         if message.stop < message.size then check_size(message) end
         local fault, complaints = message.fault, message.complaints
         if said then
@@ -6288,12 +6280,10 @@ do
         elseif fault then
             line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
-        local item
-        if is_shown then
-            item = add_item(tree, tvb(base, message.stop), line)
-            add_le(item, field.length, tvb(base, LENGTH_FIELD))
-            add_le(item, field.counter, tvb(base + LENGTH_FIELD, 2))
-            add(item, field.type, tvb(base + HEADER_SIZE - 1, 1))
+        if item then
+            set_text(item, "EV3: " .. line)
+        elseif is_shown then
+            item = add_frame(tree, tvb, base, message, line)
             kind.add(message, item, tvb, base)
         end
         local target = item or tree

@@ -72,14 +72,14 @@ local gives_bytes = false
 -- The brick of the packet that is dissected, where somebody looks at the tree.
 local brick
 
--- The item of a frame, or of a text around frames.
+-- The item of a frame, or of a text around frames; without `said` its text comes later.
 local add_item
 do
     -- Of an item Wireshark looks up its methods each time; where items are many they are at hand instead.
     local add, set_generated, brick_field = TreeItem.add, TreeItem.set_generated, field.brick
 
     function add_item(tree, range, said)
-        local item = add(tree, ev3, range, "EV3: " .. said)
+        local item = said and add(tree, ev3, range, "EV3: " .. said) or add(tree, ev3, range)
         if brick then set_generated(add(item, brick_field, brick)) end
         if gives_bytes then add(item, field.bytes, range) end
         return item

@@ -7,8 +7,7 @@ do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
     -- A typed field of one parameter. Its kind tells which values it takes.
-    local function parameter_field(abbreviation, parameter, kind)
-        local name, text = parameter.label, parameter.text
+    local function parameter_field(abbreviation, parameter, kind, name, text)
         local made
         if kind == TEXT_VALUE then
             made = ProtoField.string(abbreviation, name, text)
@@ -49,32 +48,37 @@ do
         end
     end
 
-    local function ready_parameter(abbreviation, row)
+    -- There are more than a thousand parameters, and the collector goes through all of them again and again. In Lua a
+    -- table doubles beyond 16 entries: what is not so of a parameter, or not asked of it, has no entry.
+    local function ready_parameter(operation, abbreviation, row)
+        local name, direction, type, text = row[1], row[2], row[3], row[4]
+        local label = row.label and row.label .. " " .. name or name
+        local kind = PARAMETER_KINDS[type == VALUES and row.element or type] or NUMBER
+        local is_flags = row.enum and row.enum.is_flags
         local parameter = {
-            name = row[1], field_name = row[1], direction = row[2], type = row[3], text = row[4],
-            label = row.label and row.label .. " " .. row[1] or row[1],
-            unit = row.unit, enum = row.enum, special = row.special, length = row.length,
-            element = row.element, elements = row.elements,
+            name = name, field_name = name, type = type, kind = kind, operation = operation, label_head = label .. ":",
+            field = parameter_field(abbreviation, row, kind, label, text),
+            -- Whether its field says all that there is to say of a number.
+            is_plain = kind ~= TEXT_VALUE and not (row.special or is_flags) and not (row.unit and kind == FLOAT),
         }
-        parameter.is_float = row[3] == DATAF
-        parameter.is_output = row[2] ~= IN
-        parameter.size = SIZE_OF[row[3]]
+        if SIZE_OF[type] then parameter.size = SIZE_OF[type] end
         -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
-        parameter.alignment = SIZE_OF[row.validated or row[3]]
-        parameter.is_flags = row.enum and row.enum.is_flags
-        parameter.key = " " .. row[1]:lower() .. "="
-        parameter.value_key = " " .. row[1] .. "="
-        parameter.unit_text = row.unit and " " .. row.unit or ""
-        parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
-        if row[3] == VALUES then
-            parameter.kind = PARAMETER_KINDS[row.element] or NUMBER
-        else
-            parameter.kind = PARAMETER_KINDS[row[3]] or NUMBER
+        local alignment = SIZE_OF[row.validated or type]
+        if alignment then parameter.alignment = alignment end
+        if type == DATAF then parameter.is_float = true end
+        if direction ~= OUT then parameter.is_said, parameter.key = true, " " .. name:lower() .. "=" end
+        if row.unit then parameter.unit = row.unit end
+        if direction ~= IN then
+            parameter.is_output, parameter.value_key = true, " " .. name .. "="
+            if row.unit then
+                parameter.unit_text = " " .. row.unit
+                parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
+            end
         end
-        -- Whether its field says all that there is to say of a number.
-        parameter.is_plain = parameter.kind ~= TEXT_VALUE and not (row.special or parameter.is_flags)
-            and not (row.unit and parameter.kind == FLOAT)
-        parameter.field = parameter_field(abbreviation, parameter, parameter.kind)
+        if row.enum then parameter.enum = row.enum end
+        if is_flags then parameter.is_flags = true end
+        if row.special then parameter.special = row.special end
+        if row.length then parameter.length = row.length end
         return parameter
     end
 
@@ -84,45 +88,45 @@ do
             local one = setmetatable({}, { __index = element })
             one.name = element.name .. "[" .. number .. "]"
             one.value_key = " " .. one.name .. "="
+            one.label_head = one.name .. ":"
             elements[number] = one
             return one
         end })
     end
 
     -- An element of a list, by its type. What a count announces has a field of its own beside the count's.
-    local function ready_element(list, abbreviation, type, direction, is_any)
+    local function ready_element(list, abbreviation, type, row, is_any)
+        local direction = list.type == COUNT and row.elements or IN
+        local name, text = list.name, row[4]
         local element = {
-            name = list.name, field_name = list.name, direction = direction, type = type, text = list.text,
-            is_float = type == DATAF, is_output = direction ~= IN, size = SIZE_OF[type], key = list.key,
-            operation = list.operation, unit_text = "", unit_format = "",
+            name = name, field_name = name, type = type, size = SIZE_OF[type], operation = list.operation,
+            is_float = type == DATAF, is_output = direction ~= IN, is_said = direction ~= OUT,
+            key = " " .. name:lower() .. "=",
         }
         if list.type == VALUES then
             element.field, element.kind = list.field, list.kind
         elseif is_any then
             -- Another argument tells the type: a double holds whatever number it is.
-            list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", list.name, list.text)
+            list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", name, text)
             element.field, element.kind = list.any_field, FLOAT
         else
             element.kind = PARAMETER_KINDS[type] or NUMBER
-            local named = { label = list.name, text = list.text }
-            element.field = parameter_field(abbreviation .. ".item", named, element.kind)
+            element.field = parameter_field(abbreviation .. ".item", {}, element.kind, name, text)
         end
         return numbered(element)
     end
 
-    local function ready_list(abbreviation, list)
+    local function ready_list(abbreviation, list, row)
         list.elements_of = {}
-        local direction = list.type == COUNT and list.elements or IN
-        if TYPE_NAMES[list.element] then
-            list.elements_of[list.element] = ready_element(list, abbreviation, list.element, direction)
-            list.element_type = list.element
+        if TYPE_NAMES[row.element] then
+            list.elements_of[row.element] = ready_element(list, abbreviation, row.element, row)
+            list.element_type = row.element
         else
-            list.type_named_by = list.element
             for _, type in pairs(FORMAT_TYPES) do
-                list.elements_of[type] = ready_element(list, abbreviation, type, direction, true)
+                list.elements_of[type] = ready_element(list, abbreviation, type, row, true)
             end
             list.element_type = ARRAY_TYPED
-            list.elements_of[ARRAY_TYPED] = ready_element(list, abbreviation, ARRAY_TYPED, direction, true)
+            list.elements_of[ARRAY_TYPED] = ready_element(list, abbreviation, ARRAY_TYPED, row, true)
         end
         if list.any_field then
             fields[#fields + 1] = list.any_field
@@ -143,12 +147,11 @@ do
         local value_name = cmd_name and cmd_name:match("^GET_(.+)$")
         for index = 4, #row do
             local abbreviation = ("ev3." .. name .. "." .. row[index][1]):lower()
-            local parameter = ready_parameter(abbreviation, row[index])
-            parameter.operation = operation
+            local parameter = ready_parameter(operation, abbreviation, row[index])
             if value_name and parameter.name == "VALUE" then parameter.value_key = " " .. value_name .. "=" end
             if parameter.type == COUNT or parameter.type == VALUES then
                 operation.list = parameter
-                ready_list(abbreviation, parameter)
+                ready_list(abbreviation, parameter, row[index])
             end
             if parameter.type ~= VALUES then
                 operation.fixed[#operation.fixed + 1] = parameter
@@ -156,8 +159,8 @@ do
         end
         for _, parameter in ipairs(operation.fixed) do
             for index = 4, #row do
-                parameter.tells_length = parameter.tells_length or row[index].length == parameter.name
-                parameter.tells_type = parameter.tells_type or row[index].element == parameter.name
+                if row[index].length == parameter.name then parameter.tells_length = true end
+                if row[index].element == parameter.name then parameter.tells_type = true end
             end
         end
         return operation

@@ -7,6 +7,8 @@
 local read_message, show_message
 do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
+    local set_text = TreeItem.set_text
+    local LENGTH, COUNTER, TYPE = field.length, field.counter, field.type
 
     local report_field = {}
     for _, part in ipairs(DAISY.sensor_report) do
@@ -30,51 +32,33 @@ do
         return count > 1 and line .. " (+" .. plural(count - 1, "operation") .. ")" or line
     end
 
-    -- What was said of commands, by all that follows their headers: a dialogue says the same again and again. `lines`
-    -- are for one line; just the text where there is nothing to complain about. `rows` are for the tree; true where a
-    -- command was there once.
+    -- What was said of commands in one line, by all that follows their headers: a dialogue says the same again and
+    -- again. Just the text where there is nothing to complain about.
     local lines = new_memory(2048)
-    local rows_of = new_memory(8192, function(rows) return rows == true and 1 or rows.count / 7 end)
 
     local function line_of(message, line, count, fault)
         return line and operations_line(line, count) or fault and message.type.name or "no operations"
     end
 
-    local scratch = {}
-
-    -- The rows of a direct command. They are kept when it comes for the second time: of a command that comes once only
-    -- it would be for nothing.
-    local function rows_of_command(message, globals, locals)
-        local body = message.body
-        local rows = rows_of.get(body)
-        if rows and rows ~= true then return rows end
-        local is_kept = rows
-        rows = is_kept and {} or scratch
-        read_rows(rows, message.text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
-        if message.type.wants_reply then layout_notes.keep(body) end
-        rows_of.put(body, is_kept and rows or true)
-        return rows
+    local function say_cut_command(message)
+        local reason = "a direct command starts with two bytes that ask for memory"
+        message.fault = { at = message.stop, reason = reason, kind = "cut_off" }
+        return message.type.name
     end
 
-    local function say_direct_command(message, _, is_shown)
-        local text = message.text
-        if message.stop < COMMAND_HEADER_SIZE then
-            local reason = "a direct command starts with two bytes that ask for memory"
-            message.fault = { at = message.stop, reason = reason, kind = "cut_off" }
-            return message.type.name
-        end
+    -- How many bytes of global and of local memory a direct command asks for.
+    local function asked_memory(text)
         local sizes = unsigned16(text, HEADER_SIZE)
-        local globals, locals = sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
-        local body = message.body
-        if is_shown then
-            local rows = rows_of_command(message, globals, locals)
-            message.rows, message.fault = rows, rows.fault
-            return line_of(message, rows.line, rows.operations, rows.fault)
-        end
+        return sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
+    end
+
+    local function say_direct_command(message)
+        local text, body = message.text, message.body
+        if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
         local known = lines.get(body)
         if not known then
             local line, count, fault, complaints =
-                say_operations(text, COMMAND_HEADER_SIZE, message.stop, globals, locals)
+                say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
             if message.type.wants_reply then layout_notes.keep(body) end
             known = line_of(message, line, count, fault)
             if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
@@ -85,16 +69,24 @@ do
         return known.line
     end
 
-    local function add_direct_command(message, item, tvb, base)
-        local stop = message.stop
-        if stop < COMMAND_HEADER_SIZE then return add_rest(item, tvb, base, HEADER_SIZE, stop) end
+    -- A direct command is said and added at once: it is read but once.
+    local function show_direct_command(message, item, tvb, base)
+        local text, stop = message.text, message.stop
+        if stop < COMMAND_HEADER_SIZE then
+            add_rest(item, tvb, base, HEADER_SIZE, stop)
+            return say_cut_command(message)
+        end
         local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
         local memory = add_le(item, field.memory_sizes, range)
         add_le(memory, field.globals, range)
         add_le(memory, field.locals, range)
-        local rows = message.rows
-        add_rows(item, tvb, base, rows)
-        if rows.fault then add_rest(item, tvb, base, rows.after, stop) end
+        local line, count, after, fault =
+            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, asked_memory(text))
+        if fault then
+            message.fault = fault
+            add_rest(item, tvb, base, after, stop)
+        end
+        return line_of(message, line, count, fault)
     end
 
     local function say_direct_reply(message, place, is_shown)
@@ -240,7 +232,7 @@ do
 
     local function say_daisy_command(message)
         local text, stop, at = message.text, message.stop, HEADER_SIZE
-        message.rows = nil
+        message.has_operations = false
         if stop < at + DAISY_PAYLOAD then
             local reason = "a daisy command starts with a sub-command and two layers"
             message.fault = { at = stop, reason = reason, kind = "cut_off" }
@@ -255,11 +247,9 @@ do
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
         if payload < stop and DAISY.carries_operations[number] then
-            read_rows(scratch, text, payload, stop)
-            if not scratch.fault then
-                message.rows = scratch
-                line = line .. ": " .. operations_line(scratch.line, scratch.operations)
-            end
+            local first, count, fault = say_operations(text, payload, stop)
+            message.has_operations = not fault
+            if not fault then line = line .. ": " .. operations_line(first, count) end
         end
         return line
     end
@@ -273,7 +263,7 @@ do
         item:add(field.layer_to, tvb(base + at + 2, 1))
         if payload < stop then
             local added = item:add(field.daisy_payload, tvb(base + payload, stop - payload))
-            if message.rows then add_rows(added, tvb, base, message.rows) end
+            if message.has_operations then show_operations(added, tvb, base, message.text, payload, stop) end
         end
     end
 
@@ -318,7 +308,7 @@ do
     local SYSTEM_MESSAGE = { say = say_system_message, add = add_system_message }
     local KINDS = {
         direct = {
-            [true] = { say = say_direct_command, add = add_direct_command },
+            [true] = { say = say_direct_command, show = show_direct_command },
             [false] = { say = say_direct_reply, add = add_direct_reply },
         },
         system = { [true] = SYSTEM_MESSAGE, [false] = SYSTEM_MESSAGE },
@@ -422,11 +412,26 @@ do
         return message
     end
 
+    -- The item of a message, with its header. Its text may come later.
+    local function add_frame(tree, tvb, base, message, line)
+        local item = add_item(tree, tvb(base, message.stop), line)
+        add_le(item, LENGTH, tvb(base, LENGTH_FIELD))
+        add_le(item, COUNTER, tvb(base + LENGTH_FIELD, 2))
+        add(item, TYPE, tvb(base + HEADER_SIZE - 1, 1))
+        return item
+    end
+
     -- The line on a message at a place. If somebody looks at the tree, its item there, too, with the frame at an offset
     -- in the buffer; `said` is said of the message instead of what it says; `is_new`: it is seen for the first time.
     function show_message(message, place, tvb, base, tree, is_shown, said, is_new)
         local kind = kind_of[message.type] or UNKNOWN
-        local line = kind.say(message, place, is_shown)
+        local line, item
+        if is_shown and kind.show then
+            item = add_frame(tree, tvb, base, message)
+            line = kind.show(message, item, tvb, base)
+        else
+            line = kind.say(message, place, is_shown)
+        end
         if message.stop < message.size then check_size(message) end
         local fault, complaints = message.fault, message.complaints
         if said then
@@ -434,12 +439,10 @@ do
         elseif fault then
             line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
-        local item
-        if is_shown then
-            item = add_item(tree, tvb(base, message.stop), line)
-            add_le(item, field.length, tvb(base, LENGTH_FIELD))
-            add_le(item, field.counter, tvb(base + LENGTH_FIELD, 2))
-            add(item, field.type, tvb(base + HEADER_SIZE - 1, 1))
+        if item then
+            set_text(item, "EV3: " .. line)
+        elseif is_shown then
+            item = add_frame(tree, tvb, base, message, line)
             kind.add(message, item, tvb, base)
         end
         local target = item or tree

@@ -3,10 +3,11 @@
 -- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
 -- in the tree.
 
-local value_of_row, say_operations, read_rows, add_rows
+local value_of_row, say_operations, show_operations
 do
     local note_output, note_operation = layout_notes.note_output, layout_notes.note_operation
-    local add = TreeItem.add
+    local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
+    local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
     -- instead of it, or after it. A value that has not the type of its parameter is text.
@@ -49,7 +50,7 @@ do
         if alignment and index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
-            local text = variable_text(encoding, index)
+            local text = encoding.texts[index]
             complaints =
                 with_complaint(complaints, "misaligned", format(reason, parameter.name, sort, alignment, text))
         end
@@ -71,120 +72,81 @@ do
         return complaints
     end
 
-    -- A row is an item of the tree: field, offset, size, value, label, addition, how it is encoded (true for the
-    -- heading of an operation, of which the rows after it are the children). All rows are one list, so that they cost
-    -- no table each. What is wrong with one is in `wrong` by its index, where anything is.
-    local ROW = 7
-
-    -- The phrase on the operation that is being read.
-    local phrase = { count = 1 }
+    -- What the items of an operation are added to, and what has been said of its arguments so far. There are very many
+    -- arguments, and each reads these faster here than in a table.
     local NO_LENGTHS = {}
-    local VARIABLE = field.variable
+    local shown = {}
+    local heading, buffer, base, said, said_count
 
-    local function add_argument(rows, parameter, encoding, value, at, stop)
-        local count = rows.count
-        rows.count = count + ROW
-        rows[count + 2], rows[count + 3], rows[count + 7] = at, stop - at, encoding.label
+    -- A range costs more than an item: that of the first byte serves the argument and its encoding.
+    local function show_argument(view, parameter, encoding, value, at, stop)
+        local range, size = buffer(base + at, 1), stop - at
+        local added, text
         if encoding.scope then
-            note_output(rows.offset, parameter, encoding, value)
-            local text = encoding.text or variable_text(encoding, value)
-            rows[count + 1], rows[count + 4] = VARIABLE, text
-            rows[count + 5], rows[count + 6] = (parameter.label or parameter.name) .. ": " .. text, false
-            local complaints = variable_complaints(nil, rows, parameter, encoding, value)
+            text = encoding.texts[value]
+            added = add(heading, VARIABLE, range, text, parameter.label_head, text)
+            if size > 1 then set_len(added, size) end
+            local complaints = variable_complaints(nil, view, parameter, encoding, value)
             if complaints then
-                if rows.wrong then
-                    rows.wrong[count + 1] = complaints
-                else
-                    rows.wrong = { [count + 1] = complaints }
+                for index = 1, #complaints, 2 do
+                    complain(added, complaints[index], complaints[index + 1])
                 end
             end
         else
-            if parameter.is_plain and encoding.kind == CONSTANT then
-                rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
-                    parameter.field, value, false, false
+            if parameter.is_plain and encoding.is_number then
+                added = add(heading, parameter.field, range, value)
             else
-                rows[count + 1], rows[count + 4], rows[count + 5], rows[count + 6] =
-                    value_of_row(parameter, parameter.name, value)
+                local declared, own, label, addition = value_of_row(parameter, parameter.name, value)
+                added = add(heading, declared, range, own, label, addition)
             end
+            if size > 1 then set_len(added, size) end
             if parameter.tells_length and tells_length(parameter, encoding) then
-                if rows.lengths == NO_LENGTHS then
-                    rows.lengths = { [parameter.name] = value }
-                else
-                    rows.lengths[parameter.name] = value
-                end
+                if view.lengths == NO_LENGTHS then view.lengths = {} end
+                view.lengths[parameter.name] = value
             end
         end
-        add_phrase(phrase, parameter, encoding, value)
+        add(added, ENCODING, range, encoding.label)
+        if parameter.is_said then
+            if said_count < MOST_VALUES then
+                said = said .. parameter.key .. (text or argument_text(parameter, encoding, value))
+            elseif said_count == MOST_VALUES then
+                said = said .. " ..."
+            end
+            said_count = said_count + 1
+        end
     end
 
-    -- The rows of the operations between two offsets, put into `rows`, with the line on the first operation, how many
-    -- there are, the offset after what could be read, and the fault where there is one. What a reply will hold is
-    -- noted.
-    function read_rows(rows, text, at, stop, globals, locals)
-        rows.count, rows.globals, rows.locals, rows.wrong = 0, globals, locals, nil
-        rows.lengths, rows.line, rows.operations, rows.fault = NO_LENGTHS, nil, 0, nil
-        layout_notes.start()
+    -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
+    -- Returns the line on the first one, how many there are, the offset after what could be read, and the fault where
+    -- there is one.
+    function show_operations(item, tvb, start, text, at, stop, globals, locals)
+        local line, count = nil, 0
+        buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
         while at < stop do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
-            local code, heading = byte(text, at + 1), rows.count
-            rows.count = heading + ROW
-            rows[heading + 1], rows[heading + 2], rows[heading + 3], rows[heading + 4] = field.opcode, at, 1, code
-            rows[heading + 5], rows[heading + 6], rows[heading + 7] = false, false, true
-            local operation, offset, reason, kind = select_operation(text, at, stop)
-            if not operation then
-                rows.fault = { at = offset, reason = reason, kind = kind }
-                break
-            end
+            heading = add(item, OPCODE, tvb(start + at, 1))
+            local operation, after, reason, kind = select_operation(text, at, stop)
+            if not operation then return line, count, at, { at = after, reason = reason, kind = kind } end
             if operation.cmd_name then
-                local cmd = rows.count
-                rows.count = cmd + ROW
-                rows[cmd + 1], rows[cmd + 2], rows[cmd + 3] = field.cmd, at + 1, offset - at - 1
-                rows[cmd + 4], rows[cmd + 5], rows[cmd + 6] = operation.name, false, false
-                rows[cmd + 7] = offset > at + 2 and ENCODINGS[byte(text, at + 2)].label
-            end
-            phrase.count, phrase[1] = 1, operation.addition
-            rows.offset = at
-            local _, after
-            _, after, offset, reason, kind = read_operation(text, at, stop, add_argument, rows)
-            -- Wireshark puts a space between the field's own text and what is added to it.
-            local addition = sub(concat(phrase, "", 1, phrase.count), 2)
-            rows[heading + 3], rows[heading + 6] = after - at, addition ~= "" and addition
-            if not rows.line then
-                phrase[1] = operation.title
-                rows.line = concat(phrase, "", 1, phrase.count)
-            end
-            local lengths = rows.lengths
-            note_operation(at, operation, lengths ~= NO_LENGTHS and lengths)
-            rows.lengths = NO_LENGTHS
-            rows.operations = rows.operations + 1
-            at = after
-            if reason then
-                rows.fault = { at = offset, reason = reason, kind = kind }
-                break
-            end
-        end
-        rows.after = at
-    end
-
-    -- Adds rows to the tree. `base` is the offset of the frame in the buffer.
-    function add_rows(item, tvb, base, rows)
-        local encoding_field, wrong, heading = field.encoding, rows.wrong, item
-        for at = 1, rows.count, ROW do
-            local start, size, encoding = base + rows[at + 1], rows[at + 2], rows[at + 6]
-            local range = tvb(start, size)
-            if encoding == true then
-                heading = add(item, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
-            else
-                local added = add(heading, rows[at], range, rows[at + 3], rows[at + 4], rows[at + 5])
-                local complaints = wrong and wrong[at]
-                if complaints then
-                    for index = 1, #complaints, 2 do
-                        complain(added, complaints[index], complaints[index + 1])
-                    end
+                local range = tvb(start + at + 1, 1)
+                local cmd = add(heading, CMD, range, operation.name)
+                if after > at + 2 then
+                    set_len(cmd, after - at - 1)
+                    add(cmd, ENCODING, range, ENCODINGS[byte(text, at + 2)].label)
                 end
-                if encoding then add(added, encoding_field, size == 1 and range or tvb(start, 1), encoding) end
             end
+            said, said_count = "", 0
+            local offset
+            after, offset, reason, kind = read_arguments(operation, text, after, stop, show_argument, shown)
+            if after > at + 1 then set_len(heading, after - at) end
+            local addition = operation.addition .. said
+            if addition ~= "" then append_text(heading, addition) end
+            line = line or operation.title .. said
+            shown.lengths = NO_LENGTHS
+            count, at = count + 1, after
+            if reason then return line, count, at, { at = offset, reason = reason, kind = kind } end
         end
+        return line, count, at
     end
 
     local function say_argument(view, parameter, encoding, value)

@@ -2,7 +2,7 @@
 --
 -- What the info column and the headings of the tree say.
 
-local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, variable_text, add_phrase, output_text,
+local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, argument_text, add_phrase, output_text,
     values_text, transfer_text
 do
     -- Wireshark cuts the info column anyway; a list of a hundred values says no more than its start.
@@ -48,23 +48,19 @@ do
         return names[1] and concat(names, "|")
     end
 
-    function variable_text(encoding, index)
-        return encoding.text or encoding.scope .. index .. ")"
-    end
-
     -- What stands for an argument in a line; for most numbers the number itself.
-    local function argument_text(parameter, encoding, value)
-        if encoding.scope then return variable_text(encoding, value) end
+    function argument_text(parameter, encoding, value)
+        if encoding.scope then return encoding.texts[value] end
         local enum = parameter.enum
         local name = enum and not enum.is_flags and enum.names[value]
         if name or encoding.text then return name or encoding.text end
         if encoding.kind == CONSTANT_TEXT then return shortened(value) end
-        return parameter.is_float and number_text(value) or value
+        return parameter.is_float and number_text(value) or encoding.texts[value]
     end
 
     -- A line on an operation is collected piece by piece, `count` of them: SOUND TONE volume=1 frequency=440
     function add_phrase(pieces, parameter, encoding, value)
-        if parameter.direction == OUT then return end
+        if not parameter.is_said then return end
         local count = pieces.count
         if count <= 2 * MOST_VALUES then
             pieces[count + 1] = parameter.key
@@ -82,7 +78,7 @@ do
         if type(value) == "string" then return shortened(value) end
         if output.is_handle then return number_text(value) end
         local enum = parameter.enum
-        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. parameter.unit_text
+        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. (parameter.unit_text or "")
     end
 
     function output_text(output)
@@ -105,8 +101,8 @@ do
         local enum = parameter.enum
         local name = enum and not enum.is_flags and enum.names[value]
         if name then return "%s", name, "" end
-        if value % 1 == 0 and value > -1e15 and value < 1e15 then return "%d", value, parameter.unit_format end
-        return "%s", number_text(value), parameter.unit_format
+        if value % 1 == 0 and value > -1e15 and value < 1e15 then return "%d", value, parameter.unit_format or "" end
+        return "%s", number_text(value), parameter.unit_format or ""
     end
 
     local pieces, values = {}, {}

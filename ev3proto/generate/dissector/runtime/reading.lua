@@ -8,23 +8,35 @@
 -- daisy command with its sub-command and two layers.
 local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
 
-local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_operation, read_fields
+local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
 do
     -- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
     local SIZES = {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
+
+    -- How numbers are written, made when asked for: turning a number into a text takes longer than reading it. Those of
+    -- one byte are kept.
+    local function texts_of(before, after)
+        return setmetatable({}, { __index = function(texts, number)
+            local text = before .. number .. after
+            if number >= -0x80 and number <= 0xFF then texts[number] = text end
+            return text
+        end })
+    end
+
+    local NUMBER_TEXTS = texts_of("", "")
+    local VARIABLE_TEXTS = { [LOCAL] = texts_of(SCOPES[LOCAL], ")"), [GLOBAL] = texts_of(SCOPES[GLOBAL], ")") }
     for _, row in ipairs(ENCODING_ROWS) do
         for first = row[1], row[2] do
             local encoding = {
                 name = row[3], kind = row[4], width = row[5], handle = row.handle, address = row.address,
                 label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-                scope = SCOPES[row[4]],
+                scope = SCOPES[row[4]], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS, is_number = row[4] == CONSTANT,
             }
             if row.value then
                 encoding.value = row.value + first - row[1]
-                -- Made once: turning a number into a text takes longer than reading it.
-                encoding.text = encoding.scope and encoding.scope .. encoding.value .. ")" or tostring(encoding.value)
+                encoding.text = encoding.texts[encoding.value]
             end
             ENCODINGS[first] = encoding
             -- Bytes of the whole argument; 0 for a string, which ends at its zero.
@@ -158,31 +170,38 @@ do
         return value
     end
 
-    -- One operation: what it is and the offset after it. Each of its arguments is handed to `visit`, if that is given,
-    -- with its parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only
-    -- variables, and numbers that say how long something is. At a fault the offset is the one after what could be read,
-    -- and the fault's offset, reason and kind follow.
-    function read_operation(text, at, stop, visit, context, is_brief)
-        local operation, after, reason, kind = select_operation(text, at, stop)
-        if not operation then return nil, at, after, reason, kind end
-        at = after
+    -- The arguments of an operation, from the offset after its opcode and CMD: the offset after them. Each is handed to
+    -- `visit`, if that is given, with its parameter, encoding, value, and the offsets of its first byte and after its
+    -- last; with `is_brief` only variables, and numbers that say how long something is. At a fault the offset is the
+    -- one after what could be read, and the fault's offset, reason and kind follow.
+    function read_arguments(operation, text, at, stop, visit, context, is_brief)
         local fixed, list, start, element_type = operation.fixed, operation.list, at, nil
+        local after, offset, reason, kind
         for index = 1, #fixed do
             local parameter = fixed[index]
-            local first = byte(text, at + 1)
+            local first, low, high = byte(text, at + 1, at + 3)
             local size = SIZES[first]
-            local offset
             -- Most arguments are numbers and whole; the others go the long way.
             if size and size > 0 and at + size <= stop then
                 after = at + size
             else
                 after, offset, reason, kind = measure(text, at, stop, parameter.name)
-                if not after then return operation, at, offset, reason, kind end
+                if not after then return at, offset, reason, kind end
             end
             if visit then
                 local encoding = ENCODINGS[first]
                 if not is_brief or encoding.scope or parameter.tells_length or parameter.tells_type then
-                    local value = encoding.value or value_of(text, at, after, encoding, parameter.is_float)
+                    local value = encoding.value
+                    if not value then
+                        if size == 2 then
+                            value = (low < 0x80 or encoding.scope) and low or low - 0x100
+                        elseif size == 3 then
+                            value = low + high * 0x100
+                            if high >= 0x80 and not encoding.scope then value = value - 0x10000 end
+                        else
+                            value = value_of(text, at, after, encoding, parameter.is_float)
+                        end
+                    end
                     visit(context, parameter, encoding, value, at, after)
                     if list and parameter.tells_type and encoding.kind == CONSTANT then
                         element_type = FORMAT_TYPES[value]
@@ -192,14 +211,14 @@ do
             start, at = at, after
         end
         if list then
-            local count, offset
+            local count
             count, offset, reason, kind = count_elements(text, list, fixed[#fixed], start, at, stop)
-            if not count then return operation, at, offset, reason, kind end
+            if not count then return at, offset, reason, kind end
             local elements = list.elements_of[element_type or list.element_type]
             for index = 0, count - 1 do
                 local element = elements[index]
                 after, offset, reason, kind = measure(text, at, stop, element.name)
-                if not after then return operation, at, offset, reason, kind end
+                if not after then return at, offset, reason, kind end
                 if visit then
                     local encoding = ENCODINGS[byte(text, at + 1)]
                     if not is_brief or encoding.scope then
@@ -210,7 +229,14 @@ do
                 at = after
             end
         end
-        return operation, at
+        return at
+    end
+
+    -- One operation, and its arguments as above: what it is, and the offset after it.
+    function read_operation(text, at, stop, visit, context, is_brief)
+        local operation, after, reason, kind = select_operation(text, at, stop)
+        if not operation then return nil, at, after, reason, kind end
+        return operation, read_arguments(operation, text, after, stop, visit, context, is_brief)
     end
 
     -- One field of a system message: its value and the offset after it; else nil, offset and reason.

@@ -182,7 +182,7 @@ do
             if not is_plain or encoding.handle or encoding.address then return false end
             needed = math.max(needed, layout[at + 3] + SIZE_OF[type])
             pieces[#pieces + 1] = count == 1 and " " or parameter.value_key
-            pieces[#pieces + 1] = (type == DATAF and "%.7g" or "%d") .. parameter.unit_format
+            pieces[#pieces + 1] = (type == DATAF and "%.7g" or "%d") .. (parameter.unit_format or "")
         end
         layout.needed = HEADER_SIZE + needed
         return concat(pieces)

@@ -14,7 +14,7 @@ from enum import Enum, auto
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
-from ev3proto.tables import operations, system
+from ev3proto.tables import OPCODES, system
 from ev3proto.tables.claims import NEVER_SENT
 from ev3proto.tables.daisy import MOST_LAYERS
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
@@ -32,7 +32,7 @@ _STARTS = re.compile(
     % (re.escape(bytes((MIN_LENGTH,))), re.escape(bytes((MAX_LENGTH >> 8,))), re.escape(bytes(sorted(_TYPES)))),
     re.DOTALL,
 )
-_NEVER_SENT = frozenset(operations()[name].opcode.number for name in NEVER_SENT)
+_NEVER_SENT = frozenset(opcode.number for opcode in OPCODES if opcode.name in NEVER_SENT)
 
 
 def makes_sense(message: Message) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from enum import StrEnum
 from functools import cache
 from importlib import import_module
@@ -317,6 +316,8 @@ def elapsed(time_ns: int, start_ns: int) -> str:
 
 def utc(time_ns: int) -> str:
     """`2024-01-31T09:12:31.011558Z`, with nanoseconds where the time has them."""
+    from datetime import UTC, datetime  # which takes a while to load
+
     seconds, rest = divmod(time_ns, NANOSECONDS)
     digits = f"{rest:09}"
     try:

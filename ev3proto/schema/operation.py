@@ -47,9 +47,12 @@ class OperationSchema(Bytewise):
         self._parameters = parameters[:-1] if has_values else parameters
         self.readers = tuple([reader_of(parameter) for parameter in self._parameters])
         self._elements: dict[tuple[int, Type], ArgumentSchema] = {}
-        self.has_outputs = any(
-            parameter.is_output or parameter.elements is not Direction.IN for parameter in parameters
-        )
+
+    @cached_property
+    def has_outputs(self) -> bool:
+        """Whether any of its parameters takes a value that the brick writes."""
+        parameters = self.declaration.parameters
+        return any(parameter.is_output or parameter.elements is not Direction.IN for parameter in parameters)
 
     @cached_property
     def fixed(self) -> tuple[ArgumentSchema, ...]:

@@ -41,7 +41,7 @@ ODD_REPORTS = 2
 no more."""
 
 NEVER_SENT = ("ERROR",)
-"""Operations that stand for a fault. The number of this one is that of the bytes of an empty report."""
+"""Opcodes that stand for a fault. The number of this one is that of the bytes of an empty report."""
 
 NXT_REPLY_FLAG = 0x80
 """Set in the third byte of the NXT's telegrams that want no reply. Without it that byte is 0 for direct commands, 1 for

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import gzip
 import io
 import os
 import stat
-import zlib
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
@@ -34,7 +32,6 @@ Reader = Callable[["io.BufferedReader[Any]"], Iterator[Packet]]
 
 _STARTS = (GZIP, *MAGICS)
 _MOST_MAGIC = max(map(len, MAGICS))
-_GZIP_TROUBLE = (EOFError, zlib.error, gzip.BadGzipFile)
 
 
 class _Source(io.RawIOBase):
@@ -86,7 +83,12 @@ class CaptureFile:
         self._source = _Source(getattr(stream, "read1", stream.read))
         self._is_packed = self._source.start().startswith(GZIP)
         self.contents: io.BufferedReader[Any] = io.BufferedReader(self._source)
+        self._gzip_trouble: tuple[type[Exception], ...] = ()
         if self._is_packed:
+            import gzip
+            import zlib
+
+            self._gzip_trouble = EOFError, zlib.error, gzip.BadGzipFile
             self._source = _Source(gzip.GzipFile(fileobj=self.contents).read1)
             self.contents = io.BufferedReader(self._source)
 
@@ -154,14 +156,14 @@ class CaptureFile:
     def _unpacked(self, reader: Reader) -> Iterator[Packet]:
         try:
             yield from reader(self.contents)
-        except _GZIP_TROUBLE as error:
+        except self._gzip_trouble as error:
             raise CaptureError(f"the gzip stream is cut off or damaged: {error}") from None
 
     def _start(self) -> bytes:
         start = b""
         try:
             start = self._source.start()
-        except _GZIP_TROUBLE as error:
+        except self._gzip_trouble as error:
             # Asked again, the stream would say that it is empty.
             self._trouble = self._trouble or f"the gzip stream is cut off or damaged: {error}"
         if self._trouble is not None:

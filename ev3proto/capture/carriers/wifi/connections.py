@@ -91,16 +91,20 @@ class _Half:
         self.start = start
         self.back: _Half | None = None
 
-    def is_straight(self, interface: Interface, flags: int) -> bool:
-        """Whether a segment has nothing to do with anything but what it carries: nothing waits, nothing changes."""
+    def takes_next(self, interface: Interface, flags: int, sequence: int, size: int) -> bool:
+        """Whether a segment is what comes next and has nothing to do with anything but what it carries: nothing waits,
+        nothing changes. If so, it is taken with this.
+        """
         back = self.back
-        return not (
+        if (
             self.size
             or flags & _TURNS
             or self.interface is not interface
             or not self.claim.is_claimed
             or (back is not None and back.size)
-        )
+        ):
+            return False
+        return self.reassembly.takes_next(sequence, size)
 
 
 class Connections:
@@ -121,22 +125,30 @@ class Connections:
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
-        found = transport(packet.interface.link, packet.data)
+        data, interface = packet.data, packet.interface
+        found = transport(interface.link, data)
         if found is None:
-            self._account.other += len(packet.data)
+            self._account.other += len(data)
             return ()
-        ends, data, sequence, acknowledged, flags = found
+        ends, carried, sequence, acknowledged, flags = found
         if flags is None:
-            return self._datagram(packet, ends, data)
+            return self._datagram(packet, ends, carried)
         half = self._halves.get(ends)
-        if half is None:
-            if not self._is_ours(ends, data):
-                self._account.other += len(packet.data)
-                return ()
-        elif data and half.is_straight(packet.interface, flags) and half.reassembly.takes_next(sequence, len(data)):
-            # Nearly every segment of a capture: nothing waits, and it is what comes next.
-            return self._next(packet, half, data, acknowledged, flags)
-        return self._segment(packet, found, half)
+        if half is None or not carried or not half.takes_next(interface, flags, sequence, len(carried)):
+            return self._segment(packet, found, half)
+        # Nearly every segment of a capture: nothing waits, and it is what comes next.
+        self._account.headers += len(data) - len(carried)
+        if len(self._connections) > _MANY_CONNECTIONS:
+            self._connections.move_to_end(half.connection.ends)
+        back = half.back
+        if back is not None and flags & ACK:
+            back.reassembly.acknowledged = acknowledged
+        stream = half.stream
+        stream.packet = packet
+        events = stream.feed(carried, packet.number, packet.time_ns)
+        if stream.times:
+            self._weigh(half)
+        return events
 
     def end(self) -> Iterable[Event]:
         """What was waiting for more."""
@@ -168,25 +180,13 @@ class Connections:
             return True
         return source_port(ends) not in self._ports and self._elsewhere.get(_both_ways(ends)) == target_of(ends)
 
-    def _next(self, packet: Packet, half: _Half, data: bytes, acknowledged: int, flags: int) -> list[Event]:
-        """The events that are complete with what comes next in a direction that is at rest, as the other one is."""
-        self._account.headers += len(packet.data) - len(data)
-        if len(self._connections) > _MANY_CONNECTIONS:
-            self._connections.move_to_end(half.connection.ends)
-        back = half.back
-        if back is not None and flags & ACK:
-            back.reassembly.acknowledged = acknowledged
-        stream = half.stream
-        stream.packet = packet
-        events = stream.feed(data, packet.number, packet.time_ns)
-        if stream.times:
-            self._weigh(half)
-        return events
-
-    def _segment(self, packet: Packet, segment: Transport, half: _Half | None) -> list[Event]:
+    def _segment(self, packet: Packet, segment: Transport, half: _Half | None) -> Iterable[Event]:
         """The events that are complete with any segment."""
         ends, data, sequence, acknowledged, flags = segment
         assert flags is not None
+        if half is None and not self._is_ours(ends, data):
+            self._account.other += len(packet.data)
+            return ()
         self._account.headers += len(packet.data) - len(data)
         ended: list[Event] = []
         events: list[Event] = []

@@ -7334,11 +7334,6 @@ do
     -- found to be ours.
     local bricks, answers, announced, declined, has_found
 
-    -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way, the
-    -- bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done` before them;
-    -- the packet `number` that came last, and at which `offset` its data began.
-    local connections
-
     -- By buffer: how the stream stands with it, where that is not what one sees; where in it is what was not done yet.
     local steps, starts
 
@@ -7356,26 +7351,82 @@ do
         others[port] = nil
     end
 
+    local connection_of, find_connection, forget_connections
+    do
+        -- The last connection between two ports, one entry each way. It has what is `pending` of the stream that way,
+        -- the bytes that wait for the next segment; the `step` with them; how many bytes of the buffer were `done`
+        -- before them; the packet `number` that came last, and at which `offset` its data began.
+        local connections
+
+        -- To ask a packet for its addresses takes long, and the same two ports may belong to other ends, too. So
+        -- Wireshark is told once that a conversation is ours: from then on it hands its packets over for that, not for
+        -- their port. Of all with the same ports this is done for one: its talk is their owner, and what is known of it
+        -- is in `owned` by its ports, one entry each way. The owner is false where more than one are handed over so.
+        local owners, owned
+
+        function forget_connections()
+            connections, owners, owned = {}, {}, {}
+        end
+
+        -- By its ends: first by its ports, which are plain numbers.
+        local function connection_by_ends(numbers, pinfo)
+            local from, to = pinfo.src, pinfo.dst
+            local known = connections[numbers]
+            if known and known.from == from and known.to == to then return known end
+            known = { from = from, to = to, talk = talk_of(conversation_key(pinfo)) }
+            connections[numbers] = known
+            return known
+        end
+
+        local function both_ports(from, to)
+            return from < to and from * 0x10000 + to or to * 0x10000 + from
+        end
+
+        -- What is known of the connection of a packet that was handed to us. With `is_first` its conversation may
+        -- become the one of its ports.
+        function connection_of(pinfo, is_first)
+            local from, to, matched = pinfo.src_port, pinfo.dst_port, pinfo.match_uint
+            local numbers = from * 0x10000 + to
+            local is_by_port = matched == from or matched == to
+            local known = not is_by_port and owned[numbers]
+            if known then return known.talk, known end
+            known = connection_by_ends(numbers, pinfo)
+            local talk, ports = known.talk, both_ports(from, to)
+            local owner = owners[ports]
+            if not is_by_port then
+                if owner == talk then owned[numbers] = known end
+            elseif is_first and talk.is_claimed and (owner == nil or owner == talk) then
+                owners[ports] = talk
+                pinfo.conversation = ev3
+            end
+            return talk, known
+        end
+
+        -- The same of a packet that was found, whichever ports it has: its conversation is ours from now on.
+        function find_connection(pinfo)
+            local from, to = pinfo.src_port, pinfo.dst_port
+            local known, ports = connection_by_ends(from * 0x10000 + to, pinfo), both_ports(from, to)
+            local owner = owners[ports]
+            if owner == nil then
+                owners[ports] = known.talk
+            elseif owner ~= known.talk then
+                owners[ports], owned = false, {}
+            end
+            pinfo.conversation = ev3
+            return known.talk, known
+        end
+    end
+
     local function forget_wifi()
         bricks, answers, announced, declined, has_found = {}, {}, {}, {}, false
-        connections, steps, starts = {}, {}, {}
+        steps, starts = {}, {}
+        forget_connections()
         for _, port in ipairs(named_ports) do
             give_port_back(port)
         end
         named_ports, is_named = {}, {}
     end
     forget_wifi()
-
-    -- What is known of a connection, found by its ends: first by its ports, which are plain numbers.
-    local function connection_of(pinfo)
-        local numbers = pinfo.src_port * 0x10000 + pinfo.dst_port
-        local from, to = pinfo.src, pinfo.dst
-        local known = connections[numbers]
-        if known and known.from == from and known.to == to then return known.talk, known end
-        known = { from = from, to = to, talk = talk_of(conversation_key(pinfo)) }
-        connections[numbers] = known
-        return known.talk, known
-    end
 
     -- Whether a packet goes to, or comes from, a port on which a brick listens.
     local function is_to_brick(pinfo)
@@ -7535,47 +7586,50 @@ do
         talk.name = tostring(address) .. ":" .. port
     end
 
-    -- The first time that a buffer of a connection is seen: whether it is ours, or whether more is needed to tell.
-    local function claim(talk, text, pinfo, to_brick)
-        if talk.is_claimed then return OURS end
-        if not to_brick and not is_from_brick(pinfo) then return nil end
-        local strange = talk.strange or 0
-        if strange >= CLAIMS.strange_packets then return nil end
-        local verdict = judge_segment(text, to_brick)
-        if verdict == OURS then
-            talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
-            name_brick(talk, pinfo, to_brick)
-        elseif not verdict and #text > HEADER_SIZE then
-            talk.strange = strange + 1
-        elseif not verdict then
-            -- A frame may be cut into packets that are as small.
-            talk.unread = (talk.unread or 0) + #text
-            if talk.unread > LENGTH_FIELD + MAX_LENGTH then talk.strange = CLAIMS.strange_packets end
+    local dissect_first
+    do
+        -- The first time that a buffer of a connection is seen: whether it is ours, or whether more is needed to tell.
+        local function claim(talk, text, pinfo, to_brick)
+            if talk.is_claimed then return OURS end
+            if not to_brick and not is_from_brick(pinfo) then return nil end
+            local strange = talk.strange or 0
+            if strange >= CLAIMS.strange_packets then return nil end
+            local verdict = judge_segment(text, to_brick)
+            if verdict == OURS then
+                talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
+                name_brick(talk, pinfo, to_brick)
+            elseif not verdict and #text > HEADER_SIZE then
+                talk.strange = strange + 1
+            elseif not verdict then
+                -- A frame may be cut into packets that are as small.
+                talk.unread = (talk.unread or 0) + #text
+                if talk.unread > LENGTH_FIELD + MAX_LENGTH then talk.strange = CLAIMS.strange_packets end
+            end
+            return verdict
         end
-        return verdict
-    end
 
-    local function dissect_first(tvb, text, pinfo, tree, number)
-        local talk, known = connection_of(pinfo)
-        if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
-        local port = pinfo.match_uint
-        local is_forced = not ports[port] and not is_named[port]
-        if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
-        local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
-        local reported = verdict == PART and tvb:reported_len()
-        if reported and #text < reported then
-            -- Of a frame that fills its segment the capture has the beginning.
-            local is_frame = #text >= HEADER_SIZE and unsigned16(text, 0) + LENGTH_FIELD == reported
-            verdict, talk.is_claimed = is_frame and OURS or nil, is_frame
+        function dissect_first(tvb, text, pinfo, tree, number)
+            local talk, known = connection_of(pinfo, true)
+            if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+            local port = pinfo.match_uint
+            local is_forced = not ports[port] and not is_named[port]
+            if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
+            local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
+            local reported = verdict == PART and tvb:reported_len()
+            if reported and #text < reported then
+                -- Of a frame that fills its segment the capture has the beginning.
+                local is_frame = #text >= HEADER_SIZE and unsigned16(text, 0) + LENGTH_FIELD == reported
+                verdict, talk.is_claimed = is_frame and OURS or nil, is_frame
+            end
+            if verdict == PART and pinfo.can_desegment > 0 then
+                pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
+                return #text
+            elseif verdict ~= OURS then
+                declined[place_of(number, tvb:offset())] = true
+                return 0
+            end
+            return dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
         end
-        if verdict == PART and pinfo.can_desegment > 0 then
-            pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
-            return #text
-        elseif verdict ~= OURS then
-            declined[place_of(number, tvb:offset())] = true
-            return 0
-        end
-        return dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
     end
 
     local function dissect_tcp(tvb, pinfo, tree)
@@ -7596,11 +7650,10 @@ do
         if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK.request then return false end
         local text = tvb:raw()
         if judge_text(text) ~= OURS then return false end
-        local talk, known = connection_of(pinfo)
+        local talk, known = find_connection(pinfo)
         talk.is_claimed, talk.is_found, talk.claimed_in = true, true, pinfo.number
         name_brick(talk, pinfo, true)
         has_found = true
-        pinfo.conversation = ev3
         dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk, known)
         return true
     end

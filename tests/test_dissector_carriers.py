@@ -80,6 +80,29 @@ FRAMES = [tone(1), voltage(2), tone(3), begin_upload(4), tone(5)]
 STREAM = b"".join(FRAMES)
 
 
+@pytest.mark.parametrize("words", [[], ["-2"]])
+@pytest.mark.parametrize("port", [5555, 10_000])
+def test_connections_with_the_same_ports_are_told_apart(ask: Ask, port: int, words: list[str]) -> None:
+    """Three of them, with one other end each; all count their messages alike, and frames are split."""
+    capture = Capture(RAW_IP)
+    other_host, other_brick = HOST[:3] + bytes([HOST[3] + 100]), BRICK[:3] + bytes([BRICK[3] + 100])
+    connections = [
+        Connection(capture, brick_port=port, ends=ends)
+        for ends in ((HOST, BRICK), (HOST, other_brick), (other_host, BRICK))
+    ]
+    for connection in connections:
+        connection.send(UNLOCK)
+        connection.receive(ACCEPT)
+    expected = []
+    for counter in range(6):
+        for connection in connections:
+            connection.send(voltage(counter)[:7])
+        asked = [connection.send(voltage(counter)[7:]) for connection in connections]
+        answers = [connection.receive(volts(counter)) for connection in reversed(connections)]
+        expected += [f"{answer}\t{question}" for answer, question in zip(answers, reversed(asked), strict=True)]
+    assert ask(capture, "ev3.request_in", "frame.number", "ev3.request_in", words=words) == expected
+
+
 def test_port_5555(ask: Ask) -> None:
     capture = Capture(RAW_IP)
     for port in (5555, 6000):

@@ -70,13 +70,19 @@ def _ip(source: bytes, target: bytes, protocol: int, data: bytes) -> bytes:
 
 
 class Connection:
-    """A TCP connection between a program on the host and the brick, begun before the capture."""
+    """A TCP connection between a program on the host and a brick, begun before the capture."""
 
     PUSH_AND_ACKNOWLEDGE = 0x18
 
-    def __init__(self, capture: Capture, port: int = HOST_PORT, brick_port: int = TCP_PORT) -> None:
+    def __init__(
+        self,
+        capture: Capture,
+        port: int = HOST_PORT,
+        brick_port: int = TCP_PORT,
+        ends: tuple[bytes, bytes] = (HOST, BRICK),
+    ) -> None:
         self.capture = capture
-        self.ports = port, brick_port
+        self.ports, self.ends = (port, brick_port), ends
         self.numbers = {True: 1, False: 1}
 
     def segment(self, from_host: bool, data: bytes) -> bytes:
@@ -85,7 +91,7 @@ class Connection:
         self.numbers[from_host] += len(data)
         ports = self.ports if from_host else self.ports[::-1]
         head = struct.pack(">HHIIBBHHH", *ports, own, acknowledged, 5 << 4, self.PUSH_AND_ACKNOWLEDGE, 0xFFFF, 0, 0)
-        return _ip(*((HOST, BRICK) if from_host else (BRICK, HOST)), 6, head + data)
+        return _ip(*(self.ends if from_host else self.ends[::-1]), 6, head + data)
 
     def send(self, data: bytes) -> int:
         """The host sends."""

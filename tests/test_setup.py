@@ -12,6 +12,7 @@ import signal
 import subprocess
 import time
 import tomllib
+from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, requires
 from pathlib import Path
 
@@ -28,6 +29,8 @@ case "$*" in
 "-m venv "*) mkdir -p "$3/bin"; cp "$0" "$3/bin/python"; echo "command = $PWD/$3" >"$3/pyvenv.cfg" ;;
 "-m pip install "*)
     echo "$*" >>"$CALLS"
+    env | grep -E '^(PYTHON|PIP_)' | sort >"$CALLS.env"
+    [ -z "$NO_NETWORK" ] || exit 1
     case "$*" in *--constraint*) [ -z "$NOT_TO_BE_HAD" ] || exit 1 ;; esac
     for _ in $(seq "$TAKES"); do [ -e "$CALLS.enough" ] || sleep 0.1; done
     case "$here" in
@@ -38,6 +41,9 @@ case "$*" in
 esac
 """
 """Writes down what it installs. It takes some tenths of a second, but no longer than until there is `calls.enough`."""
+
+
+NOTHING: Mapping[str, str] = {}
 
 
 class Checkout:
@@ -56,17 +62,19 @@ class Checkout:
         self.calls.touch()
         self._env = {"PATH": f"{folder}:{os.environ['PATH']}", "CALLS": str(self.calls)}
 
-    def start(self, *words: str, takes: int = 0, not_to_be_had: bool = False) -> subprocess.Popen[str]:
+    def start(
+        self, *words: str, takes: int = 0, not_to_be_had: bool = False, env: Mapping[str, str] = NOTHING
+    ) -> subprocess.Popen[str]:
         return subprocess.Popen(
             [self.folder / "bin" / "setup", *words],
-            env={**self._env, "TAKES": str(takes), "NOT_TO_BE_HAD": "x" if not_to_be_had else ""},
+            env={**self._env, **env, "TAKES": str(takes), "NOT_TO_BE_HAD": "x" if not_to_be_had else ""},
             stderr=subprocess.PIPE,
             text=True,
             start_new_session=True,
         )
 
-    def run(self, *words: str, not_to_be_had: bool = False) -> str:
-        process = self.start(*words, not_to_be_had=not_to_be_had)
+    def run(self, *words: str, not_to_be_had: bool = False, env: Mapping[str, str] = NOTHING) -> str:
+        process = self.start(*words, not_to_be_had=not_to_be_had, env=env)
         _, said = process.communicate(timeout=30)
         assert process.returncode == 0, said
         assert self.works()
@@ -112,6 +120,29 @@ def test_interrupted_in_the_middle(checkout: Checkout, number: signal.Signals) -
     assert not (checkout.folder / ".venv.new").exists()
 
 
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_interrupted_while_it_is_brought_up_to_date(checkout: Checkout, number: signal.Signals) -> None:
+    """The packages of the environment that was there may be half removed by then."""
+    checkout.run()
+    checkout.calls.write_text("")
+    process = checkout.start("test", takes=600)
+    checkout.wait_for_pip()
+    os.killpg(process.pid, number)
+    process.communicate(timeout=30)
+    assert process.returncode
+    assert "making .venv" in checkout.run()
+    assert checkout.run() == ""
+
+
+def test_without_a_network_what_is_there_goes_on_working(checkout: Checkout) -> None:
+    checkout.run()
+    process = checkout.start("test", env={"NO_NETWORK": "x"})
+    process.communicate(timeout=30)
+    assert process.returncode == 1
+    assert checkout.works()
+    assert checkout.run() == ""
+
+
 def test_twice_at_once(checkout: Checkout) -> None:
     first = checkout.start(takes=600)
     checkout.wait_for_pip()
@@ -132,6 +163,26 @@ def test_a_checkout_that_was_moved(checkout: Checkout) -> None:
     assert "making .venv" in checkout.run()
     assert checkout.run() == ""
     assert str(checkout.folder) in (checkout.folder / ".venv" / "bin" / "ev3proto").read_text()
+
+
+@pytest.mark.parametrize("name", ["with spaces", "b & c", "issue #1", "[old] a.*", "Übung"])
+def test_any_name_of_a_folder(checkout: Checkout, name: str) -> None:
+    checkout.folder = checkout.folder.rename(checkout.folder.with_name(name))
+    checkout.run()
+    for place in ("bin/ev3proto", "pyvenv.cfg"):
+        text = (checkout.folder / ".venv" / place).read_text()
+        assert f"{checkout.folder}/.venv" in text
+        assert ".venv.new" not in text
+    assert checkout.run() == ""
+
+
+def test_settings_of_python_and_pip_that_lead_elsewhere(checkout: Checkout) -> None:
+    names = ("PYTHONHOME", "PYTHONPATH", "PIP_TARGET", "PIP_PREFIX", "PIP_NO_DEPS")
+    checkout.run(env={**dict.fromkeys(names, "1"), "PIP_USER": "1", "PIP_INDEX_URL": "https://example.org/simple"})
+    assert checkout.calls.with_suffix(".env").read_text().splitlines() == [
+        "PIP_INDEX_URL=https://example.org/simple",
+        "PIP_USER=0",
+    ]
 
 
 def test_the_tests_get_the_versions_of_the_lock(checkout: Checkout) -> None:

@@ -4491,10 +4491,13 @@ do
     for _, row in ipairs(ENCODING_ROWS) do
         for first = row[1], row[2] do
             local encoding = {
-                name = row[3], kind = row[4], width = row[5], handle = row.handle, address = row.address,
+                name = row[3], kind = row[4], width = row[5], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS,
                 label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-                scope = SCOPES[row[4]], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS, is_number = row[4] == CONSTANT,
             }
+            if SCOPES[row[4]] then encoding.scope = SCOPES[row[4]] end
+            if row[4] == CONSTANT then encoding.is_number = true end
+            if row.handle then encoding.handle = true end
+            if row.address then encoding.address = true end
             if row.value then
                 encoding.value = row.value + first - row[1]
                 encoding.text = encoding.texts[encoding.value]
@@ -4550,6 +4553,7 @@ do
 
     -- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
     function utf8_text(text)
+        if not find(text, "[\0\128-\255]") then return text end
         return (gsub(text, "[\0\128-\255]", utf8_of))
     end
 
@@ -4781,6 +4785,7 @@ do
     end
 
     function on_one_line(text)
+        if not find(text, "[\0-\31\127-\255]") then return text end
         return (gsub(utf8_text(text), "[\1-\31\127]", symbol_of))
     end
 
@@ -5706,10 +5711,9 @@ do
         end
         if index + size > asked then
             view.is_beyond = view.complaints ~= nil
-            local reason = "%s reaches up to byte %d of the %s memory, of which the command asks for %s"
-            local scope = is_global and "global" or "local"
-            reason = format(reason, parameter.name, index + size, scope, plural(asked, "byte"))
-            complaints = with_complaint(complaints, "beyond_memory", reason)
+            local scope = is_global and " of the global memory" or " of the local memory"
+            complaints = with_complaint(complaints, "beyond_memory", parameter.name .. " reaches up to byte "
+                .. index + size .. scope .. ", of which the command asks for " .. plural(asked, "byte"))
         end
         return complaints
     end
@@ -5848,7 +5852,7 @@ end
 local read_message, show_message
 do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
-    local set_text = TreeItem.set_text
+    local set_len, set_text = TreeItem.set_len, TreeItem.set_text
     local LENGTH, COUNTER, TYPE = field.length, field.counter, field.type
 
     local report_field = {}
@@ -6255,8 +6259,10 @@ do
 
     -- The item of a message, with its header. Its text may come later.
     local function add_frame(tree, tvb, base, message, line)
-        local item = add_item(tree, tvb(base, message.stop), line)
-        add_le(item, LENGTH, tvb(base, LENGTH_FIELD))
+        local range = tvb(base, message.stop)
+        local item = add_item(tree, range, line)
+        -- A range costs more than an item: the length has none of its own.
+        set_len(add(item, LENGTH, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
         add_le(item, COUNTER, tvb(base + LENGTH_FIELD, 2))
         add(item, TYPE, tvb(base + HEADER_SIZE - 1, 1))
         return item

@@ -7,7 +7,7 @@
 local read_message, show_message
 do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
-    local set_text = TreeItem.set_text
+    local set_len, set_text = TreeItem.set_len, TreeItem.set_text
     local LENGTH, COUNTER, TYPE = field.length, field.counter, field.type
 
     local report_field = {}
@@ -414,8 +414,10 @@ do
 
     -- The item of a message, with its header. Its text may come later.
     local function add_frame(tree, tvb, base, message, line)
-        local item = add_item(tree, tvb(base, message.stop), line)
-        add_le(item, LENGTH, tvb(base, LENGTH_FIELD))
+        local range = tvb(base, message.stop)
+        local item = add_item(tree, range, line)
+        -- A range costs more than an item: the length has none of its own.
+        set_len(add(item, LENGTH, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
         add_le(item, COUNTER, tvb(base + LENGTH_FIELD, 2))
         add(item, TYPE, tvb(base + HEADER_SIZE - 1, 1))
         return item

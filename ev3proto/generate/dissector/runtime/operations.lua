@@ -64,10 +64,9 @@ do
         end
         if index + size > asked then
             view.is_beyond = view.complaints ~= nil
-            local reason = "%s reaches up to byte %d of the %s memory, of which the command asks for %s"
-            local scope = is_global and "global" or "local"
-            reason = format(reason, parameter.name, index + size, scope, plural(asked, "byte"))
-            complaints = with_complaint(complaints, "beyond_memory", reason)
+            local scope = is_global and " of the global memory" or " of the local memory"
+            complaints = with_complaint(complaints, "beyond_memory", parameter.name .. " reaches up to byte "
+                .. index + size .. scope .. ", of which the command asks for " .. plural(asked, "byte"))
         end
         return complaints
     end

@@ -20,6 +20,7 @@ do
     end
 
     function on_one_line(text)
+        if not find(text, "[\0-\31\127-\255]") then return text end
         return (gsub(utf8_text(text), "[\1-\31\127]", symbol_of))
     end
 

@@ -30,10 +30,13 @@ do
     for _, row in ipairs(ENCODING_ROWS) do
         for first = row[1], row[2] do
             local encoding = {
-                name = row[3], kind = row[4], width = row[5], handle = row.handle, address = row.address,
+                name = row[3], kind = row[4], width = row[5], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS,
                 label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-                scope = SCOPES[row[4]], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS, is_number = row[4] == CONSTANT,
             }
+            if SCOPES[row[4]] then encoding.scope = SCOPES[row[4]] end
+            if row[4] == CONSTANT then encoding.is_number = true end
+            if row.handle then encoding.handle = true end
+            if row.address then encoding.address = true end
             if row.value then
                 encoding.value = row.value + first - row[1]
                 encoding.text = encoding.texts[encoding.value]
@@ -89,6 +92,7 @@ do
 
     -- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
     function utf8_text(text)
+        if not find(text, "[\0\128-\255]") then return text end
         return (gsub(text, "[\0\128-\255]", utf8_of))
     end
 

@@ -22,6 +22,7 @@ from support.stub_brick import HangUp, reply, stub_brick
 import ev3proto
 from ev3proto import EV3, AsyncEV3, ops, system
 from ev3proto.link.file_moves import File, Listing
+from ev3proto.link.printing import meaning_line
 
 NOP = ev3proto.opNop
 
@@ -119,6 +120,16 @@ def test_frames_are_printed_as_the_lessons_show_them(my_ev3: EV3, capsys: pytest
         "Recv 0x|04:00|2D:00|02|64|",
         "    VALUE=100 %",
     ]
+
+
+def test_what_is_printed_steers_no_terminal() -> None:
+    """The names of bricks and files are in the character set in which 80 to 9F steer a terminal as ESC does."""
+    command = ev3proto.system_command("LIST_FILES", reply=True, max_bytes=500, path="/\x1b[2J\x9b2J\x85\x7f").build()
+    assert meaning_line(command, None, "official") == (
+        '    LIST_FILES max_bytes=500 path="/\\u001b[2J\\u009b2J\\u0085\\u007f"'
+    )
+    answered = ev3proto.system_reply("LIST_FILES", list_size=4, handle=1, list="\x9b2J\n").build()
+    assert meaning_line(answered, command, "official") == '    SUCCESS list_size=4 handle=1 list="\\u009b2J\\n"'
 
 
 def test_what_is_said_about_which_brick_must_make_sense(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,6 +12,7 @@ from ev3proto.semantics.replies import values_of
 from ev3proto.text.dialogues import command_spans, reply_spans
 from ev3proto.text.forms import as_hex
 from ev3proto.text.spans import plain_text
+from ev3proto.text.visible import visible
 
 SENT, RECEIVED = "Sent", "Recv"
 
@@ -46,9 +47,9 @@ def meaning_line(frame: bytes, request: bytes | None, dialect: str) -> str:
     """
     message = parse(frame, strict=False, dialect=dialect)
     if request is None:
-        return f"    {plain_text(command_spans(message))}"
+        return f"    {visible(plain_text(command_spans(message)))}"
     command = parse(request, strict=False, dialect=dialect)
-    return f"    {plain_text(reply_spans(Exchange(message, command, values_of(message, command))))}"
+    return f"    {visible(plain_text(reply_spans(Exchange(message, command, values_of(message, command)))))}"
 
 
 def _parts(frame: bytes) -> tuple[bytes, bytes, bytes]:

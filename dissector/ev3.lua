@@ -4425,7 +4425,7 @@ do
     function new_texts()
         local PAGE, MOST_LENGTH = 0x10000, 0x10000
         local pages, pieces, count, size
-        local recent = new_memory(1024)
+        local recent = new_memory(256)
         local texts = {}
 
         function texts.forget()
@@ -5442,8 +5442,11 @@ do
     local draft = {}
     local draft_size, draft_lengths, draft_first
 
+    -- What follows the header of the command whose layout it is; nil where nobody will ask for it.
+    local draft_body
+
     function layout_notes.start()
-        draft_size, draft_lengths, draft_first = 0, nil, nil
+        draft_size, draft_lengths, draft_first, draft_body = 0, nil, nil, nil
     end
 
     -- Notes an output, if this argument is one: an output parameter that names a global variable.
@@ -5559,20 +5562,20 @@ do
         return finished_layout()
     end
 
-    -- Those of the last commands.
-    local layouts = new_memory(2048, function(layout) return 1 + #layout / OUTPUT end)
+    -- Those of the last commands that came more than once. False where one was noted, true where its reply was there.
+    local layouts = new_memory(512, function(layout) return type(layout) == "table" and 1 + #layout / OUTPUT or 1 end)
 
-    -- Remembers the layout that was noted while a command was read.
+    -- Says that the layout was noted of which a reply will ask: nearly always before another one is.
     function layout_notes.keep(body)
-        layouts.put(body, finished_layout())
+        draft_body = body
+        if layouts.get(body) == nil then layouts.put(body, false) end
     end
 
     local function layout_for(body)
-        local layout = layouts.get(body)
-        if not layout then
-            layout = layout_of_body(body)
-            layouts.put(body, layout)
-        end
+        local known = layouts.get(body)
+        if known and known ~= true then return known end
+        local layout = known ~= nil and body == draft_body and finished_layout() or layout_of_body(body)
+        layouts.put(body, known and layout or true)
         return layout
     end
 
@@ -5878,8 +5881,9 @@ do
     end
 
     -- What was said of commands in one line, by all that follows their headers: a dialogue says the same again and
-    -- again. Just the text where there is nothing to complain about.
-    local lines = new_memory(2048)
+    -- again. Just the text where there is nothing to complain about; true where a command was there once, as it may be
+    -- the only time.
+    local lines = new_memory(512)
 
     local function line_of(message, line, count, fault)
         return line and operations_line(line, count) or fault and message.type.name or "no operations"
@@ -5900,14 +5904,15 @@ do
     local function say_direct_command(message)
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
-        local known = lines.get(body)
+        local before = lines.get(body)
+        local known = before ~= true and before
         if not known then
             local line, count, fault, complaints =
                 say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
             if message.type.wants_reply then layout_notes.keep(body) end
             known = line_of(message, line, count, fault)
             if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
-            lines.put(body, known)
+            lines.put(body, before and known or true)
         end
         if type(known) == "string" then return known end
         message.fault, message.complaints = known.fault, known.complaints

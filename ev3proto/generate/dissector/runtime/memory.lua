@@ -138,7 +138,7 @@ do
     function new_texts()
         local PAGE, MOST_LENGTH = 0x10000, 0x10000
         local pages, pieces, count, size
-        local recent = new_memory(1024)
+        local recent = new_memory(256)
         local texts = {}
 
         function texts.forget()

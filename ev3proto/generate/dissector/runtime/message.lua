@@ -33,8 +33,9 @@ do
     end
 
     -- What was said of commands in one line, by all that follows their headers: a dialogue says the same again and
-    -- again. Just the text where there is nothing to complain about.
-    local lines = new_memory(2048)
+    -- again. Just the text where there is nothing to complain about; true where a command was there once, as it may be
+    -- the only time.
+    local lines = new_memory(512)
 
     local function line_of(message, line, count, fault)
         return line and operations_line(line, count) or fault and message.type.name or "no operations"
@@ -55,14 +56,15 @@ do
     local function say_direct_command(message)
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
-        local known = lines.get(body)
+        local before = lines.get(body)
+        local known = before ~= true and before
         if not known then
             local line, count, fault, complaints =
                 say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
             if message.type.wants_reply then layout_notes.keep(body) end
             known = line_of(message, line, count, fault)
             if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
-            lines.put(body, known)
+            lines.put(body, before and known or true)
         end
         if type(known) == "string" then return known end
         message.fault, message.complaints = known.fault, known.complaints

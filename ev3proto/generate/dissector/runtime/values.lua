@@ -35,8 +35,11 @@ do
     local draft = {}
     local draft_size, draft_lengths, draft_first
 
+    -- What follows the header of the command whose layout it is; nil where nobody will ask for it.
+    local draft_body
+
     function layout_notes.start()
-        draft_size, draft_lengths, draft_first = 0, nil, nil
+        draft_size, draft_lengths, draft_first, draft_body = 0, nil, nil, nil
     end
 
     -- Notes an output, if this argument is one: an output parameter that names a global variable.
@@ -152,20 +155,20 @@ do
         return finished_layout()
     end
 
-    -- Those of the last commands.
-    local layouts = new_memory(2048, function(layout) return 1 + #layout / OUTPUT end)
+    -- Those of the last commands that came more than once. False where one was noted, true where its reply was there.
+    local layouts = new_memory(512, function(layout) return type(layout) == "table" and 1 + #layout / OUTPUT or 1 end)
 
-    -- Remembers the layout that was noted while a command was read.
+    -- Says that the layout was noted of which a reply will ask: nearly always before another one is.
     function layout_notes.keep(body)
-        layouts.put(body, finished_layout())
+        draft_body = body
+        if layouts.get(body) == nil then layouts.put(body, false) end
     end
 
     local function layout_for(body)
-        local layout = layouts.get(body)
-        if not layout then
-            layout = layout_of_body(body)
-            layouts.put(body, layout)
-        end
+        local known = layouts.get(body)
+        if known and known ~= true then return known end
+        local layout = known ~= nil and body == draft_body and finished_layout() or layout_of_body(body)
+        layouts.put(body, known and layout or true)
         return layout
     end
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import cache
+from functools import cache, partial
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, NamedTuple, Protocol
@@ -69,6 +69,10 @@ class Answered(NamedTuple):
 
     time_ns: int
     failed: bool
+
+
+new_answered = partial(tuple.__new__, Answered)
+"""Makes one of a tuple of all its fields, in half the time: `pytest benchmarks -k capture`."""
 
 
 class FrameReader(Protocol):

@@ -39,7 +39,9 @@ class CheckedOperation:
 
     def has(self, effect: Effect) -> bool:
         """Whether it has an effect."""
-        return effect in self.facts.declaration.effects
+        # Most operations have none. Of the others it is asked in their tuple: a set takes long to hash an effect.
+        facts = self.facts
+        return bool(facts.effects) and effect in facts.declaration.effects
 
     def finding(self, code: Code, message: str, help_: str) -> Finding:
         """A finding about the operation as a whole."""

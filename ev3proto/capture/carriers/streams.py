@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 
 from ev3proto.bounded import Budget
 from ev3proto.capture.byte_account import Account
@@ -12,11 +11,9 @@ from ev3proto.capture.framing import Cutter, PartKind, StreamPart
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
 from ev3proto.errors import counted
-from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameSchema
 
 
-@dataclass(frozen=True, slots=True)
 class Context:
     """What the readers of one capture share.
 
@@ -27,11 +24,14 @@ class Context:
     late     events of what had to go because too much waits; they come after those of the packet that is read
     """
 
-    schema: FrameSchema
-    account: Account
-    ports: frozenset[int]
-    budget: Budget = field(default_factory=Budget)
-    late: list[Event] = field(default_factory=list)
+    __slots__ = ("account", "budget", "late", "ports", "schema")
+
+    def __init__(self, schema: FrameSchema, account: Account, ports: frozenset[int], budget: Budget) -> None:
+        self.schema = schema
+        self.account = account
+        self.ports = ports
+        self.budget = budget
+        self.late: list[Event] = []
 
     def conversation(self) -> Conversation:
         """A new conversation."""
@@ -124,6 +124,8 @@ class Stream:
             else:
                 account.texts += size
                 if kind is PartKind.UNLOCK:
+                    from ev3proto.schema.discovery import Unlock
+
                     events.append(Announcement(Said.UNLOCK, data, Unlock.parse(data), numbers, time_ns, route))
                 elif kind is PartKind.ACCEPT:
                     events.append(Announcement(Said.ACCEPT, data, None, numbers, time_ns, route))

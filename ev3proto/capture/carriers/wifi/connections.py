@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.claims import Claim, begins_a_connection
@@ -30,9 +31,11 @@ from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
 from ev3proto.errors import DecodeError, counted
-from ev3proto.schema.discovery import Beacon, is_beacon
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_PORT, UNLOCK_REQUEST
+
+if TYPE_CHECKING:
+    from ev3proto.schema.discovery import Beacon
 
 MOST_CONNECTIONS = 1024
 """Connections that are followed at the same time; those unused for longest are given up."""
@@ -306,6 +309,8 @@ class Connections:
     # UDP
 
     def _datagram(self, packet: Packet, ends: Ends, data: bytes) -> Iterable[Event]:
+        from ev3proto.schema.discovery import Beacon, is_beacon  # which takes a while to load
+
         is_for_beacons = _BEACON_PORT in (source_port(ends), target_port(ends))
         is_announced = is_for_beacons and is_beacon(data, is_cut=len(packet.data) < packet.size)
         if not data or not (is_announced or target_of(ends) in self._answered):

@@ -329,11 +329,15 @@ def test_a_filter_that_is_wrong() -> None:
 # The progress bar
 
 
+IMPATIENT = "from ev3proto.cli import main, progress; progress.PATIENCE = 0.1; main.main()"
+"""A program that is `ev3proto`, but for how long is taken for long."""
+
+
 def on_a_terminal(path: Path, *words: str) -> str:
     """What goes to a terminal on standard error while standard output goes elsewhere."""
     ours, theirs = pty.openpty()
     with subprocess.Popen(
-        [sys.executable, "-m", "ev3proto", *words, str(path)],
+        [sys.executable, "-c", IMPATIENT, *words, str(path)],
         stdout=subprocess.DEVNULL,
         stderr=theirs,
         cwd=ROOT,
@@ -356,7 +360,7 @@ def on_a_terminal(path: Path, *words: str) -> str:
 def test_a_progress_bar_on_long_files_only(tmp_path: Path) -> None:
     capture = Capture(RAW_IP)
     connection = Connection(capture)
-    for _ in range(120_000):
+    for _ in range(20_000):
         connection.send(TONE)
     path = tmp_path / "long.pcap"
     path.write_bytes(capture.data())
@@ -367,5 +371,5 @@ def test_a_progress_bar_on_long_files_only(tmp_path: Path) -> None:
 @pytest.mark.parametrize("words", [("check", "--json"), ("stats",)])
 def test_a_progress_bar_on_long_texts_too(tmp_path: Path, words: tuple[str, ...]) -> None:
     path = tmp_path / "long.log"
-    path.write_text("".join(f"12 of the {number} words here are no frame\n" for number in range(12_000)) + TONE.hex())
+    path.write_text("".join(f"12 of the {number} words here are no frame\n" for number in range(5_000)) + TONE.hex())
     assert "%" in on_a_terminal(path, *words)

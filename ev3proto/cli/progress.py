@@ -12,7 +12,8 @@ from ev3proto.cli.output import is_terminal
 EVERY = 2048
 """Lines or frames after which the bar is drawn again."""
 
-_PATIENCE = 1.0
+PATIENCE = 1.0
+"""Seconds of reading after which there is a bar."""
 
 
 def progress_bar(
@@ -65,7 +66,7 @@ class _Bar:
 
     def _advance(self) -> None:
         if not self._is_drawn:
-            if time.monotonic() - self._started < _PATIENCE:
+            if time.monotonic() - self._started < PATIENCE:
                 return
             self._progress.start()
             self._is_drawn = True

@@ -4112,6 +4112,15 @@ do
         end
     end
 
+    -- What special values of a parameter mean, as it is shown after the value.
+    local function in_brackets(special)
+        local shown = {}
+        for value, meaning in pairs(special) do
+            shown[value] = "(" .. meaning .. ")"
+        end
+        return shown
+    end
+
     -- There are more than a thousand parameters, and the collector goes through all of them again and again. In Lua a
     -- table doubles beyond 16 entries: what is not so of a parameter, or not asked of it, has no entry.
     local function ready_parameter(operation, abbreviation, row)
@@ -4141,7 +4150,7 @@ do
         end
         if row.enum then parameter.enum = row.enum end
         if is_flags then parameter.is_flags = true end
-        if row.special then parameter.special = row.special end
+        if row.special and not is_flags then parameter.special = in_brackets(row.special) end
         if row.length then parameter.length = row.length end
         return parameter
     end
@@ -4811,7 +4820,7 @@ do
             local flag = 2 ^ bit
             if value % (2 * flag) >= flag then names[#names + 1] = flags[flag] or format("0x%02X", flag) end
         end
-        return names[1] and concat(names, "|")
+        return names[1] and "(" .. concat(names, "|") .. ")"
     end
 
     -- What stands for an argument in a line; for most numbers the number itself.
@@ -5678,7 +5687,7 @@ do
         end
         if parameter.special or parameter.is_flags then
             local meaning = meaning_of(parameter, value)
-            if meaning then addition = (addition and addition .. " (" or "(") .. meaning .. ")" end
+            if meaning then addition = addition and addition .. " " .. meaning or meaning end
         end
         return parameter.field, is_text and utf8_text(value) or value, label, addition
     end
@@ -5744,6 +5753,8 @@ do
         else
             if parameter.is_plain and encoding.is_number then
                 added = add(heading, parameter.field, range, value)
+            elseif parameter.special and encoding.is_number and parameter.kind == NUMBER then
+                added = add(heading, parameter.field, range, value, false, parameter.special[value])
             else
                 local declared, own, label, addition = value_of_row(parameter, parameter.name, value)
                 added = add(heading, declared, range, own, label, addition)

@@ -48,6 +48,15 @@ do
         end
     end
 
+    -- What special values of a parameter mean, as it is shown after the value.
+    local function in_brackets(special)
+        local shown = {}
+        for value, meaning in pairs(special) do
+            shown[value] = "(" .. meaning .. ")"
+        end
+        return shown
+    end
+
     -- There are more than a thousand parameters, and the collector goes through all of them again and again. In Lua a
     -- table doubles beyond 16 entries: what is not so of a parameter, or not asked of it, has no entry.
     local function ready_parameter(operation, abbreviation, row)
@@ -77,7 +86,7 @@ do
         end
         if row.enum then parameter.enum = row.enum end
         if is_flags then parameter.is_flags = true end
-        if row.special then parameter.special = row.special end
+        if row.special and not is_flags then parameter.special = in_brackets(row.special) end
         if row.length then parameter.length = row.length end
         return parameter
     end

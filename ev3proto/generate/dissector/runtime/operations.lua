@@ -28,7 +28,7 @@ do
         end
         if parameter.special or parameter.is_flags then
             local meaning = meaning_of(parameter, value)
-            if meaning then addition = (addition and addition .. " (" or "(") .. meaning .. ")" end
+            if meaning then addition = addition and addition .. " " .. meaning or meaning end
         end
         return parameter.field, is_text and utf8_text(value) or value, label, addition
     end
@@ -94,6 +94,8 @@ do
         else
             if parameter.is_plain and encoding.is_number then
                 added = add(heading, parameter.field, range, value)
+            elseif parameter.special and encoding.is_number and parameter.kind == NUMBER then
+                added = add(heading, parameter.field, range, value, false, parameter.special[value])
             else
                 local declared, own, label, addition = value_of_row(parameter, parameter.name, value)
                 added = add(heading, declared, range, own, label, addition)

@@ -46,7 +46,7 @@ do
             local flag = 2 ^ bit
             if value % (2 * flag) >= flag then names[#names + 1] = flags[flag] or format("0x%02X", flag) end
         end
-        return names[1] and concat(names, "|")
+        return names[1] and "(" .. concat(names, "|") .. ")"
     end
 
     -- What stands for an argument in a line; for most numbers the number itself.

@@ -3890,7 +3890,8 @@ local DAISY = {
 
 local CLAIMS = {
     never_sent = { [0] = true },
-    strange_packets = 8, faults_in_a_row = 3, proofs = 8, odd_reports = 2,
+    strange_packets = 8, faults_in_a_row = 3, proofs = 8, strange_in_a_row = 2, first_telling = 16, system_tells = 2,
+    odd_reports = 2,
     nxt = {
         lengths = { [0] = 22, [2] = 23, [3] = 6, [4] = 12 },
         counted = { [9] = 4, [15] = 5 },
@@ -5307,6 +5308,14 @@ do
         return message.size - HEADER_SIZE == unsigned16(body, 0) % (GLOBAL_MASK + 1)
     end
 
+    -- Whether a reply shows that both are messages of ours: only a brick gives just the size that was asked for.
+    local function is_proof(message, body)
+        local type, size = message.type, message.size
+        if message.fault or type.carries == "daisy" or #body < MEMORY_FIELD then return false end
+        if type.is_error and type.carries == "direct" then return size == HEADER_SIZE end
+        return fits(message, body)
+    end
+
     -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
     -- newest, because a sender comes back to a counter only after it gave up on the one before.
     local function answered(talk, message)
@@ -5401,6 +5410,7 @@ do
             if request then
                 request.delay = pinfo.rel_ts - request.time
                 if request.earlier then request.earlier = nil end
+                talk.is_proven = talk.is_proven or is_proof(message, request.body)
                 replies.put(request.place, number_of(place))
                 requests.put(place, request.place, request.delay, bodies.put(request.body))
                 answer, answer_place = request, place
@@ -6427,6 +6437,11 @@ end
 local OURS, PART = "ours", "part"
 
 local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step, judge_split
+
+-- What is done for connections that may be others': one table, as there is little room for locals. What they tell may
+-- also be PERHAPS, where it is ours or a chance.
+local claiming = { PERHAPS = "perhaps" }
+
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
     local MOST_TRIALS = 64
@@ -6449,17 +6464,22 @@ do
         return true
     end
 
+    -- Calls a function with each firmware's instructions, the preferred one's first, until it says anything.
+    local function by_any(says, ...)
+        local said, preferred = says(...), instructions
+        if said then return said end
+        for _, name in ipairs(DIALECTS) do
+            instructions = INSTRUCTION_SETS[name]
+            said = said or instructions ~= preferred and says(...)
+        end
+        instructions = preferred
+        return said
+    end
+
     -- The same, whichever firmware has them: that the brick has another one than the preference says is not known
     -- before.
     local function can_be_read(text, stop)
-        if can_be_read_now(text, stop) then return true end
-        local preferred, is_read = instructions, false
-        for _, name in ipairs(DIALECTS) do
-            instructions = INSTRUCTION_SETS[name]
-            is_read = is_read or instructions ~= preferred and can_be_read_now(text, stop)
-        end
-        instructions = preferred
-        return is_read
+        return by_any(can_be_read_now, text, stop)
     end
 
     -- Whether a command without a fault says something that somebody would say.
@@ -6477,6 +6497,34 @@ do
             at = behind
         end
         return true
+    end
+
+    -- Something that no value is written to, or a number and a text in each other's place.
+    local function look_for_misplaced(view, parameter, encoding)
+        if encoding.scope then return end
+        local is_text = encoding.kind == CONSTANT_TEXT
+        if parameter.is_output or is_text ~= (parameter.kind == TEXT_VALUE) then view.is_misplaced = true end
+    end
+
+    local function count_telling_now(text, stop)
+        local at, view, count = COMMAND_HEADER_SIZE, {}, 0
+        while at < stop do
+            local code = byte(text, at + 1)
+            if CLAIMS.never_sent[code] then return nil end
+            local _, after, _, reason = read_operation(text, at, stop, look_for_misplaced, view)
+            if reason or view.is_misplaced then return nil end
+            if code >= CLAIMS.first_telling then count = count + 1 end
+            at = after
+        end
+        return count
+    end
+
+    -- How much a frame without a fault tells that others' bytes hardly ever do: as much as it has operations that tell.
+    local function count_telling(message)
+        local type = message.type
+        if not type.is_command or type.carries == "daisy" then return 0 end
+        if type.carries == "system" then return CLAIMS.system_tells end
+        return by_any(count_telling_now, message.text, message.stop) or 0
     end
 
     -- Whether a frame is without any fault; with `is_any` by the instructions of any firmware.
@@ -6534,6 +6582,85 @@ do
             at, is_first = at + size, false
         end
         return OURS
+    end
+
+    -- What a text tells, from an offset on, that should begin with a frame of a type that `accepts` takes, as it goes
+    -- the right way: OURS where one of its frames tells it, PERHAPS where none does. Then all of them must be without a
+    -- fault. Else the first one must, and the others must look like frames. The second result is how much they tell.
+    function claiming.weigh_frames(text, at, accepts)
+        local start, is_clean, telling = at, true, 0
+        while at < #text do
+            if not may_start(text, at) then return nil, 0 end
+            local low, high = byte(text, at + 1, at + 2)
+            local stop = high and at + LENGTH_FIELD + low + high * 0x100
+            if not stop or stop > #text then
+                local is_part = may_become_flawless(text, at, accepts)
+                if at == start then return is_part and PART or nil, 0 end
+                is_clean = is_clean and is_part
+                break
+            end
+            local message = read_message(sub(text, at + 1, stop))
+            local stands = is_flawless(message, true) and accepts(message.type)
+            if at == start and not stands then return nil, 0 end
+            is_clean = is_clean and stands
+            if is_clean then telling = telling + count_telling(message) end
+            at = stop
+        end
+        return telling > 0 and OURS or is_clean and claiming.PERHAPS or nil, telling
+    end
+
+    -- The claim on a connection is proven.
+    function claiming.prove(talk)
+        talk.is_claimed, talk.is_proven = true, true
+    end
+
+    local function add_proof(talk, verdict, telling)
+        talk.strange, talk.unread, talk.proofs = 0, 0, talk.proofs + 1 + telling
+        talk.is_weak = talk.is_weak and verdict == claiming.PERHAPS
+        if talk.proofs >= CLAIMS.proofs then claiming.prove(talk) end
+    end
+
+    local function begin_claim(talk, verdict, telling)
+        talk.is_claimed, talk.is_weak, talk.proofs = true, true, 0
+        add_proof(talk, verdict, telling)
+    end
+
+    local function count_strange(talk, size)
+        if size > HEADER_SIZE then
+            talk.strange = talk.strange + 1
+        else
+            -- A frame may be cut into packets that are as small.
+            talk.unread = (talk.unread or 0) + size
+            if talk.unread > LENGTH_FIELD + MAX_LENGTH then talk.strange = CLAIMS.strange_packets end
+        end
+    end
+
+    -- Whether a strange packet may be what is left of a frame, as it is among the first of its side.
+    local function may_be_rest(side)
+        side.strange = (side.strange or 0) + 1
+        return side.strange <= CLAIMS.strange_in_a_row
+    end
+
+    -- Takes a packet of a connection that is not proven to be ours, by what it tells: OURS, PERHAPS, or nil. `side` is
+    -- what is known of its direction. Returns whether it is taken.
+    function claiming.weigh_packet(talk, side, verdict, telling, size)
+        talk.strange = talk.strange or 0
+        if verdict and talk.is_claimed then
+            add_proof(talk, verdict, telling)
+        elseif talk.is_claimed then
+            if talk.is_weak and may_be_rest(side) then return true end
+            count_strange(talk, size)
+            if talk.strange >= (talk.is_weak and 1 or CLAIMS.strange_in_a_row) then
+                talk.has_ended, talk.is_claimed, talk.telling = talk.is_weak and 1 or 2, false, 0
+            end
+        elseif talk.has_ended then
+            talk.telling = verdict and talk.telling + telling or 0
+            if talk.telling >= talk.has_ended then begin_claim(talk, verdict, telling) end
+        elseif talk.strange < CLAIMS.strange_packets then
+            if verdict then begin_claim(talk, verdict, telling) else count_strange(talk, size) end
+        end
+        if verdict then side.strange = CLAIMS.strange_in_a_row end
+        return talk.is_claimed
     end
 
     -- The bytes 1 to 4 of a header, as a pattern: no type is a letter that means anything in one.
@@ -7417,7 +7544,7 @@ do
             local owner = owners[ports]
             if not is_by_port then
                 if owner == talk then owned[numbers] = known end
-            elseif is_first and talk.is_claimed and (owner == nil or owner == talk) then
+            elseif is_first and talk.is_proven and (owner == nil or owner == talk) then
                 owners[ports] = talk
                 pinfo.conversation = ev3
             end
@@ -7461,7 +7588,7 @@ do
         return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
     end
 
-    local judge_segment, dissect_claimed
+    local dissect_claimed
     do
         local function is_command(type)
             return type.is_command
@@ -7480,15 +7607,14 @@ do
         -- Bricks in a chain send commands both ways.
         is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
 
-        -- Whether data that nobody has claimed so far begin with something of ours.
-        function judge_segment(text, to_brick)
-            local verdict = judge_text(text)
-            if verdict then return verdict end
-            verdict = judge_frames(text, 0, to_brick and is_command or is_reply)
-            if verdict or not to_brick then return verdict end
+        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames.
+        function claiming.judge_segment(text, at, to_brick)
+            local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply)
+            if verdict or not to_brick then return verdict, telling end
             -- The capture may have begun inside a frame.
-            local at = find_frame(text, 1, is_command)
-            return at and judge_frames(text, at, is_command)
+            at = find_frame(text, at + 1, is_command)
+            if at then verdict, telling = claiming.weigh_frames(text, at, is_command) end
+            return verdict == OURS and OURS or nil, telling
         end
 
         -- Which types go the way of a packet, where the port says which end is the brick.
@@ -7610,38 +7736,54 @@ do
 
     local dissect_first
     do
-        -- The first time that a buffer of a connection is seen: whether it is ours, or whether more is needed to tell.
-        local function claim(talk, text, pinfo, to_brick)
-            if talk.is_claimed then return OURS end
-            if not to_brick and not is_from_brick(pinfo) then return nil end
-            local strange = talk.strange or 0
-            if strange >= CLAIMS.strange_packets then return nil end
-            local verdict = judge_segment(text, to_brick)
+        -- Where in a buffer begins what is not dissected yet, and how many bytes of that were there before: TCP hands
+        -- some over again where a frame was not whole.
+        local function begin_of(known, text)
+            local pending, done = known.pending, known.done
+            if not pending then return 0, 0 end
+            if sub(text, 1, #pending) == pending then return 0, #pending end
+            if sub(text, done + 1, done + #pending) == pending then return done, #pending end
+            return 0, 0
+        end
+
+        -- A buffer of a connection that is not proven to be ours, when it is seen for the first time: whether it is, or
+        -- whether more is needed to tell.
+        local function claim(talk, known, text, pinfo, to_brick)
+            local was_claimed = talk.is_claimed
+            if not was_claimed and not to_brick and not is_from_brick(pinfo) then return nil end
+            local verdict = judge_text(text)
             if verdict == OURS then
-                talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
-                name_brick(talk, pinfo, to_brick)
-            elseif not verdict and #text > HEADER_SIZE then
-                talk.strange = strange + 1
+                claiming.prove(talk)
             elseif not verdict then
-                -- A frame may be cut into packets that are as small.
-                talk.unread = (talk.unread or 0) + #text
-                if talk.unread > LENGTH_FIELD + MAX_LENGTH then talk.strange = CLAIMS.strange_packets end
+                local at, waited = begin_of(known, text)
+                local telling
+                verdict, telling = claiming.judge_segment(text, at, to_brick)
+                if verdict ~= PART then
+                    verdict = claiming.weigh_packet(talk, known, verdict, telling, #text - at - waited) and OURS or nil
+                end
             end
-            return verdict
+            if not was_claimed and talk.is_claimed then
+                talk.claimed_in = pinfo.number
+                name_brick(talk, pinfo, to_brick)
+            elseif was_claimed and not talk.is_claimed then
+                known.pending, known.step = nil, nil
+            end
+            return was_claimed and verdict and OURS or verdict
         end
 
         function dissect_first(tvb, text, pinfo, tree, number)
             local talk, known = connection_of(pinfo, true)
-            if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+            if talk.is_proven then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
             local port = pinfo.match_uint
             local is_forced = not ports[port] and not is_named[port]
             if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
-            local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
+            local verdict = is_forced and OURS or claim(talk, known, text, pinfo, is_to_brick(pinfo))
             local reported = verdict == PART and tvb:reported_len()
             if reported and #text < reported then
                 -- Of a frame that fills its segment the capture has the beginning.
                 local is_frame = #text >= HEADER_SIZE and unsigned16(text, 0) + LENGTH_FIELD == reported
-                verdict, talk.is_claimed = is_frame and OURS or nil, is_frame
+                verdict = is_frame and claiming.PERHAPS or nil
+                verdict = claiming.weigh_packet(talk, known, verdict, 0, #text) and OURS or nil
             end
             if verdict == PART and pinfo.can_desegment > 0 then
                 pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
@@ -7673,7 +7815,8 @@ do
         local text = tvb:raw()
         if judge_text(text) ~= OURS then return false end
         local talk, known = find_connection(pinfo)
-        talk.is_claimed, talk.is_found, talk.claimed_in = true, true, pinfo.number
+        claiming.prove(talk)
+        talk.is_found, talk.claimed_in = true, pinfo.number
         name_brick(talk, pinfo, true)
         has_found = true
         dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk, known)

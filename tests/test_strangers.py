@@ -22,9 +22,11 @@ from support.packets import (
 )
 from support.strangers import (
     Said,
+    database,
     debug_bridge,
     encrypted,
     modbus,
+    numbered,
     nxt,
     object_exchange,
     reports,
@@ -91,6 +93,8 @@ def over_usb() -> bytes:
 STRANGERS: dict[str, tuple[Callable[[], bytes], int]] = {
     "adb": (lambda: over_tcp(debug_bridge), 0),
     "tls": (lambda: over_tcp(encrypted), 0),
+    "numbered": (lambda: over_tcp(numbered), 5),
+    "mysql": (lambda: over_tcp(database), 0),
     "bittorrent": (lambda: over_udp(torrent), 0),
     "similar beacons": (lambda: over_udp(similar_beacons), 0),
     "obex": (lambda: over_bluetooth(object_exchange), 0),
@@ -197,6 +201,36 @@ def test_a_reply_on_usb_answers_a_command(shown: Callable[..., list[str]]) -> No
     assert shown(capture) == [str(number) for number in ours]
     device.send(bytes.fromhex("0700 0100 80 0000 94 01"))
     assert shown(capture) == [str(number) for number in (*ours, faulty + 1)]
+
+
+def claims_without_proof() -> tuple[bytes, list[int]]:
+    """Connections to port 5555 that begin like ours, and the packets whose frames are taken."""
+    capture = Capture(RAW_IP)
+    faulty = bytes.fromhex("0700 0100 80 0000 94 77")
+    telling = Connection(capture, 10_000)
+    ours = [telling.send(tone(1)), telling.send(faulty), telling.send(tone(2)), telling.send(faulty)]
+    # The claim ends here, and after it one frame is not enough.
+    telling.send(faulty)
+    telling.send(tone(3))
+    ours.append(telling.send(tone(4)))
+    by_chance = Connection(capture, 10_001)
+    ours.append(by_chance.receive(volts(9)))
+    by_chance.receive(faulty)
+    by_chance.receive(volts(10))
+    ours.append(by_chance.send(tone(5)))
+    proven = Connection(capture, 10_002)
+    ours += [proven.send(voltage(1)), proven.receive(volts(1))]
+    ours += [proven.send(faulty) for _ in range(5)]
+    return capture.data(), ours
+
+
+def test_claims_without_proof_end(tshark: Tshark) -> None:
+    data, ours = claims_without_proof()
+    path = tshark.place(data, "unproven.pcap")
+    words = ("-Y", "ev3.msg_num", "-T", "fields", "-e", "frame.number")
+    assert tshark.run(path, *words).split() == list(map(str, ours))
+    assert tshark.run(path, "-2", *words).split() == list(map(str, ours))
+    assert [event.numbers[0] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)] == ours
 
 
 def odd_device() -> tuple[bytes, list[int]]:

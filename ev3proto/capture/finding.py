@@ -11,12 +11,14 @@ import re
 from collections.abc import Collection
 from enum import Enum, auto
 
-from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, Message
+from ev3proto.messages import Argument, DaisyCommand, DaisyReply, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
 from ev3proto.tables import OPCODES, system
-from ev3proto.tables.claims import NEVER_SENT
+from ev3proto.tables.claims import FIRST_TELLING, NEVER_SENT, SYSTEM_TELLS
 from ev3proto.tables.daisy import MOST_LAYERS
+from ev3proto.tables.declaration import Type
+from ev3proto.tables.encoding import TEXT
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
 
 MOST_TRIALS = 64
@@ -32,6 +34,7 @@ _STARTS = re.compile(
     % (re.escape(bytes((MIN_LENGTH,))), re.escape(bytes((MAX_LENGTH >> 8,))), re.escape(bytes(sorted(_TYPES)))),
     re.DOTALL,
 )
+_FIRST_TELLING = next(opcode.number for opcode in OPCODES if opcode.name == FIRST_TELLING)
 _NEVER_SENT = frozenset(opcode.number for opcode in OPCODES if opcode.name in NEVER_SENT)
 
 
@@ -51,6 +54,34 @@ def makes_sense(message: Message) -> bool:
         opcodes = [operation.opcode for operation in message.operations]
         return bool(opcodes) and _NEVER_SENT.isdisjoint(opcodes)
     return True
+
+
+def count_telling(message: Message) -> int:
+    """Says how much a frame without a fault tells that others' bytes hardly ever do.
+
+    Args:
+        message: A message without a fault.
+
+    Returns:
+        How many of its operations tell it. 0 for replies, and where anything stands in a place that is not its own.
+
+    """
+    if isinstance(message, SystemCommand):
+        return SYSTEM_TELLS
+    if not isinstance(message, DirectCommand) or not makes_sense(message):
+        return 0
+    arguments = (argument for operation in message.operations for argument in operation.arguments)
+    if any(map(_is_misplaced, arguments)):
+        return 0
+    return sum(operation.opcode >= _FIRST_TELLING for operation in message.operations)
+
+
+def _is_misplaced(argument: Argument) -> bool:
+    if argument.is_variable:
+        return False
+    parameter = argument.parameter
+    is_text = Type.STRING in (parameter.type, parameter.element)
+    return parameter.is_output or (argument.form.kind == TEXT) != is_text
 
 
 class Found(Enum):

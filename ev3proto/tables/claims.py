@@ -9,6 +9,15 @@ dissector and the built-in reader of captures follow the same rule, and this mod
 - A TCP connection is claimed when its data begin with the unlock text, with the answer to it, or with a flawless
   frame. After `STRANGE_PACKETS` packets with data that are none of these it is left alone. Packets that have no more
   bytes than a frame's header do not count until they have more than a frame together: one may be cut into them.
+- A flawless frame *tells* that it is ours when others' data hardly ever are like it: a system command, or a direct
+  command with an operation from `FIRST_TELLING` on, without one that nobody sends (`NEVER_SENT`), and with variables,
+  numbers and texts in their places. A frame that does not tell claims a TCP connection where it and other flawless
+  frames are all that there is in the packet.
+- Such a claim is *proven* by one of the texts, by a reply just as a command asked for it, or by flawless frames: each
+  packet with some counts one, each telling operation one more, and `PROOFS` are enough. A claim that nothing has proven
+  ends after `STRANGE_IN_A_ROW` packets in a row without a flawless frame, and then it takes two telling operations to
+  claim the connection again. Where no frame told, the first strange packet ends it, but as many as that may be at the
+  beginning of each side: what is left of a frame. Then one telling operation is enough.
 - Bluetooth's channel and USB devices that nobody knows as bricks are claimed by a flawless command that makes sense:
   it has at least one operation, and none of those that nobody sends (`NEVER_SENT`). On USB a reply is taken when it
   answers a command, and what has faults once such a reply was seen. After more than `ODD_REPORTS` reports that have a
@@ -34,7 +43,16 @@ FAULTS_IN_A_ROW = 3
 """Packets in a row that hold nothing like a frame, after which a claim of Bluetooth or USB ends."""
 
 PROOFS = 8
-"""Packets of Bluetooth in which frames end after which it is no chance that there are some."""
+"""Packets of Bluetooth in which frames end after which it is no chance that there are some; of TCP see above."""
+
+STRANGE_IN_A_ROW = 2
+"""Packets in a row without a flawless frame, after which a claim of a TCP connection ends that nothing has proven."""
+
+FIRST_TELLING = "ADD8"
+"""The operations before this one, whose numbers are the smallest, are in others' data by chance."""
+
+SYSTEM_TELLS = 2
+"""How many operations of a direct command a system command is worth."""
 
 ODD_REPORTS = 2
 """USB reports that a device may have that begin with a frame's length and are none, before its commands alone claim it

@@ -86,6 +86,32 @@ def modbus(rng: random.Random) -> Iterator[Said]:
         yield False, struct.pack(">BBB", 1, 3, 2 * count) + rng.randbytes(2 * count + 2)
 
 
+def numbered(rng: random.Random) -> Iterator[Said]:
+    """A protocol of somebody: two bytes of length, a kind, a number where a frame has its type, a text."""
+    words = (b"temperature", b"hello", b"SELECT 1", b"admin")
+    first = rng.randrange(100)
+    for number in range(first, first + 40):
+        body = struct.pack("<HI", rng.randrange(6), number) + rng.choice(words)
+        yield number % 2 == 0, struct.pack("<H", len(body)) + body
+
+
+def database(rng: random.Random) -> Iterator[Said]:
+    """MySQL: three bytes of length, a number, then data."""
+
+    def packet(number: int, data: bytes) -> bytes:
+        return len(data).to_bytes(3, "little") + bytes((number,)) + data
+
+    yield False, packet(0, b"\x0a8.0.36\0" + rng.randbytes(60))
+    yield True, packet(1, rng.randbytes(32) + bytes(23) + b"root\0")
+    yield False, packet(2, b"\0\0\0\2\0\0\0")
+    for number in range(30):
+        yield True, packet(0, b"\3SELECT a FROM t WHERE id=%d" % number)
+        column = packet(2, b"\3def\2db\1t\1t\1a\1a\x0c\x3f\0\x0b\0\0\0\3\0\0\0\0\0")
+        yield False, packet(1, b"\1") + column + packet(3, b"\xfe\0\0\2\0") + packet(4, b"\xfe\0\0\2\0")
+        yield True, packet(0, b"\x0e")
+        yield False, packet(1, b"\0\0\0\2\0\0\0")
+
+
 def torrent(rng: random.Random) -> Iterator[Said]:
     """BitTorrent's datagrams: bencoded questions, and the heads of its own transport."""
     for _ in range(100):

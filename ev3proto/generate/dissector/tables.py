@@ -314,6 +314,9 @@ def _claims() -> Iterator[str]:
         "strange_packets": claims.STRANGE_PACKETS,
         "faults_in_a_row": claims.FAULTS_IN_A_ROW,
         "proofs": claims.PROOFS,
+        "strange_in_a_row": claims.STRANGE_IN_A_ROW,
+        "first_telling": operations()[claims.FIRST_TELLING].opcode.number,
+        "system_tells": claims.SYSTEM_TELLS,
         "odd_reports": claims.ODD_REPORTS,
         "nxt": Table(named=nxt),
     }

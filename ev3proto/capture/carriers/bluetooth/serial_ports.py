@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed
-from ev3proto.capture.carriers.claims import Claim, begins_a_serial_port
+from ev3proto.capture.carriers.claims import SerialPortClaim, begins_a_serial_port
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter
@@ -14,13 +14,13 @@ from ev3proto.capture.record import Direction, Event, Route
 from ev3proto.tables.carriers import RFCOMM_CHANNEL, Carrier
 
 
-class _Port(Claim):
+class _Port(SerialPortClaim):
     """Whether a serial port is ours."""
 
     __slots__ = ("_is_from_host", "_turn")
 
     def __init__(self, context: Context) -> None:
-        super().__init__(context, lambda event, _: begins_a_serial_port(event, self._turn), is_patient=True)
+        super().__init__(context, lambda event: begins_a_serial_port(event, self._turn))
         self._is_from_host: bool | None = None
         self._turn = 0
 
@@ -60,7 +60,7 @@ class SerialPorts:
         """What was waiting for more."""
         self._account.other += self._bluetooth.pending()
         for (connection, _), stream in self._streams.items():
-            yield from self._claims[connection].take(stream.end(), b"")
+            yield from self._claims[connection].take(stream.end())
         for claim in self._claims.values():
             yield from claim.end()
         self._streams.clear()
@@ -71,7 +71,7 @@ class SerialPorts:
             stream = self._streams.pop((connection, way), None)
             if stream is not None:
                 self._context.budget.remove(stream)
-                yield from self._claims[connection].take(stream.end(), b"")
+                yield from self._claims[connection].take(stream.end())
 
     def _serial(self, packet: Packet, found: Carried) -> Iterable[Event]:
         serial = found.serial
@@ -98,13 +98,13 @@ class SerialPorts:
         events = stream.feed(serial.data, packet.number, packet.time_ns)
         if self._account.other > before:
             claim.meet_stranger()
-        yield from claim.take(events, serial.data)
+        yield from claim.take(events)
         if serial.missing:
-            yield from claim.take(stream.leave_hole(serial.missing), b"")
+            yield from claim.take(stream.leave_hole(serial.missing))
         self._context.budget.update(stream, stream.size, lambda _: self._give_up(stream, claim))
 
     def _give_up(self, stream: Stream, claim: _Port) -> None:
-        self._context.late.extend(claim.take(stream.give_up(), b""))
+        self._context.late.extend(claim.take(stream.give_up()))
 
 
 def _route(packet: Packet, found: Carried, is_from_host: bool) -> Route:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ev3proto.bounded import Bounded
-from ev3proto.capture.carriers.claims import Claim, begins_a_connection
+from ev3proto.capture.carriers.claims import ConnectionClaim
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.carriers.wifi.internet import (
     ACK,
@@ -60,7 +60,7 @@ class _Connection:
     def __init__(self, ends: Ends, context: Context) -> None:
         self.ends = ends
         self.conversation = context.conversation()
-        self.claim = Claim(context, begins_a_connection, is_patient=False)
+        self.claim = ConnectionClaim(context)
         self.halves: dict[Ends, _Half] = {}
 
 
@@ -94,6 +94,11 @@ class _Half:
         self.start = start
         self.back: _Half | None = None
 
+    @property
+    def side(self) -> Direction:
+        """The direction, as records have it."""
+        return Direction.SENT if self.is_from_host else Direction.RECEIVED
+
     def takes_next(self, interface: Interface, flags: int, sequence: int, size: int) -> bool:
         """Whether a segment is what comes next and has nothing to do with anything but what it carries: nothing waits,
         nothing changes. If so, it is taken with this.
@@ -103,7 +108,7 @@ class _Half:
             self.size
             or flags & _TURNS
             or self.interface is not interface
-            or not self.claim.is_claimed
+            or not self.claim.is_proven
             or (back is not None and back.size)
         ):
             return False
@@ -221,8 +226,8 @@ class Connections:
             else:
                 events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns))
                 is_waiting = True
-        if events:
-            events = half.claim.take(events, data)
+        if events or data:
+            events = half.claim.take(events, data, half.side)
         if is_waiting or half.size:
             self._weigh(half)
         if flags & ACK and half.back is not None:
@@ -241,14 +246,14 @@ class Connections:
     def _give_up(self, half: _Half) -> None:
         events = self._given(half, half.reassembly.end()) + half.stream.give_up()
         half.size = 0
-        self._context.late.extend(half.claim.take(events, b""))
+        self._context.late.extend(half.claim.take(events, b"", half.side))
 
     def _acknowledge(self, back: _Half | None, acknowledged: int) -> list[Event]:
         """The receiver of what goes that way has what was sent before this number."""
         pieces = [] if back is None else back.reassembly.acknowledge(acknowledged)
         if back is None or not pieces:
             return []
-        events = back.claim.take(self._given(back, pieces), b"")
+        events = back.claim.take(self._given(back, pieces), b"", back.side)
         self._weigh(back)
         return events
 
@@ -299,7 +304,7 @@ class Connections:
     def _end_half(self, half: _Half) -> list[Event]:
         half.size = 0
         self._budget.remove(half)
-        return half.claim.take(self._given(half, half.reassembly.end()) + half.stream.end(), b"")
+        return half.claim.take(self._given(half, half.reassembly.end()) + half.stream.end(), b"", half.side)
 
     def _route(self, packet: Packet, ends: Ends, is_from_host: bool) -> Route:
         source, target = shown(source_of(ends)), shown(target_of(ends))

@@ -7,6 +7,11 @@
 local OURS, PART = "ours", "part"
 
 local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step, judge_split
+
+-- What is done for connections that may be others': one table, as there is little room for locals. What they tell may
+-- also be PERHAPS, where it is ours or a chance.
+local claiming = { PERHAPS = "perhaps" }
+
 do
     -- Places in one piece of a stream where a whole frame is tried, before the piece is given up.
     local MOST_TRIALS = 64
@@ -29,17 +34,22 @@ do
         return true
     end
 
+    -- Calls a function with each firmware's instructions, the preferred one's first, until it says anything.
+    local function by_any(says, ...)
+        local said, preferred = says(...), instructions
+        if said then return said end
+        for _, name in ipairs(DIALECTS) do
+            instructions = INSTRUCTION_SETS[name]
+            said = said or instructions ~= preferred and says(...)
+        end
+        instructions = preferred
+        return said
+    end
+
     -- The same, whichever firmware has them: that the brick has another one than the preference says is not known
     -- before.
     local function can_be_read(text, stop)
-        if can_be_read_now(text, stop) then return true end
-        local preferred, is_read = instructions, false
-        for _, name in ipairs(DIALECTS) do
-            instructions = INSTRUCTION_SETS[name]
-            is_read = is_read or instructions ~= preferred and can_be_read_now(text, stop)
-        end
-        instructions = preferred
-        return is_read
+        return by_any(can_be_read_now, text, stop)
     end
 
     -- Whether a command without a fault says something that somebody would say.
@@ -57,6 +67,34 @@ do
             at = behind
         end
         return true
+    end
+
+    -- Something that no value is written to, or a number and a text in each other's place.
+    local function look_for_misplaced(view, parameter, encoding)
+        if encoding.scope then return end
+        local is_text = encoding.kind == CONSTANT_TEXT
+        if parameter.is_output or is_text ~= (parameter.kind == TEXT_VALUE) then view.is_misplaced = true end
+    end
+
+    local function count_telling_now(text, stop)
+        local at, view, count = COMMAND_HEADER_SIZE, {}, 0
+        while at < stop do
+            local code = byte(text, at + 1)
+            if CLAIMS.never_sent[code] then return nil end
+            local _, after, _, reason = read_operation(text, at, stop, look_for_misplaced, view)
+            if reason or view.is_misplaced then return nil end
+            if code >= CLAIMS.first_telling then count = count + 1 end
+            at = after
+        end
+        return count
+    end
+
+    -- How much a frame without a fault tells that others' bytes hardly ever do: as much as it has operations that tell.
+    local function count_telling(message)
+        local type = message.type
+        if not type.is_command or type.carries == "daisy" then return 0 end
+        if type.carries == "system" then return CLAIMS.system_tells end
+        return by_any(count_telling_now, message.text, message.stop) or 0
     end
 
     -- Whether a frame is without any fault; with `is_any` by the instructions of any firmware.
@@ -114,6 +152,85 @@ do
             at, is_first = at + size, false
         end
         return OURS
+    end
+
+    -- What a text tells, from an offset on, that should begin with a frame of a type that `accepts` takes, as it goes
+    -- the right way: OURS where one of its frames tells it, PERHAPS where none does. Then all of them must be without a
+    -- fault. Else the first one must, and the others must look like frames. The second result is how much they tell.
+    function claiming.weigh_frames(text, at, accepts)
+        local start, is_clean, telling = at, true, 0
+        while at < #text do
+            if not may_start(text, at) then return nil, 0 end
+            local low, high = byte(text, at + 1, at + 2)
+            local stop = high and at + LENGTH_FIELD + low + high * 0x100
+            if not stop or stop > #text then
+                local is_part = may_become_flawless(text, at, accepts)
+                if at == start then return is_part and PART or nil, 0 end
+                is_clean = is_clean and is_part
+                break
+            end
+            local message = read_message(sub(text, at + 1, stop))
+            local stands = is_flawless(message, true) and accepts(message.type)
+            if at == start and not stands then return nil, 0 end
+            is_clean = is_clean and stands
+            if is_clean then telling = telling + count_telling(message) end
+            at = stop
+        end
+        return telling > 0 and OURS or is_clean and claiming.PERHAPS or nil, telling
+    end
+
+    -- The claim on a connection is proven.
+    function claiming.prove(talk)
+        talk.is_claimed, talk.is_proven = true, true
+    end
+
+    local function add_proof(talk, verdict, telling)
+        talk.strange, talk.unread, talk.proofs = 0, 0, talk.proofs + 1 + telling
+        talk.is_weak = talk.is_weak and verdict == claiming.PERHAPS
+        if talk.proofs >= CLAIMS.proofs then claiming.prove(talk) end
+    end
+
+    local function begin_claim(talk, verdict, telling)
+        talk.is_claimed, talk.is_weak, talk.proofs = true, true, 0
+        add_proof(talk, verdict, telling)
+    end
+
+    local function count_strange(talk, size)
+        if size > HEADER_SIZE then
+            talk.strange = talk.strange + 1
+        else
+            -- A frame may be cut into packets that are as small.
+            talk.unread = (talk.unread or 0) + size
+            if talk.unread > LENGTH_FIELD + MAX_LENGTH then talk.strange = CLAIMS.strange_packets end
+        end
+    end
+
+    -- Whether a strange packet may be what is left of a frame, as it is among the first of its side.
+    local function may_be_rest(side)
+        side.strange = (side.strange or 0) + 1
+        return side.strange <= CLAIMS.strange_in_a_row
+    end
+
+    -- Takes a packet of a connection that is not proven to be ours, by what it tells: OURS, PERHAPS, or nil. `side` is
+    -- what is known of its direction. Returns whether it is taken.
+    function claiming.weigh_packet(talk, side, verdict, telling, size)
+        talk.strange = talk.strange or 0
+        if verdict and talk.is_claimed then
+            add_proof(talk, verdict, telling)
+        elseif talk.is_claimed then
+            if talk.is_weak and may_be_rest(side) then return true end
+            count_strange(talk, size)
+            if talk.strange >= (talk.is_weak and 1 or CLAIMS.strange_in_a_row) then
+                talk.has_ended, talk.is_claimed, talk.telling = talk.is_weak and 1 or 2, false, 0
+            end
+        elseif talk.has_ended then
+            talk.telling = verdict and talk.telling + telling or 0
+            if talk.telling >= talk.has_ended then begin_claim(talk, verdict, telling) end
+        elseif talk.strange < CLAIMS.strange_packets then
+            if verdict then begin_claim(talk, verdict, telling) else count_strange(talk, size) end
+        end
+        if verdict then side.strange = CLAIMS.strange_in_a_row end
+        return talk.is_claimed
     end
 
     -- The bytes 1 to 4 of a header, as a pattern: no type is a letter that means anything in one.

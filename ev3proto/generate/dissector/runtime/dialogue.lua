@@ -139,6 +139,14 @@ do
         return message.size - HEADER_SIZE == unsigned16(body, 0) % (GLOBAL_MASK + 1)
     end
 
+    -- Whether a reply shows that both are messages of ours: only a brick gives just the size that was asked for.
+    local function is_proof(message, body)
+        local type, size = message.type, message.size
+        if message.fault or type.carries == "daisy" or #body < MEMORY_FIELD then return false end
+        if type.is_error and type.carries == "direct" then return size == HEADER_SIZE end
+        return fits(message, body)
+    end
+
     -- The command that a reply answers: of those with its counter the newest of the right size, else the newest. The
     -- newest, because a sender comes back to a counter only after it gave up on the one before.
     local function answered(talk, message)
@@ -233,6 +241,7 @@ do
             if request then
                 request.delay = pinfo.rel_ts - request.time
                 if request.earlier then request.earlier = nil end
+                talk.is_proven = talk.is_proven or is_proof(message, request.body)
                 replies.put(request.place, number_of(place))
                 requests.put(place, request.place, request.delay, bodies.put(request.body))
                 answer, answer_place = request, place

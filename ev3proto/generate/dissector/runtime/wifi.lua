@@ -77,7 +77,7 @@ do
             local owner = owners[ports]
             if not is_by_port then
                 if owner == talk then owned[numbers] = known end
-            elseif is_first and talk.is_claimed and (owner == nil or owner == talk) then
+            elseif is_first and talk.is_proven and (owner == nil or owner == talk) then
                 owners[ports] = talk
                 pinfo.conversation = ev3
             end
@@ -121,7 +121,7 @@ do
         return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
     end
 
-    local judge_segment, dissect_claimed
+    local dissect_claimed
     do
         local function is_command(type)
             return type.is_command
@@ -140,15 +140,14 @@ do
         -- Bricks in a chain send commands both ways.
         is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
 
-        -- Whether data that nobody has claimed so far begin with something of ours.
-        function judge_segment(text, to_brick)
-            local verdict = judge_text(text)
-            if verdict then return verdict end
-            verdict = judge_frames(text, 0, to_brick and is_command or is_reply)
-            if verdict or not to_brick then return verdict end
+        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames.
+        function claiming.judge_segment(text, at, to_brick)
+            local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply)
+            if verdict or not to_brick then return verdict, telling end
             -- The capture may have begun inside a frame.
-            local at = find_frame(text, 1, is_command)
-            return at and judge_frames(text, at, is_command)
+            at = find_frame(text, at + 1, is_command)
+            if at then verdict, telling = claiming.weigh_frames(text, at, is_command) end
+            return verdict == OURS and OURS or nil, telling
         end
 
         -- Which types go the way of a packet, where the port says which end is the brick.
@@ -270,38 +269,54 @@ do
 
     local dissect_first
     do
-        -- The first time that a buffer of a connection is seen: whether it is ours, or whether more is needed to tell.
-        local function claim(talk, text, pinfo, to_brick)
-            if talk.is_claimed then return OURS end
-            if not to_brick and not is_from_brick(pinfo) then return nil end
-            local strange = talk.strange or 0
-            if strange >= CLAIMS.strange_packets then return nil end
-            local verdict = judge_segment(text, to_brick)
+        -- Where in a buffer begins what is not dissected yet, and how many bytes of that were there before: TCP hands
+        -- some over again where a frame was not whole.
+        local function begin_of(known, text)
+            local pending, done = known.pending, known.done
+            if not pending then return 0, 0 end
+            if sub(text, 1, #pending) == pending then return 0, #pending end
+            if sub(text, done + 1, done + #pending) == pending then return done, #pending end
+            return 0, 0
+        end
+
+        -- A buffer of a connection that is not proven to be ours, when it is seen for the first time: whether it is, or
+        -- whether more is needed to tell.
+        local function claim(talk, known, text, pinfo, to_brick)
+            local was_claimed = talk.is_claimed
+            if not was_claimed and not to_brick and not is_from_brick(pinfo) then return nil end
+            local verdict = judge_text(text)
             if verdict == OURS then
-                talk.is_claimed, talk.claimed_in, talk.strange = true, pinfo.number, 0
-                name_brick(talk, pinfo, to_brick)
-            elseif not verdict and #text > HEADER_SIZE then
-                talk.strange = strange + 1
+                claiming.prove(talk)
             elseif not verdict then
-                -- A frame may be cut into packets that are as small.
-                talk.unread = (talk.unread or 0) + #text
-                if talk.unread > LENGTH_FIELD + MAX_LENGTH then talk.strange = CLAIMS.strange_packets end
+                local at, waited = begin_of(known, text)
+                local telling
+                verdict, telling = claiming.judge_segment(text, at, to_brick)
+                if verdict ~= PART then
+                    verdict = claiming.weigh_packet(talk, known, verdict, telling, #text - at - waited) and OURS or nil
+                end
             end
-            return verdict
+            if not was_claimed and talk.is_claimed then
+                talk.claimed_in = pinfo.number
+                name_brick(talk, pinfo, to_brick)
+            elseif was_claimed and not talk.is_claimed then
+                known.pending, known.step = nil, nil
+            end
+            return was_claimed and verdict and OURS or verdict
         end
 
         function dissect_first(tvb, text, pinfo, tree, number)
             local talk, known = connection_of(pinfo, true)
-            if talk.is_claimed then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+            if talk.is_proven then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
             local port = pinfo.match_uint
             local is_forced = not ports[port] and not is_named[port]
             if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
-            local verdict = is_forced and OURS or claim(talk, text, pinfo, is_to_brick(pinfo))
+            local verdict = is_forced and OURS or claim(talk, known, text, pinfo, is_to_brick(pinfo))
             local reported = verdict == PART and tvb:reported_len()
             if reported and #text < reported then
                 -- Of a frame that fills its segment the capture has the beginning.
                 local is_frame = #text >= HEADER_SIZE and unsigned16(text, 0) + LENGTH_FIELD == reported
-                verdict, talk.is_claimed = is_frame and OURS or nil, is_frame
+                verdict = is_frame and claiming.PERHAPS or nil
+                verdict = claiming.weigh_packet(talk, known, verdict, 0, #text) and OURS or nil
             end
             if verdict == PART and pinfo.can_desegment > 0 then
                 pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
@@ -333,7 +348,8 @@ do
         local text = tvb:raw()
         if judge_text(text) ~= OURS then return false end
         local talk, known = find_connection(pinfo)
-        talk.is_claimed, talk.is_found, talk.claimed_in = true, true, pinfo.number
+        claiming.prove(talk)
+        talk.is_found, talk.claimed_in = true, pinfo.number
         name_brick(talk, pinfo, true)
         has_found = true
         dissect_claimed(tvb, text, pinfo, tree, pinfo.number, talk, known)

@@ -93,6 +93,36 @@ def test_other_signals_are_as_silent(number: signal.Signals) -> None:
     assert (process.returncode, said) == (128 + number, b"")
 
 
+NEVER_ENDS = """
+import threading
+from ev3proto.cli import ending
+ending.PATIENCE = 0.2
+taken = threading.Lock()
+taken.acquire()
+with ending.ended_by_signals(), ending.stopped_by_signals(lambda: None):
+    print("ready", flush=True)
+    try:
+        threading.Event().wait()
+    finally:
+        taken.acquire()
+"""
+"""A server that does not stop, and whose cleaning up waits for a thread that cannot go on, such as one that prints."""
+
+
+def test_one_signal_is_enough_whatever_hangs() -> None:
+    with subprocess.Popen(
+        [sys.executable, "-c", NEVER_ENDS], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        try:
+            assert process.stdout is not None
+            assert process.stdout.readline() == b"ready\n"
+            process.send_signal(signal.SIGTERM)
+            _, said = process.communicate(timeout=10)
+        finally:
+            process.kill()
+    assert (process.returncode, said) == (128 + signal.SIGTERM, b"")
+
+
 @pytest.mark.parametrize("words", [[SCRIPT], [sys.executable, "-m", "ev3proto"]])
 def test_what_nobody_reads_is_no_fault(words: list[str], tmp_path: Path) -> None:
     (tmp_path / "long").write_text(f"{TONE}\n" * 20_000)

@@ -68,32 +68,33 @@ def _handled_by(handler: Handler, numbers: list[signal.Signals]) -> Iterator[Non
 def stopped_by_signals(stop: Callable[[], object]) -> Iterator[None]:
     """While it lasts, the first signal stops something in order; the next does what it did before.
 
-    Where it takes longer than PATIENCE to stop, the signal comes once more by itself.
+    Where it takes longer than PATIENCE to stop, the signal comes once more by itself, until all of it has ended.
 
     Args:
         stop: Is called once, between any two steps of the program.
     """
     numbers = _numbers(also_ignored=True)
     before = {number: signal.getsignal(number) for number in numbers}
-    again: threading.Timer | None = None
+    over = threading.Event()
 
     def handle(number: int, _frame: object) -> None:
-        nonlocal again
         for each, former in before.items():
             signal.signal(each, former)
         if before[signal.Signals(number)] is signal.SIG_IGN:
             number = signal.SIGTERM
-        again = threading.Timer(PATIENCE, os.kill, (os.getpid(), number))
-        again.daemon = True
-        again.start()
+        threading.Thread(target=_insist, args=(number, over), daemon=True).start()
         stop()
 
     try:
         with _handled_by(handle, numbers):
             yield
     finally:
-        if again is not None:
-            again.cancel()
+        over.set()
+
+
+def _insist(number: int, over: threading.Event) -> None:
+    while not over.wait(PATIENCE):
+        os.kill(os.getpid(), number)
 
 
 @contextmanager

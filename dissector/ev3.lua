@@ -4958,10 +4958,10 @@ do
     -- Adds the operations from an offset on to `uses`, by name. Returns whether all of them can be read.
     local function add_uses(uses, body, at)
         while at < #body do
-            local operation, behind, _, reason = read_operation(body, at, #body)
+            local operation, after, _, reason = read_operation(body, at, #body)
             if operation then uses[operation.title] = (uses[operation.title] or 0) + 1 end
             if reason then return false end
-            at = behind
+            at = after
         end
         return true
     end
@@ -5265,8 +5265,8 @@ do
         end
     end
 
-    -- Puts the commands before one behind it, as many as are remembered.
-    local function put_behind(command, earlier)
+    -- Puts the commands before one after it, as many as are remembered.
+    local function put_earlier(command, earlier)
         command.earlier = earlier
         local oldest = command
         for _ = 2, MOST_PER_COUNTER do
@@ -5289,7 +5289,7 @@ do
             command = { place = place, time = pinfo.rel_ts, body = body, delay = 0 }
         end
         local earlier = newest(talk, key)
-        if earlier then put_behind(command, earlier) end
+        if earlier then put_earlier(command, earlier) end
         if talk.count >= MOST_WAITING then talk.pending, talk.pending_before, talk.count = {}, talk.pending, 0 end
         local pending = talk.pending
         if not pending[key] then talk.count = talk.count + 1 end
@@ -6453,13 +6453,13 @@ do
     local function can_be_read_now(text, stop, is_part)
         local at = COMMAND_HEADER_SIZE
         while at < stop do
-            local operation, behind, _, reason, kind = read_operation(text, at, stop)
+            local operation, after, _, reason, kind = read_operation(text, at, stop)
             -- Of a list that goes on in the next packet the dissector says that it is too long.
             if reason then
                 local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
                 return is_part and (kind == "cut_off" or is_list)
             end
-            at = behind
+            at = after
         end
         return true
     end
@@ -6491,10 +6491,10 @@ do
         if stop <= at then return false end
         while at < stop do
             if CLAIMS.never_sent[byte(text, at + 1)] then return false end
-            local _, behind, _, reason = read_operation(text, at, stop)
+            local _, after, _, reason = read_operation(text, at, stop)
             -- Operations of another firmware.
             if reason then return true end
-            at = behind
+            at = after
         end
         return true
     end
@@ -6822,44 +6822,44 @@ local dissect_stream, dissect_no_frame, judge_text
 do
     -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
-        local serial, newline, behind = text:match(UNLOCK.pattern, at + 1)
+        local serial, newline, after = text:match(UNLOCK.pattern, at + 1)
         if not serial then return nil end
         for _ = 1, UNLOCK.endings do
-            if sub(text, behind, behind + #newline - 1) == newline then behind = behind + #newline end
+            if sub(text, after, after + #newline - 1) == newline then after = after + #newline end
         end
-        return behind - 1, serial
+        return after - 1, serial
     end
 
     local function dissect_unlock(tvb, text, at, tree, is_shown)
-        local behind, serial = match_unlock(text, at)
-        if not behind then return nil end
+        local after, serial = match_unlock(text, at)
+        if not after then return nil end
         local said = "unlock " .. serial
         if is_shown then
-            local range = tvb(at, behind - at)
+            local range = tvb(at, after - at)
             local item = add_item(tree, range, said)
             item:add(field.unlock, range)
             item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial))
         end
-        return said, behind
+        return said, after
     end
 
     -- What the brick answers to it. The firmware sends the text's zero, too: it is one where it cannot be the start of
     -- a frame's length.
     local function dissect_accept(tvb, text, at, tree, is_shown)
-        local behind = at + #UNLOCK.answer
-        if sub(text, at + 1, behind) ~= UNLOCK.answer then return nil end
-        local zero, next = byte(text, behind + 1, behind + 2)
-        if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
+        local after = at + #UNLOCK.answer
+        if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
+        local zero, next = byte(text, after + 1, after + 2)
+        if zero == 0 and not (next and is_length(zero, next)) then after = after + 1 end
         if is_shown then
-            local range = tvb(at, behind - at)
+            local range = tvb(at, after - at)
             add_item(tree, range, "accepted"):add(field.accept, range)
         end
-        return "accepted", behind
+        return "accepted", after
     end
 
     local function dissect_text(tvb, text, at, tree, is_shown)
-        local said, behind = dissect_unlock(tvb, text, at, tree, is_shown)
-        if said then return said, behind end
+        local said, after = dissect_unlock(tvb, text, at, tree, is_shown)
+        if said then return said, after end
         return dissect_accept(tvb, text, at, tree, is_shown)
     end
 
@@ -6884,8 +6884,8 @@ do
     -- What is left of a text that came in an earlier segment: its line ends, or the zero after the answer. A faulty
     -- frame may start like that, too: so only whole frames may follow.
     local function end_of_text(text, at)
-        local behind = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
-        at = behind and behind - 1
+        local after = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
+        at = after and after - 1
         local next = at
         while next and next < #text do
             local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
@@ -6895,12 +6895,12 @@ do
         return next == #text and at or nil
     end
 
-    local function dissect_end_of_text(tvb, at, behind, tree, is_shown)
+    local function dissect_end_of_text(tvb, at, after, tree, is_shown)
         if is_shown then
-            local range = tvb(at, behind - at)
+            local range = tvb(at, after - at)
             add_item(tree, range, "end of the text before"):add(field.rest, range)
         end
-        return "end of the text before", behind
+        return "end of the text before", after
     end
 
     local function add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
@@ -6994,9 +6994,9 @@ do
         local step, joint = stream.step, stream.joint
         while at < captured do
             local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
-            local said, behind
+            local said, after
             if UNLOCK.starts[low] then
-                said, behind = dissect_text(tvb, text, at, tree, is_shown)
+                said, after = dissect_text(tvb, text, at, tree, is_shown)
                 if not said and not is_last and is_part_of_text(text, at) then return at, nil, true, step end
                 is_ours = is_ours or said ~= nil
                 if said then step = "sure" end
@@ -7014,9 +7014,9 @@ do
                     end
                 end
                 if not is_frame then
-                    behind = step ~= "lost" and end_of_text(text, at)
-                    if behind then
-                        said, behind = dissect_end_of_text(tvb, at, behind, tree, is_shown)
+                    after = step ~= "lost" and end_of_text(text, at)
+                    if after then
+                        said, after = dissect_end_of_text(tvb, at, after, tree, is_shown)
                     else
                         local from, is_open = at, false
                         if step ~= "lost" then from = at + 1 end
@@ -7027,15 +7027,15 @@ do
                         elseif at > 0 then
                             least = LENGTH_FIELD
                         end
-                        behind, is_open = next_step(text, from, accepts, not is_last and least, stream.first, joint)
-                        step = (is_open or behind == captured) and "lost" or "sure"
-                        if behind > at then
+                        after, is_open = next_step(text, from, accepts, not is_last and least, stream.first, joint)
+                        step = (is_open or after == captured) and "lost" or "sure"
+                        if after > at then
                             local length = size and size - LENGTH_FIELD or MIN_LENGTH
-                            said = dissect_no_frame(tvb, at, behind, length, tree, is_shown)
+                            said = dissect_no_frame(tvb, at, after, length, tree, is_shown)
                         end
                         if is_open then
                             if said then say(said) end
-                            return behind, nil, true, step
+                            return after, nil, true, step
                         end
                     end
                 elseif not is_last and not code and step == "likely" and at == 0 then
@@ -7047,18 +7047,18 @@ do
                     return at, nil, true, step
                 elseif captured - at < HEADER_SIZE then
                     local reason = "the frame is cut off in its header"
-                    said, behind =
+                    said, after =
                         add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
                 else
-                    behind = math.min(at + size, captured)
-                    local frame = at == 0 and behind == captured and text or sub(text, at + 1, behind)
+                    after = math.min(at + size, captured)
+                    local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                     is_ours = is_ours or MESSAGE_TYPES[code] ~= nil
                     local place = place_of(number, start + at)
                     said = dissect_message(tvb, at, read_message(frame), talk, place, pinfo, tree, is_shown)
                 end
             end
             if said then say(said) end
-            at = behind
+            at = after
         end
         return at, 0, is_ours, step
     end
@@ -7436,15 +7436,15 @@ do
                 may_gap = true,
                 accepts = is_ours[number],
             }
-            local behind, _, has_ours, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
-            size = #text - behind
+            local after, _, has_ours, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
+            size = #text - after
             if is_first and size > 0 then
-                stream.left, stream.list = sub(text, behind + 1), { number }
+                stream.left, stream.list = sub(text, after + 1), { number }
                 begun[number] = stream.list
             end
             if is_first then
                 stream.step = step
-                count_faults(talk, stream, has_ours, behind)
+                count_faults(talk, stream, has_ours, after)
             end
         end
         if size > 0 then
@@ -7709,15 +7709,15 @@ do
                     first = 0,
                     accepts = types_of(pinfo),
                 }
-                local behind, wanted, _, step_after =
+                local after, wanted, _, step_after =
                     dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
-                if behind < captured then
-                    pinfo.desegment_offset = behind
+                if after < captured then
+                    pinfo.desegment_offset = after
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
                 end
                 if known then
-                    known.pending = behind < captured and sub(text, behind + 1) or nil
-                    known.step, known.done = step_after, behind
+                    known.pending = after < captured and sub(text, after + 1) or nil
+                    known.step, known.done = step_after, after
                 end
                 show(pinfo)
             end

@@ -213,15 +213,15 @@ do
                 may_gap = true,
                 accepts = is_ours[number],
             }
-            local behind, _, has_ours, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
-            size = #text - behind
+            local after, _, has_ours, step = dissect_stream(whole, text, state, talk, number, pinfo, tree, is_shown)
+            size = #text - after
             if is_first and size > 0 then
-                stream.left, stream.list = sub(text, behind + 1), { number }
+                stream.left, stream.list = sub(text, after + 1), { number }
                 begun[number] = stream.list
             end
             if is_first then
                 stream.step = step
-                count_faults(talk, stream, has_ours, behind)
+                count_faults(talk, stream, has_ours, after)
             end
         end
         if size > 0 then

@@ -23,13 +23,13 @@ do
     local function can_be_read_now(text, stop, is_part)
         local at = COMMAND_HEADER_SIZE
         while at < stop do
-            local operation, behind, _, reason, kind = read_operation(text, at, stop)
+            local operation, after, _, reason, kind = read_operation(text, at, stop)
             -- Of a list that goes on in the next packet the dissector says that it is too long.
             if reason then
                 local is_list = kind == "fault" and operation ~= nil and operation.list ~= nil
                 return is_part and (kind == "cut_off" or is_list)
             end
-            at = behind
+            at = after
         end
         return true
     end
@@ -61,10 +61,10 @@ do
         if stop <= at then return false end
         while at < stop do
             if CLAIMS.never_sent[byte(text, at + 1)] then return false end
-            local _, behind, _, reason = read_operation(text, at, stop)
+            local _, after, _, reason = read_operation(text, at, stop)
             -- Operations of another firmware.
             if reason then return true end
-            at = behind
+            at = after
         end
         return true
     end

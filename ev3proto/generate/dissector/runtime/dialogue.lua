@@ -96,8 +96,8 @@ do
         end
     end
 
-    -- Puts the commands before one behind it, as many as are remembered.
-    local function put_behind(command, earlier)
+    -- Puts the commands before one after it, as many as are remembered.
+    local function put_earlier(command, earlier)
         command.earlier = earlier
         local oldest = command
         for _ = 2, MOST_PER_COUNTER do
@@ -120,7 +120,7 @@ do
             command = { place = place, time = pinfo.rel_ts, body = body, delay = 0 }
         end
         local earlier = newest(talk, key)
-        if earlier then put_behind(command, earlier) end
+        if earlier then put_earlier(command, earlier) end
         if talk.count >= MOST_WAITING then talk.pending, talk.pending_before, talk.count = {}, talk.pending, 0 end
         local pending = talk.pending
         if not pending[key] then talk.count = talk.count + 1 end

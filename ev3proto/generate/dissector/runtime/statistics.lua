@@ -47,10 +47,10 @@ do
     -- Adds the operations from an offset on to `uses`, by name. Returns whether all of them can be read.
     local function add_uses(uses, body, at)
         while at < #body do
-            local operation, behind, _, reason = read_operation(body, at, #body)
+            local operation, after, _, reason = read_operation(body, at, #body)
             if operation then uses[operation.title] = (uses[operation.title] or 0) + 1 end
             if reason then return false end
-            at = behind
+            at = after
         end
         return true
     end

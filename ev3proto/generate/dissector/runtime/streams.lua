@@ -7,44 +7,44 @@ local dissect_stream, dissect_no_frame, judge_text
 do
     -- The text by which a host unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
-        local serial, newline, behind = text:match(UNLOCK.pattern, at + 1)
+        local serial, newline, after = text:match(UNLOCK.pattern, at + 1)
         if not serial then return nil end
         for _ = 1, UNLOCK.endings do
-            if sub(text, behind, behind + #newline - 1) == newline then behind = behind + #newline end
+            if sub(text, after, after + #newline - 1) == newline then after = after + #newline end
         end
-        return behind - 1, serial
+        return after - 1, serial
     end
 
     local function dissect_unlock(tvb, text, at, tree, is_shown)
-        local behind, serial = match_unlock(text, at)
-        if not behind then return nil end
+        local after, serial = match_unlock(text, at)
+        if not after then return nil end
         local said = "unlock " .. serial
         if is_shown then
-            local range = tvb(at, behind - at)
+            local range = tvb(at, after - at)
             local item = add_item(tree, range, said)
             item:add(field.unlock, range)
             item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial))
         end
-        return said, behind
+        return said, after
     end
 
     -- What the brick answers to it. The firmware sends the text's zero, too: it is one where it cannot be the start of
     -- a frame's length.
     local function dissect_accept(tvb, text, at, tree, is_shown)
-        local behind = at + #UNLOCK.answer
-        if sub(text, at + 1, behind) ~= UNLOCK.answer then return nil end
-        local zero, next = byte(text, behind + 1, behind + 2)
-        if zero == 0 and not (next and is_length(zero, next)) then behind = behind + 1 end
+        local after = at + #UNLOCK.answer
+        if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
+        local zero, next = byte(text, after + 1, after + 2)
+        if zero == 0 and not (next and is_length(zero, next)) then after = after + 1 end
         if is_shown then
-            local range = tvb(at, behind - at)
+            local range = tvb(at, after - at)
             add_item(tree, range, "accepted"):add(field.accept, range)
         end
-        return "accepted", behind
+        return "accepted", after
     end
 
     local function dissect_text(tvb, text, at, tree, is_shown)
-        local said, behind = dissect_unlock(tvb, text, at, tree, is_shown)
-        if said then return said, behind end
+        local said, after = dissect_unlock(tvb, text, at, tree, is_shown)
+        if said then return said, after end
         return dissect_accept(tvb, text, at, tree, is_shown)
     end
 
@@ -69,8 +69,8 @@ do
     -- What is left of a text that came in an earlier segment: its line ends, or the zero after the answer. A faulty
     -- frame may start like that, too: so only whole frames may follow.
     local function end_of_text(text, at)
-        local behind = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
-        at = behind and behind - 1
+        local after = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
+        at = after and after - 1
         local next = at
         while next and next < #text do
             local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
@@ -80,12 +80,12 @@ do
         return next == #text and at or nil
     end
 
-    local function dissect_end_of_text(tvb, at, behind, tree, is_shown)
+    local function dissect_end_of_text(tvb, at, after, tree, is_shown)
         if is_shown then
-            local range = tvb(at, behind - at)
+            local range = tvb(at, after - at)
             add_item(tree, range, "end of the text before"):add(field.rest, range)
         end
-        return "end of the text before", behind
+        return "end of the text before", after
     end
 
     local function add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
@@ -179,9 +179,9 @@ do
         local step, joint = stream.step, stream.joint
         while at < captured do
             local low, high, _, _, code = byte(text, at + 1, at + HEADER_SIZE)
-            local said, behind
+            local said, after
             if UNLOCK.starts[low] then
-                said, behind = dissect_text(tvb, text, at, tree, is_shown)
+                said, after = dissect_text(tvb, text, at, tree, is_shown)
                 if not said and not is_last and is_part_of_text(text, at) then return at, nil, true, step end
                 is_ours = is_ours or said ~= nil
                 if said then step = "sure" end
@@ -199,9 +199,9 @@ do
                     end
                 end
                 if not is_frame then
-                    behind = step ~= "lost" and end_of_text(text, at)
-                    if behind then
-                        said, behind = dissect_end_of_text(tvb, at, behind, tree, is_shown)
+                    after = step ~= "lost" and end_of_text(text, at)
+                    if after then
+                        said, after = dissect_end_of_text(tvb, at, after, tree, is_shown)
                     else
                         local from, is_open = at, false
                         if step ~= "lost" then from = at + 1 end
@@ -212,15 +212,15 @@ do
                         elseif at > 0 then
                             least = LENGTH_FIELD
                         end
-                        behind, is_open = next_step(text, from, accepts, not is_last and least, stream.first, joint)
-                        step = (is_open or behind == captured) and "lost" or "sure"
-                        if behind > at then
+                        after, is_open = next_step(text, from, accepts, not is_last and least, stream.first, joint)
+                        step = (is_open or after == captured) and "lost" or "sure"
+                        if after > at then
                             local length = size and size - LENGTH_FIELD or MIN_LENGTH
-                            said = dissect_no_frame(tvb, at, behind, length, tree, is_shown)
+                            said = dissect_no_frame(tvb, at, after, length, tree, is_shown)
                         end
                         if is_open then
                             if said then say(said) end
-                            return behind, nil, true, step
+                            return after, nil, true, step
                         end
                     end
                 elseif not is_last and not code and step == "likely" and at == 0 then
@@ -232,18 +232,18 @@ do
                     return at, nil, true, step
                 elseif captured - at < HEADER_SIZE then
                     local reason = "the frame is cut off in its header"
-                    said, behind =
+                    said, after =
                         add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", "cut_off", reason)
                 else
-                    behind = math.min(at + size, captured)
-                    local frame = at == 0 and behind == captured and text or sub(text, at + 1, behind)
+                    after = math.min(at + size, captured)
+                    local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                     is_ours = is_ours or MESSAGE_TYPES[code] ~= nil
                     local place = place_of(number, start + at)
                     said = dissect_message(tvb, at, read_message(frame), talk, place, pinfo, tree, is_shown)
                 end
             end
             if said then say(said) end
-            at = behind
+            at = after
         end
         return at, 0, is_ours, step
     end

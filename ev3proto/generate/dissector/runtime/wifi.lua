@@ -242,15 +242,15 @@ do
                     first = 0,
                     accepts = types_of(pinfo),
                 }
-                local behind, wanted, _, step_after =
+                local after, wanted, _, step_after =
                     dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
-                if behind < captured then
-                    pinfo.desegment_offset = behind
+                if after < captured then
+                    pinfo.desegment_offset = after
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
                 end
                 if known then
-                    known.pending = behind < captured and sub(text, behind + 1) or nil
-                    known.step, known.done = step_after, behind
+                    known.pending = after < captured and sub(text, after + 1) or nil
+                    known.step, known.done = step_after, after
                 end
                 show(pinfo)
             end

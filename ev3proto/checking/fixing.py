@@ -17,13 +17,13 @@ from ev3proto.checking.moving import Layout, is_misaligned, multiple
 from ev3proto.checking.report import Report
 from ev3proto.checking.rules.encodings import is_longer, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
-from ev3proto.errors import BuildError, as_bytes
-from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
-from ev3proto.schema.argument import SHORT, encode_as, encode_variable
+from ev3proto.errors import as_bytes
+from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable, variable_text
+from ev3proto.schema.argument import SHORT, encode_variable
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length, write_memory
 from ev3proto.semantics.footprint import Footprint, Taken, footprints
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, INDEX_RANGES, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
 
 
@@ -199,20 +199,17 @@ class _Fixing:
 
     def _tell_moves(self, moved: list[tuple[Footprint, int]]) -> None:
         """One line a variable, however often it is used."""
-        moves_by_variable: dict[tuple[str, int], tuple[Footprint, int]] = {}
+        moves_by_variable: dict[tuple[str, int], tuple[Footprint, int, int]] = {}
         for place, shift in moved:
-            found = moves_by_variable.get((place.argument.kind, place.start))
-            if found is None or multiple(place) > multiple(found[0]):
-                moves_by_variable[place.argument.kind, place.start] = place, shift
-        for place, shift in moves_by_variable.values():
-            why = (
-                f"{place.full_name} needs a multiple of {multiple(place)}"
-                if is_misaligned(place)
-                else "it lies within one that moves"
-            )
-            if place.argument.kind == GLOBAL and place.argument.parameter.is_output:
-                why += f"; in the reply it is at offset {HEADER_SIZE + place.start + shift} now"
-            self._changed("variable", str(_variable(place)), str(_variable(place, shift)), why)
+            variable, many = (place.argument.form.kind, place.start), multiple(place)
+            found = moves_by_variable.get(variable)
+            if found is None or many > found[2]:
+                moves_by_variable[variable] = place, shift, many
+        for (kind, start), (place, shift, many) in moves_by_variable.items():
+            why = f"{place.full_name} needs a multiple of {many}" if start % many else "it lies within one that moves"
+            if kind == GLOBAL and place.argument.parameter.is_output:
+                why += f"; in the reply it is at offset {HEADER_SIZE + start + shift} now"
+            self._changed("variable", variable_text(kind, start), variable_text(kind, start + shift), why)
 
     def _reply_type(self, command: DirectCommand) -> DirectCommand:
         if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:
@@ -224,7 +221,7 @@ class _Fixing:
                 continue
             member = MessageType.DIRECT_COMMAND_REPLY
             self._set(TYPE_OFFSET, bytes((member,)))
-            why = f"{place.operation.full_name} writes {_variable(place)}, which only a reply brings"
+            why = f"{place.operation.full_name} writes {place.variable}, which only a reply brings"
             self._changed("type", command.type.name, member.name, why)
             return replace(command, type=member)
         return command
@@ -299,25 +296,17 @@ def _most(command: DirectCommand, scope: str) -> int:
     return MOST_IN_REPLY if command.wants_reply else GRANTED_GLOBALS
 
 
-def _variable(place: Footprint, shift: int = 0) -> Variable:
-    return Variable(place.argument.kind, place.start + shift)
-
-
 def _left(block: Iterable[Footprint], why: str) -> str:
     place = next(filter(is_misaligned, block))
-    return f"{_variable(place)} is no multiple of {multiple(place)}, as {place.full_name} needs it, but stays: {why}"
+    return f"{place.variable} is no multiple of {multiple(place)}, as {place.full_name} needs it, but stays: {why}"
 
 
 def _moved(place: Footprint, shift: int) -> bytes:
     """The argument with another index, in the encoding that it has where that can hold it."""
     argument, index = place.argument, place.start + shift
     form = argument.form
-    if form.width:
-        try:
-            plain = encode_as(argument.encoding, index)
-            return argument.raw[:1] + plain[1:]
-        except BuildError:
-            pass
+    if form.width and index in INDEX_RANGES[form.width]:
+        return argument.raw[:1] + index.to_bytes(form.width, "little")
     return _variable_bytes(form.kind, index, form.handle, form.address)
 
 

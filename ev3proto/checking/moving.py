@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from itertools import accumulate, pairwise
+from typing import NamedTuple
 
 from ev3proto.semantics.footprint import Footprint
 from ev3proto.tables.encoding import INDEX_RANGES
@@ -27,7 +29,15 @@ def is_misaligned(place: Footprint) -> bool:
     return place.start % place.validator_alignment != 0 or place.start % place.cpu_alignment != 0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+# For each index within the widest alignment and what it must be a multiple of, the ways that make it one, as bits.
+_FITTING = {
+    (start, many): sum(1 << way for way in range(WIDEST) if (start + way) % many == 0)
+    for start in range(WIDEST)
+    for many in range(1, WIDEST + 1)
+}
+
+
+@dataclass(slots=True, eq=False)
 class Block:
     """Variables that have to stay together: the bytes from `start` to `end`, and all that is used of them."""
 
@@ -56,10 +66,12 @@ class Block:
         is_around = other.start >= self.start and other.end <= self.end
         return (is_within or is_around) and (self.start == other.start or self.is_shared or other.is_shared)
 
-    def ways(self) -> list[int]:
-        """By how many bytes it may move for all of it to be aligned, as far as that is less than the widest."""
-        wanted = {(place.start % WIDEST, multiple(place)) for place in self.places}
-        return [way for way in range(WIDEST) if all((start + way) % many == 0 for start, many in wanted)]
+    def ways(self) -> int:
+        """By how many bytes, fewer than the widest has, it may move for all of it to be aligned: a bit for each."""
+        fitting = (1 << WIDEST) - 1
+        for place in self.places:
+            fitting &= _FITTING[place.start % WIDEST, multiple(place)]
+        return fitting
 
 
 class Layout:
@@ -82,6 +94,7 @@ class Layout:
         self.left: list[tuple[tuple[Footprint, ...], str]] = []
         self._most = most
         self._rigid = rigid
+        self._has_rigid = any(rigid)
         self._blocks: list[Block] = []
         for place in misaligned:
             if place.end > most:
@@ -91,28 +104,34 @@ class Layout:
 
     def moves(self) -> Iterator[tuple[tuple[Footprint, ...], int]]:
         """Blocks of variables that have to move, and by how many bytes; all others stay where they are."""
-        waiting = [block for block in self._blocks if not block.is_aligned]
-        if not waiting:
-            return
+        misaligned = [block for block in self._blocks if not block.is_aligned]
+        waiting = [
+            _Waiting(block, ways, self._last_start(block))
+            for block in misaligned
+            if (ways := block.ways()) and not block.is_open
+        ]
+        moved: set[Block] = set()
         room = _Room(self._blocks, self._most)
         before = -1
         while waiting and len(waiting) != before:
             before = len(waiting)
-            stuck: list[Block] = []
-            for block in waiting:
-                shift = None if block.is_open else room.shift(block, self._last_start(block))
+            stuck: list[_Waiting] = []
+            for one in waiting:
+                shift = room.shift(one)
                 if shift is None:
-                    stuck.append(block)
+                    stuck.append(one)
                 else:
-                    yield block.places, shift
+                    moved.add(one.block)
+                    yield one.block.places, shift
             # A block that moves may make room for its neighbour, and that one for the next: now the other way.
             waiting = stuck[::-1]
-        for block in sorted(waiting, key=self._blocks.index):
-            self.left.append((block.places, self._obstacle(block)))
+        self.left += [(block.places, self._obstacle(block)) for block in misaligned if block not in moved]
 
     def _last_start(self, block: Block) -> int:
         """The greatest index that a block can have, because some of its arguments keep their length."""
         last = self._most
+        if not self._has_rigid:
+            return last
         for place in block.places:
             width = place.argument.form.width
             if width is not None and self._rigid[place.argument.offset]:
@@ -130,11 +149,25 @@ class Layout:
         return "there is no room elsewhere"
 
 
+class _Waiting(NamedTuple):
+    """A block that has to move.
+
+    block  the block
+    ways   by how many bytes it may move, as `Block.ways` says it
+    last   the greatest index that it can have
+    """
+
+    block: Block
+    ways: int
+    last: int
+
+
 class _Room:
     """Which bytes of a memory are taken."""
 
     def __init__(self, blocks: list[Block], most: int) -> None:
         self._most = most
+        self._all = _mask(0, most)
         steps = [0] * (most + 1)
         for block in blocks:
             steps[block.start] += 1
@@ -144,29 +177,26 @@ class _Room:
         self._taken = _bits([count > 0 for count in self._counts])
         self._contested = _bits([count > 1 for count in self._counts])
 
-    def shift(self, block: Block, last: int) -> int | None:
+    def shift(self, waiting: _Waiting) -> int | None:
         """Moves a block the shortest way to a place that is free and aligned; up rather than down.
 
         Args:
-            block: What to move.
-            last: The greatest index that it can have.
+            waiting: What to move.
 
         Returns:
             By how many bytes it was moved, None where there is no such place.
         """
+        block, ways, last = waiting
         start, size = block.start, block.end - block.start
         own = _mask(start, block.end)
-        places = _mask(0, self._most) & ~(self._taken & ~own | self._contested & own)
+        places = self._all & ~(self._taken & ~own | self._contested & own)
         # The offsets from which on one byte is free, then two, four, ..., and in the end as many as it has.
         known = 1
         while known < size:
             step = min(known, size - known)
             places &= places >> step
             known += step
-        aligned = 0
-        for way in block.ways():
-            aligned |= _EVERY_WIDEST << (start + way) % WIDEST
-        places &= aligned & _mask(0, last + 1) & ~(1 << start)
+        places &= _starts(start % WIDEST, ways) & _mask(0, last + 1) & ~(1 << start)
         if not places:
             return None
         above, below = places >> start, places & _mask(0, start)
@@ -252,3 +282,16 @@ def _mask(start: int, end: int) -> int:
 
 _EVERY_WIDEST = _bits([at % WIDEST == 0 for at in range(1 << 10)])
 """Bits at the multiples of that."""
+
+
+@cache
+def _starts(start: int, ways: int) -> int:
+    """Bits at the offsets where a block may start that may move by some numbers of bytes.
+
+    start  where it starts within the widest alignment
+    """
+    found = 0
+    for way in range(WIDEST):
+        if ways >> way & 1:
+            found |= _EVERY_WIDEST << (start + way) % WIDEST
+    return found

@@ -330,9 +330,11 @@ class InstructionSet(Bytewise):
         padded = b"" if is_long else data + PADDING
         by_opcode, by_command = _ALL_UNUSUAL if is_long else self._by_opcode, self._by_command
         short_forms = SHORT
+        layout: _Layout | None = None
         while at < end:
             start = at
-            schema, size, readers, has_list = by_opcode[data[at]] or by_command[data[at]][padded[at + 1]]
+            schema, size, readers, has_list = layout or by_opcode[data[at]] or by_command[data[at]][padded[at + 1]]
+            layout = None
             at += size
             arguments: list[Argument] = []
             if has_list:
@@ -363,6 +365,11 @@ class InstructionSet(Bytewise):
             if self._lay_out(data[start]):
                 at = start
                 continue
+            if size == _BEYOND and not is_long:
+                layout = self._with_long_cmd(data, start)
+                if layout is not None:
+                    at = start
+                    continue
             operation, fault = self._scan_one(data, start, end)
             if operation is not None:
                 operations.append(operation)
@@ -370,6 +377,18 @@ class InstructionSet(Bytewise):
             if fault is not None:
                 return operations, fault
         return operations, None
+
+    def _with_long_cmd(self, data: bytes, at: int) -> _Layout | None:
+        """The layout of an operation whose CMD is longer than it need be, None where there is no such operation."""
+        family = self._family(data[at])
+        if family is None:
+            return None
+        try:
+            cmd, stop = CMD.read(data, at + 1)
+        except DecodeError:
+            return None
+        schema = family.commands.get(int(cmd.value)) if cmd.kind == CONSTANT else None
+        return None if schema is None else (schema, stop - at, schema.readers, schema.list_parameter is not None)
 
     def _scan_one(self, data: bytes, start: int, end: int) -> tuple[Operation | None, DecodeError | None]:
         """Reads one operation of any kind: the operation as far as it can be read, and what is wrong with it."""

@@ -58,10 +58,8 @@ def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperat
     """Operations as the rules look at them, as far as the firmware reads them."""
     found: list[CheckedOperation] = []
     for parsed in operations:
-        schema, _, start, end, *read = parsed
-        facts = operation_facts(schema)
-        arguments = read[0] if read else parsed.arguments
-        found.append(CheckedOperation(parsed, facts, facts.name, arguments, start, end))
+        facts = operation_facts(parsed[0])
+        found.append(CheckedOperation(parsed, facts, facts.name, parsed.arguments, parsed[2], parsed[3]))
         if facts.ends_code:
             break
     return tuple(found)

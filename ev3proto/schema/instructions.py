@@ -338,7 +338,7 @@ class InstructionSet(Bytewise):
             at += size
             arguments: list[Argument] = []
             if has_list:
-                readers = schema.readers_with_list(arguments)
+                readers = schema.readers_with_list(arguments, end)
             for parameter, long_forms in readers:
                 first = padded[at]
                 if first < 128:

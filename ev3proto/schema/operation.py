@@ -14,19 +14,21 @@ from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DATA8, Command, Declaration, Direction, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, RANGES, STRING_CODING
 from ev3proto.tables.enumerations import FORMAT_TYPES
-from ev3proto.tables.frame import MAX_FRAME
 
 CMD = ArgumentSchema(Parameter("CMD", DATA8, "which of the family's commands it is"))
 """CMD is a parameter like any other: one byte where it is 31 or less, but senders may encode it longer."""
 
-MOST_COUNTED = 32
-"""Largest number of list elements that are read together with the other arguments."""
+_FEW = 32
+"""List elements that are read without a look at where the byte code ends, since zeros follow it, more than these."""
+
+_NO_COUNT = 1 << 32
+"""More elements than any list has."""
 
 
 def _count_of(counter: Argument) -> int:
     """How many elements a counter announces. More than any list has where it is no such number."""
     is_count = counter.kind == CONSTANT and isinstance(counter.value, int) and counter.value >= 0
-    return int(counter.value) if is_count else MAX_FRAME
+    return int(counter.value) if is_count else _NO_COUNT
 
 
 _LISTS = (Type.COUNT, Type.VALUES)
@@ -46,7 +48,7 @@ class OperationSchema(Bytewise):
         has_values = self.list_parameter is not None and self.list_parameter.type is Type.VALUES
         self._parameters = parameters[:-1] if has_values else parameters
         self.readers = tuple([reader_of(parameter) for parameter in self._parameters])
-        self._elements: dict[tuple[int, Type], ArgumentSchema] = {}
+        self._elements: dict[Type, list[ArgumentSchema]] = {}
 
     @cached_property
     def has_outputs(self) -> bool:
@@ -102,8 +104,7 @@ class OperationSchema(Bytewise):
             yield schema, start, at
         if self.list_parameter is None:
             return
-        for index in range(self._count(data, start, at, limit - at)):
-            schema = self._element(index, None)
+        for schema in self._listed(None, self._count(data, start, at, limit - at)):
             start, at = at, schema.measure(data, at, limit)
             yield schema, start, at
 
@@ -114,7 +115,7 @@ class OperationSchema(Bytewise):
         name = argument.name
         if argument.kind != CONSTANT or not isinstance(argument.value, int):
             raise DecodeError(start, f"{name} must be a constant: without it nobody knows how many values follow")
-        bound = min(room, RANGES[Type.COUNT].high) if counter.parameter.type is Type.COUNT else room
+        bound = self._most_listed(room)
         if not 0 <= argument.value <= bound:
             raise DecodeError(
                 start,
@@ -123,20 +124,20 @@ class OperationSchema(Bytewise):
             )
         return argument.value
 
-    def _element(self, index: int, element: Type | None) -> ArgumentSchema:
-        """The schema of a list's element. Without a type it is read as a number of the brick's choice."""
+    def _listed(self, element: Type | None, count: int) -> list[ArgumentSchema]:
+        """The schemas of a list's elements. Without a type they are read as numbers of the brick's choice."""
         parameter = self.list_parameter
         assert parameter is not None
         if element is None:
             element = parameter.element if isinstance(parameter.element, Type) else Type.ARRAY_TYPED
-        schema = self._elements.get((index, element))
-        if schema is None:
-            direction = parameter.elements if parameter.type is Type.COUNT else Direction.IN
+        known = self._elements.setdefault(element, [])
+        direction = parameter.elements if parameter.type is Type.COUNT else Direction.IN
+        for index in range(len(known), count):
             declared = parameter._replace(
                 name=f"{parameter.name}[{index}]", type=element, direction=direction, element=None
             )
-            schema = self._elements[index, element] = ArgumentSchema(declared)
-        return schema
+            known.append(ArgumentSchema(declared))
+        return known[:count]
 
     def _element_type(self, arguments: Sequence[Argument]) -> Type | None:
         """The type of the list's elements where another argument says it."""
@@ -196,22 +197,33 @@ class OperationSchema(Bytewise):
             at = end
         return tuple(found)
 
-    def readers_with_list(self, found: list[Argument], most: int = MOST_COUNTED) -> Iterator[Reader]:
+    def readers_with_list(self, found: list[Argument], end: int) -> Iterator[Reader]:
         """Says what reads each argument of an operation with a list.
 
         Args:
             found: The arguments that were read so far, which whoever asks appends to.
-            most: How many elements there may be.
+            end: Where the byte code ends.
 
         Yields:
-            What reads the next argument. Nothing more where the counter is none, or says more than `most`.
+            What reads the next argument. Nothing more where the counter is none, or says more than there can be, or
+            where the last argument ends too late.
         """
         yield from self.readers
-        count = _count_of(found[-1])
-        if count <= most:
-            element = self._element_type(found)
-            for index in range(count):
-                yield self._element(index, element).reader
+        counter = found[-1]
+        count = _count_of(counter)
+        if count <= _FEW:
+            for schema in self._listed(self._element_type(found), count):
+                yield schema.reader
+        elif count <= self._most_listed(end - counter[3]):
+            for schema in self._listed(self._element_type(found), count):
+                if found[-1][3] >= end:
+                    return
+                yield schema.reader
+
+    def _most_listed(self, room: int) -> int:
+        """How many elements a list can have for which there are so many bytes."""
+        assert self.list_parameter is not None
+        return min(room, RANGES[Type.COUNT].high) if self.list_parameter.type is Type.COUNT else room
 
     def parameters_at(self, data: bytes, at: int, most: int) -> tuple[Parameter, ...] | None:
         """Finds the parameters of an operation with a list, those of its elements among them.
@@ -238,7 +250,7 @@ class OperationSchema(Bytewise):
         if count > most:
             return None
         element = self._element_type(found)
-        return *self._parameters, *(self._element(index, element).parameter for index in range(count))
+        return *self._parameters, *(schema.parameter for schema in self._listed(element, count))
 
     def has_whole_list(self, found: list[Argument]) -> bool:
         """Says whether there are as many list elements among arguments as their counter says."""
@@ -336,8 +348,8 @@ class OperationSchema(Bytewise):
         if count.value != len(elements):
             raise BuildError(f"{count.name} says {count.value}, but {len(elements)} values follow")
         element = self._element_type(arguments)
-        for index, value in enumerate(elements):
-            yield self._element(index, element).write(value)
+        for schema, value in zip(self._listed(element, len(elements)), elements, strict=True):
+            yield schema.write(value)
 
     def _flat(self, values: list[Any]) -> list[Any]:
         """The values one by one, with the count that a list at the end stands for."""

@@ -214,19 +214,19 @@ def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], li
     if len(codes) - len(set(codes)) <= MOST_ALIKE:
         # However they are shared out, no code has more findings than one and all those that are left over.
         return list(findings), []
-    totals = Counter(codes)
-    if max(totals.values()) <= MOST_ALIKE + 1:
+    # One that is left over is not worth a line that says that there is one more.
+    seen = {code: 0 for code, count in Counter(codes).items() if count > MOST_ALIKE + 1}
+    if not seen:
         return list(findings), []
-    seen: Counter[str] = Counter()
     kept: list[Finding] = []
     left: dict[str, list[Finding]] = {}
-    for finding in findings:
-        seen[finding.code] += 1
-        # The last but one is not worth a line that says that there is one more.
-        if seen[finding.code] <= MOST_ALIKE or totals[finding.code] == MOST_ALIKE + 1:
-            kept.append(finding)
-        else:
-            left.setdefault(finding.code, []).append(finding)
+    for finding, code in zip(findings, codes, strict=True):
+        if code in seen:
+            seen[code] += 1
+            if seen[code] > MOST_ALIKE:
+                left.setdefault(code, []).append(finding)
+                continue
+        kept.append(finding)
     return kept, list(left.values())
 
 

@@ -180,7 +180,8 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
             start, end, _, known, operation, number = use
             if not known.is_written:
                 continue
-            end = min(end, MAX_FRAME)
+            if end > MAX_FRAME:
+                end = MAX_FRAME
             key = _identity(use)
             before = next(filter(None, results[start:end]), None)
             if before is not None:

@@ -12,6 +12,7 @@ import ev3proto
 from ev3proto.checking.checking import check
 from ev3proto.checking.fixing import fix
 from ev3proto.dialogue import Exchange
+from ev3proto.schema.frame import read_last
 from ev3proto.text.assembly.writing import assembly
 from ev3proto.text.diagnostics import diagnostics, fixed
 from ev3proto.text.heading import Seen
@@ -21,8 +22,8 @@ from ev3proto.text.table import table
 from ev3proto.text.tree import tree, tree_texts
 
 BODY = 1017
-MOST = 16
-"""Milliseconds that a face may take. Where nothing else runs none takes half of that."""
+MOST = 12
+"""Milliseconds that a face may take. To fix lists of results takes nine of them, nearly everything less than seven."""
 
 
 def _command(body: bytes, *, kind: int = 0, memory: int = 0) -> bytes:
@@ -74,6 +75,9 @@ FRAMES = {
     "pictures": _frame("8400"),
     "a list after the other": _frame("04010140"),
     "a thousand values": bytes.fromhex("FE030100" + "00FF03" + "991C00000000" + "817F") + b"\x60" * 1009,
+    "lists of results": _frame(
+        "99821C0000000000", "8164", "61636567696B6D6F71737577797B7D7F" * 6 + "61636567", memory=4
+    ),
     "unknown opcodes": _frame("FF"),
     "unknown CMDs": _frame("943F"),
     "zeros": bytes(1024),
@@ -86,9 +90,15 @@ FACES: dict[str, Callable[[bytes], object]] = {
     "JSON": lambda frame: record_text(_exchange(frame), Seen()),
     "table": lambda frame: list(table(_exchange(frame), Seen())),
     "assembly": lambda frame: [list(assembly(_exchange(frame), "", notation)) for notation in NOTATIONS],
-    "check": lambda frame: diagnostics(check(frame)),
-    "fix": lambda frame: list(fixed(fix(frame))),
+    "check": lambda frame: diagnostics(check(_new(frame))),
+    "fix": lambda frame: list(fixed(fix(_new(frame)))),
 }
+
+
+def _new(frame: bytes) -> bytes:
+    """The frame, after those that were read last are forgotten: it is not checked faster when it is checked again."""
+    read_last.cache_clear()
+    return frame
 
 
 def _exchange(frame: bytes) -> Exchange:

@@ -246,7 +246,7 @@ class _Fixing:
                 else f"it is not known how many bytes of {scope} memory {place.full_name} takes, so none were added"
                 " for it"
                 for place in beyond
-                if place.end > sizes[scope]
+                if place.start + place.size > sizes[scope]
             )
         self._set(HEADER_SIZE, write_memory(sizes[GLOBAL], sizes[LOCAL]))
 

@@ -100,7 +100,8 @@ class Layout:
             if place.end > most:
                 self.left.append(((place,), f"it reaches beyond the {most} bytes that there are"))
         if len(misaligned) > len(self.left):
-            self._blocks = _blocks([place for place in found if place.end <= most], min(stated, most))
+            within = [place for place in found if place.start + place.size <= most]
+            self._blocks = _blocks(within, min(stated, most))
 
     def moves(self) -> Iterator[tuple[tuple[Footprint, ...], int]]:
         """Blocks of variables that have to move, and by how many bytes; all others stay where they are."""
@@ -224,9 +225,12 @@ def _blocks(found: list[Footprint], stated: int) -> list[Block]:
     following = dict(pairwise([*starts, stated]))
     together: dict[tuple[int, int], list[Footprint]] = {}
     for place in found:
+        start, size = place.start, place.size
+        end = start + size
         # Of an array of unknown length it is assumed that the sender left room for it, up to the next variable.
-        end = max(place.end, following[place.start]) if not place.is_exact else place.end
-        together.setdefault((place.start, end), []).append(place)
+        if place.most != size and following[start] > end:
+            end = following[start]
+        together.setdefault((start, end), []).append(place)
     joined = _Joined()
     for (start, end), places in sorted(together.items()):
         joined.add(Block(start, end, tuple(places)))

@@ -161,11 +161,13 @@ def footprints(operation: Operation, arguments: Sequence[Argument] | None = None
     schema, *_ = operation
     facts = memory_facts(schema)
     fixed = len(facts)
+    # The elements of a list are all alike.
+    listed = element_facts(arguments[fixed].parameter) if len(arguments) > fixed else None
     found: list[Footprint] = []
     for number, argument in enumerate(arguments):
         kind = argument.form.kind
         if kind in (LOCAL, GLOBAL):
-            known = facts[number] if number < fixed else element_facts(argument.parameter)
+            known = facts[number] if listed is None or number < fixed else listed
             found.append(_footprint(operation, number, argument, known, arguments))
     return found
 

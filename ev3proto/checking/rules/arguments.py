@@ -28,11 +28,15 @@ def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[U
             found += longer_form(operation, has_jumps)
         parameters = facts.parameters
         fixed = len(parameters)
+        if len(operation.arguments) > fixed:
+            # The elements of a list are all alike.
+            element = operation.arguments[fixed].parameter
+            listed, listed_memory = parameter_facts(element), element_facts(element)
         for number, argument in enumerate(operation.arguments):
-            parameter, form, value, _, _ = argument
+            _, form, value, _, _ = argument
             kind = form.kind
             if kind in _VARIABLES:
-                known = facts.memory[number] if number < fixed else element_facts(parameter)
+                known = facts.memory[number] if number < fixed else listed_memory
                 if known.is_counted or form.handle or form.address:
                     lies = footprint(operation.parsed, number, operation.arguments)
                     start, size, most = lies.start, lies.size, lies.most
@@ -44,7 +48,7 @@ def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[U
                     used = value, end, None if most is None else value + most, known, operation, number
                 (shared if kind == GLOBAL else local).append(used)
             else:
-                legal = parameters[number] if number < fixed else parameter_facts(parameter)
+                legal = parameters[number] if number < fixed else listed
                 # A range looks at all of its numbers, one by one, for what is no whole number.
                 if type(value) is not int or value not in legal.numbers:
                     wrong = value_finding(operation, number, argument, legal)

@@ -38,17 +38,12 @@ class Variable:
     address: bool = False
 
     def __str__(self) -> str:
-        return variable_text(self.scope, self.index)
+        return f"{'G' if self.scope == GLOBAL else 'L'}V({self.index})"
 
     def __repr__(self) -> str:
         handle = ", handle=True" if self.handle else ""
         address = ", address=True" if self.address else ""
         return f"{str(self)[:-1]}{handle}{address})"
-
-
-def variable_text(scope: str, index: int) -> str:
-    """How a variable is written: `LV(4)`, `GV(0)`."""
-    return f"{'G' if scope == GLOBAL else 'L'}V({index})"
 
 
 def _index(index: int) -> int:

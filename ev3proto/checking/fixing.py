@@ -18,7 +18,7 @@ from ev3proto.checking.report import Report
 from ev3proto.checking.rules.encodings import is_longer, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
 from ev3proto.errors import as_bytes
-from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable, variable_text
+from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
 from ev3proto.schema.argument import SHORT, encode_variable
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length, write_memory
@@ -209,7 +209,7 @@ class _Fixing:
             why = f"{place.full_name} needs a multiple of {many}" if start % many else "it lies within one that moves"
             if kind == GLOBAL and place.argument.parameter.is_output:
                 why += f"; in the reply it is at offset {HEADER_SIZE + start + shift} now"
-            self._changed("variable", variable_text(kind, start), variable_text(kind, start + shift), why)
+            self._changed("variable", str(Variable(kind, start)), str(Variable(kind, start + shift)), why)
 
     def _reply_type(self, command: DirectCommand) -> DirectCommand:
         if command.type is not MessageType.DIRECT_COMMAND_NO_REPLY:

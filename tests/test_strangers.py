@@ -207,20 +207,26 @@ def claims_without_proof() -> tuple[bytes, list[int]]:
     """Connections to port 5555 that begin like ours, and the packets whose frames are taken."""
     capture = Capture(RAW_IP)
     faulty = bytes.fromhex("0700 0100 80 0000 94 77")
+    strange = faulty + b"\xff"
     telling = Connection(capture, 10_000)
-    ours = [telling.send(tone(1)), telling.send(faulty), telling.send(tone(2)), telling.send(faulty)]
+    ours = [telling.send(tone(1)), telling.send(faulty), telling.send(tone(2)), telling.send(strange)]
+    ours += [telling.send(tone(2)), telling.send(strange)]
     # The claim ends here, and after it one frame is not enough.
-    telling.send(faulty)
+    telling.send(strange)
     telling.send(tone(3))
     ours.append(telling.send(tone(4)))
     by_chance = Connection(capture, 10_001)
     ours.append(by_chance.receive(volts(9)))
-    by_chance.receive(faulty)
+    by_chance.receive(strange)
     by_chance.receive(volts(10))
     ours.append(by_chance.send(tone(5)))
     proven = Connection(capture, 10_002)
     ours += [proven.send(voltage(1)), proven.receive(volts(1))]
-    ours += [proven.send(faulty) for _ in range(5)]
+    ours += [proven.send(faulty) for _ in range(10)]
+    alone = Connection(capture, 10_003)
+    ours += [alone.send(bytes.fromhex("0600 0100 80 0000 01")), *(alone.send(faulty) for _ in range(8))]
+    alone.send(faulty)
+    alone.send(bytes.fromhex("0600 0200 80 0000 01"))
     return capture.data(), ours
 
 

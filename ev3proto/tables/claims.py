@@ -18,6 +18,8 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   ends after `STRANGE_IN_A_ROW` packets in a row without a flawless frame, and then it takes two telling operations to
   claim the connection again. Where no frame told, the first strange packet ends it, but as many as that may be at the
   beginning of each side: what is left of a frame. Then one telling operation is enough.
+- Not strange are up to `STRANGE_PACKETS` packets, counted anew after a frame that tells, that hold nothing but frames,
+  with faults or in the wrong direction. Where no frame told, those before such a packet prove nothing.
 - Bluetooth's channel and USB devices that nobody knows as bricks are claimed by a flawless command that makes sense:
   it has at least one operation, and none of those that nobody sends (`NEVER_SENT`). On USB a reply is taken when it
   answers a command, and what has faults once such a reply was seen. After more than `ODD_REPORTS` reports that have a
@@ -46,7 +48,7 @@ PROOFS = 8
 """Packets of Bluetooth in which frames end after which it is no chance that there are some; of TCP see above."""
 
 STRANGE_IN_A_ROW = 2
-"""Packets in a row without a flawless frame, after which a claim of a TCP connection ends that nothing has proven."""
+"""Strange packets in a row after which a claim of a TCP connection ends that nothing has proven."""
 
 FIRST_TELLING = "ADD8"
 """The operations before this one, whose numbers are the smallest, are in others' data by chance."""

@@ -204,7 +204,17 @@ class ConnectionClaim(Claim):
 
     """
 
-    __slots__ = ("_finder", "_has_ended", "_is_left", "_is_weak", "_sides", "_telling", "_waited", "is_proven")
+    __slots__ = (
+        "_faulty",
+        "_finder",
+        "_has_ended",
+        "_is_left",
+        "_is_weak",
+        "_sides",
+        "_telling",
+        "_waited",
+        "is_proven",
+    )
 
     def __init__(self, context: Context) -> None:
         """Makes the claim of a new connection.
@@ -218,6 +228,7 @@ class ConnectionClaim(Claim):
         self._is_weak = False
         self._has_ended = 0  # how much must tell that the next claim is none by chance
         self._telling = 0
+        self._faulty = 0
         self._is_left = False
         self._sides = dict.fromkeys(Direction, 0)  # strange packets at the beginning of each
         self._waited = dict.fromkeys(Direction, 0)  # bytes of each before the last packet that nothing was found in yet
@@ -249,7 +260,7 @@ class ConnectionClaim(Claim):
             self._meet_ours(side, telling)
         elif self._is_exact(frames, events, data, waited):
             self._meet_ours(side, 0)
-        elif len(frames) < len(events):
+        elif len(frames) < len(events) and not self._is_at_fault(events, data):
             self._meet_strange(side, len(data))
         if self.is_claimed:
             held = self._taken()
@@ -272,6 +283,16 @@ class ConnectionClaim(Claim):
             return len(data) + waited == size
         return self._finder.may_become(data, size)
 
+    def _is_at_fault(self, events: list[Event], data: bytes) -> bool:
+        """Whether frames of ours fill a packet, with faults or in the wrong direction, and there were not too many."""
+        frames = [event.frame for event in events if isinstance(event, Record) and event.message.type is not None]
+        if not self.is_claimed or len(frames) < len(events) or not b"".join(frames).endswith(data):
+            return False
+        self._faulty += 1
+        if self._is_weak:
+            self._proofs = 0
+        return self._faulty <= STRANGE_PACKETS
+
     def _meet_ours(self, side: Direction, telling: int) -> None:
         self._sides[side] = STRANGE_IN_A_ROW
         if self._has_ended and not self.is_claimed:
@@ -284,6 +305,8 @@ class ConnectionClaim(Claim):
         self._proofs = (self._proofs if self.is_claimed else 0) + 1 + telling
         self.is_claimed = True
         self._strange = self._unread = 0
+        if telling:
+            self._faulty = 0
         if self._proofs >= PROOFS:
             self.is_proven = True
 

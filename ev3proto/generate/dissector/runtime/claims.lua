@@ -179,6 +179,26 @@ do
         return telling > 0 and OURS or is_clean and claiming.PERHAPS or nil, telling
     end
 
+    -- Whether a text is frames of ours from an offset on and nothing else, whatever is wrong with them.
+    local function holds_frames(text, at)
+        while at < #text do
+            if not may_start(text, at) then return false end
+            local low, high = byte(text, at + 1, at + 2)
+            if not high then return false end
+            at = at + LENGTH_FIELD + low + high * 0x100
+        end
+        return at == #text
+    end
+
+    -- Whether frames of ours fill a packet of a claimed connection, with faults or in the wrong direction, and there
+    -- were not too many.
+    function claiming.is_at_fault(talk, text, at)
+        if not talk.is_claimed or not holds_frames(text, at) then return false end
+        talk.faulty = (talk.faulty or 0) + 1
+        if talk.is_weak then talk.proofs = 0 end
+        return talk.faulty <= CLAIMS.strange_packets
+    end
+
     -- The claim on a connection is proven.
     function claiming.prove(talk)
         talk.is_claimed, talk.is_proven = true, true
@@ -186,6 +206,7 @@ do
 
     local function add_proof(talk, verdict, telling)
         talk.strange, talk.unread, talk.proofs = 0, 0, talk.proofs + 1 + telling
+        if telling > 0 then talk.faulty = 0 end
         talk.is_weak = talk.is_weak and verdict == claiming.PERHAPS
         if talk.proofs >= CLAIMS.proofs then claiming.prove(talk) end
     end

@@ -6620,9 +6620,9 @@ do
         return at == #text
     end
 
-    -- Whether frames of ours fill a packet of a claimed connection, with faults or in the wrong direction, and there
-    -- were not too many.
-    function claiming.is_at_fault(talk, text, at)
+    -- Counts a packet of a claimed connection that frames with faults fill, or misdirected ones. False: it is none, or
+    -- one too many.
+    function claiming.meet_faulty(talk, text, at)
         if not talk.is_claimed or not holds_frames(text, at) then return false end
         talk.faulty = (talk.faulty or 0) + 1
         if talk.is_weak then talk.proofs = 0 end
@@ -7779,7 +7779,7 @@ do
                 local at, waited = begin_of(known, text)
                 local telling
                 verdict, telling = claiming.judge_segment(text, at, to_brick)
-                if not verdict and claiming.is_at_fault(talk, text, at) then
+                if not verdict and claiming.meet_faulty(talk, text, at) then
                     verdict = OURS
                 elseif verdict ~= PART then
                     verdict = claiming.weigh_packet(talk, known, verdict, telling, #text - at - waited) and OURS or nil

@@ -260,7 +260,7 @@ class ConnectionClaim(Claim):
             self._meet_ours(side, telling)
         elif self._is_exact(frames, events, data, waited):
             self._meet_ours(side, 0)
-        elif len(frames) < len(events) and not self._is_at_fault(events, data):
+        elif len(frames) < len(events) and not self._meet_faulty(events, data):
             self._meet_strange(side, len(data))
         if self.is_claimed:
             held = self._taken()
@@ -283,8 +283,8 @@ class ConnectionClaim(Claim):
             return len(data) + waited == size
         return self._finder.may_become(data, size)
 
-    def _is_at_fault(self, events: list[Event], data: bytes) -> bool:
-        """Whether frames of ours fill a packet, with faults or in the wrong direction, and there were not too many."""
+    def _meet_faulty(self, events: list[Event], data: bytes) -> bool:
+        """Counts a packet that frames with faults fill, or misdirected ones. False: it is none, or one too many."""
         frames = [event.frame for event in events if isinstance(event, Record) and event.message.type is not None]
         if not self.is_claimed or len(frames) < len(events) or not b"".join(frames).endswith(data):
             return False

@@ -291,7 +291,7 @@ do
                 local at, waited = begin_of(known, text)
                 local telling
                 verdict, telling = claiming.judge_segment(text, at, to_brick)
-                if not verdict and claiming.is_at_fault(talk, text, at) then
+                if not verdict and claiming.meet_faulty(talk, text, at) then
                     verdict = OURS
                 elseif verdict ~= PART then
                     verdict = claiming.weigh_packet(talk, known, verdict, telling, #text - at - waited) and OURS or nil

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import cache, partial
-from importlib import import_module
-from types import ModuleType
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ev3proto.messages import Message
@@ -146,15 +144,18 @@ class Record:
     def values(self) -> list[Value]:
         """For a reply: what it says, by name; else an empty list."""
         if self._values is None:
-            self._values = _dialogue().values_of(self.message, None if self.request is None else self.request.message)
+            from ev3proto.dialogue import values_of  # which takes a while to load; many only look at messages
+
+            self._values = values_of(self.message, None if self.request is None else self.request.message)
         return self._values
 
     @property
     def exchange(self) -> Exchange:
         """The message with all that a dialogue knows of it."""
+        from ev3proto.dialogue import Exchange
+
         request = None if self.request is None else self.request.message
-        exchange: Exchange = _dialogue().Exchange(self.message, request, self.values, self.transfer)
-        return exchange
+        return Exchange(self.message, request, self.values, self.transfer)
 
     @property
     def time(self) -> float:
@@ -208,12 +209,6 @@ class Record:
         return (
             f"<Record {self.number} {self.route.carrier} {self.route.source} > {self.route.target} {self.frame.hex()}>"
         )
-
-
-@cache
-def _dialogue() -> ModuleType:
-    """What reads replies, which takes a while to load: nobody needs it who only counts or looks at messages."""
-    return import_module("ev3proto.dialogue")
 
 
 MOST_READ = 1 << 14

@@ -19,6 +19,12 @@ do
     -- Frames after one that are looked at to tell whether it is one.
     local MOST_FOLLOWING = 2
 
+    -- The offset after the frame that starts at another one, as its length says; nil where its length is not here.
+    local function stop_of(text, at)
+        local low, high = byte(text, at + 1, at + 2)
+        return high and at + LENGTH_FIELD + low + high * 0x100
+    end
+
     -- Whether the operations of a command can be read: all of them, or with `is_part` those that are there.
     local function can_be_read_now(text, stop, is_part)
         local at = COMMAND_HEADER_SIZE
@@ -161,8 +167,7 @@ do
         local start, is_clean, telling = at, true, 0
         while at < #text do
             if not may_start(text, at) then return nil, 0 end
-            local low, high = byte(text, at + 1, at + 2)
-            local stop = high and at + LENGTH_FIELD + low + high * 0x100
+            local stop = stop_of(text, at)
             if not stop or stop > #text then
                 local is_part = may_become_flawless(text, at, accepts)
                 if at == start then return is_part and PART or nil, 0 end
@@ -182,10 +187,9 @@ do
     -- Whether a text is frames of ours from an offset on and nothing else, whatever is wrong with them.
     local function holds_frames(text, at)
         while at < #text do
-            if not may_start(text, at) then return false end
-            local low, high = byte(text, at + 1, at + 2)
-            if not high then return false end
-            at = at + LENGTH_FIELD + low + high * 0x100
+            local stop = may_start(text, at) and stop_of(text, at)
+            if not stop then return false end
+            at = stop
         end
         return at == #text
     end
@@ -306,8 +310,7 @@ do
         while at < size and count < MOST_FOLLOWING do
             if not may_start(text, at) then return nil end
             if size - at < HEADER_SIZE then break end
-            local low, high = byte(text, at + 1, at + 2)
-            at, count = at + LENGTH_FIELD + low + high * 0x100, count + 1
+            at, count = stop_of(text, at), count + 1
         end
         return count
     end
@@ -353,8 +356,7 @@ do
     -- What a frame is that seems to come in several packets, if a gap may be between them: OURS, PART where more is
     -- needed to tell, nil where it is none. `joint` is where the newest packet starts.
     function judge_split(text, at, accepts, joint, is_last)
-        local low, high = byte(text, at + 1, at + 2)
-        local stop = at + LENGTH_FIELD + low + high * 0x100
+        local stop = stop_of(text, at)
         if stop > #text then
             if may_become_flawless(text, at, accepts) or not find_step(text, at + 1, accepts) then return PART end
             return nil

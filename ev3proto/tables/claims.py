@@ -5,14 +5,14 @@ RFCOMM channel 1, any other device on USB. So traffic is claimed by what it says
 dissector and the built-in reader of captures follow the same rule, and this module is where it stands:
 
 - A frame is *flawless* when all of it can be read, by the instructions of some firmware, and it goes the right way: a
-  command to the brick, a reply from it.
+  command to the brick, a reply from it. It must make sense, too, where it is to claim anything: zeros in others' data
+  are direct commands without an operation, or with one that nobody sends (`NEVER_SENT`).
 - A TCP connection is claimed when its data begin with the unlock text, with the answer to it, or with a flawless
   frame. After `STRANGE_PACKETS` packets with data that are none of these it is left alone. Packets that have no more
   bytes than a frame's header do not count until they have more than a frame together: one may be cut into them.
 - A flawless frame *tells* that it is ours when others' data hardly ever are like it: a system command, or a direct
-  command with an operation from `FIRST_TELLING` on, without one that nobody sends (`NEVER_SENT`), and with variables,
-  numbers and texts in their places. A frame that does not tell claims a TCP connection where it and other flawless
-  frames are all that there is in the packet.
+  command with an operation from `FIRST_TELLING` on, and with variables, numbers and texts in their places. A frame that
+  does not tell claims a TCP connection where it and other flawless frames are all that there is in the packet.
 - Such a claim is *proven* by one of the texts, by a reply just as a command asked for it, or by flawless frames: each
   packet with some counts one, each telling operation one more, and `PROOFS` are enough. A claim that nothing has proven
   ends after `STRANGE_IN_A_ROW` packets in a row without a flawless frame, and then it takes two telling operations to
@@ -20,12 +20,12 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   beginning of each side: what is left of a frame. Then one telling operation is enough.
 - Not strange are up to `STRANGE_PACKETS` packets, counted anew after a frame that tells, that hold nothing but frames,
   with faults or in the wrong direction. Where no frame told, those before such a packet prove nothing.
-- Bluetooth's channel and USB devices that nobody knows as bricks are claimed by a flawless command that makes sense:
-  it has at least one operation, and none of those that nobody sends (`NEVER_SENT`). On USB a reply is taken when it
-  answers a command, and what has faults once such a reply was seen. After more than `ODD_REPORTS` reports that have a
-  frame's length and not its type, or not the size of its type's reports, no command is taken either until a reply
-  answers one; daisy-chain frames are, and the bootloader's faulty replies. On Bluetooth a command may come in several
-  packets, as long as the other side says nothing in between, and what may be a telegram of LEGO's NXT claims nothing.
+- Bluetooth's channel and USB devices that nobody knows as bricks are claimed by a flawless command. On USB a reply is
+  taken when it answers a command, and what has faults once such a reply was seen. After more than `ODD_REPORTS`
+  reports that have a frame's length and not its type, or not the size of its type's reports, no command is taken
+  either until a reply answers one; daisy-chain frames are, and the bootloader's faulty replies. On Bluetooth a command
+  may come in several packets, as long as the other side says nothing in between, and what may be a telegram of LEGO's
+  NXT claims nothing.
 - On Bluetooth and USB the claim ends after `FAULTS_IN_A_ROW` packets without anything that can be a frame. The next one
   may begin. On Bluetooth, where `PROOFS` packets have shown that the traffic is ours, these must have more bytes than a
   frame: what is left of one of which something is missing may come in many packets.

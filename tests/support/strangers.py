@@ -95,6 +95,13 @@ def numbered(rng: random.Random) -> Iterator[Said]:
         yield number % 2 == 0, struct.pack("<H", len(body)) + body
 
 
+def padded(rng: random.Random) -> Iterator[Said]:
+    """A machine's controller: two bytes of length, a number, then mostly zeros."""
+    for number in range(rng.randrange(100), 200):
+        head = struct.pack("<HHHH", rng.choice((6, 14, 18)), number, 0, 0)
+        yield number % 2 == 0, head + bytes(rng.choice((0, 8, 12)))
+
+
 def database(rng: random.Random) -> Iterator[Said]:
     """MySQL: three bytes of length, a number, then data."""
 

@@ -24,14 +24,15 @@ _HELD_SIZE = 700
 
 
 def _is_right(event: Event) -> bool:
-    """Whether something found in a TCP connection is a frame without a fault that goes the right way."""
+    """Whether something found in a TCP connection is a flawless frame that makes sense and goes the right way."""
     if not isinstance(event, Record):
         return False
     message = event.message
     if message.fault is not None or message.type is None:
         return False
     # Bricks in a chain send commands both ways.
-    return message.type.carries == "daisy" or message.type.is_command == (event.direction is Direction.SENT)
+    is_right_way = message.type.carries == "daisy" or message.type.is_command == (event.direction is Direction.SENT)
+    return is_right_way and makes_sense(message)
 
 
 def _is_proof(event: Event) -> bool:

@@ -75,6 +75,11 @@ do
         return true
     end
 
+    -- The same of any message: replies are what the brick makes of them.
+    local function makes_sense(message)
+        return not message.type.is_command or is_sensible_command(message)
+    end
+
     -- Something that no value is written to, or a number and a text in each other's place.
     local function look_for_misplaced(view, parameter, encoding)
         if encoding.scope then return end
@@ -162,7 +167,8 @@ do
 
     -- What a text tells, from an offset on, that should begin with a frame of a type that `accepts` takes, as it goes
     -- the right way: OURS where one of its frames tells it, PERHAPS where none does. Then all of them must be without a
-    -- fault. Else the first one must, and the others must look like frames. The second result is how much they tell.
+    -- fault and make sense. Else the first one must, and the others must look like frames. The second result is how much
+    -- they tell.
     function claiming.weigh_frames(text, at, accepts)
         local start, is_clean, telling = at, true, 0
         while at < #text do
@@ -175,7 +181,7 @@ do
                 break
             end
             local message = read_message(sub(text, at + 1, stop))
-            local stands = is_flawless(message, true) and accepts(message.type)
+            local stands = is_flawless(message, true) and accepts(message.type) and makes_sense(message)
             if at == start and not stands then return nil, 0 end
             is_clean = is_clean and stands
             if is_clean then telling = telling + count_telling(message) end
@@ -289,7 +295,7 @@ do
             if is_length(low, high) and stop <= #text and (stop == #text or may_start(text, stop)) then
                 local message = read_message(sub(text, hit - 1, stop))
                 if is_flawless(message) and (not accepts or accepts(message.type)) then
-                    local is_found = not message.type.is_command or is_sensible_command(message)
+                    local is_found = makes_sense(message)
                     if is_found and least then is_found = (count_chain(text, hit - 2) or 0) >= least end
                     if is_found then return hit - 2 end
                 end
@@ -335,8 +341,7 @@ do
                     local is_begin = place == first or place == second
                     if following or is_begin then
                         local message = read_message(sub(text, place + 1, stop))
-                        local stands = is_flawless(message)
-                            and (not message.type.is_command or is_sensible_command(message))
+                        local stands = is_flawless(message) and makes_sense(message)
                         if stands and following and following > 0 then return place end
                         if stands and following then
                             single = single or place
@@ -363,8 +368,7 @@ do
         end
         local message = read_message(sub(text, at + 1, stop))
         local type, following = message.type, follow(text, stop)
-        local stands = type and (not accepts or accepts(type)) and is_flawless(message)
-            and (not type.is_command or is_sensible_command(message))
+        local stands = type and (not accepts or accepts(type)) and is_flawless(message) and makes_sense(message)
         -- Few bytes are operations by chance.
         local tells_itself = stands and type.is_command and type.carries == "direct"
         if stands and following and following > 0 or tells_itself then return OURS end

@@ -72,6 +72,11 @@ def _getters(count: int) -> tuple[Any, ...]:
     return tuple(getattr(fields, name) for name in names)
 
 
+_ARGUMENT_PARTS = 5
+_OPERATION_PARTS = 4
+_WITHOUT_CONTENTS = "<{} without contents>"
+"""What is shown of an argument or an operation that somebody made by hand: a debugger shows those, too."""
+
 ArgumentValue = int | float | str
 """A number, a text, or the index of a variable."""
 
@@ -96,7 +101,7 @@ class Argument(tuple[Parameter, Encoding, ArgumentValue, int, bytes]):
         offset: int
         _data: bytes
     else:
-        parameter, form, value, offset, _data = _getters(5)
+        parameter, form, value, offset, _data = _getters(_ARGUMENT_PARTS)
 
     @property
     def name(self) -> str:
@@ -148,6 +153,8 @@ class Argument(tuple[Parameter, Encoding, ArgumentValue, int, bytes]):
         return hash((self.offset, self.raw))
 
     def __repr__(self) -> str:
+        if len(self) != _ARGUMENT_PARTS or not isinstance(self.form, Encoding):
+            return _WITHOUT_CONTENTS.format(type(self).__name__)
         return f"Argument({self.name}={self._shown()}, {self.encoding}, offset={self.offset})"
 
     def _shown(self) -> str:
@@ -176,7 +183,7 @@ class OperationReader(Protocol):
         """The same where the operation ends too early."""
 
 
-_WITH_ARGUMENTS = 5
+_WITH_ARGUMENTS = _OPERATION_PARTS + 1
 """Length of an operation that has its arguments with it."""
 
 
@@ -194,7 +201,7 @@ class Operation(tuple[Any, ...]):
         offset: int
         _end: int
     else:
-        _schema, _data, offset, _end = _getters(4)  # a parsed operation has its arguments as the fifth
+        _schema, _data, offset, _end = _getters(_OPERATION_PARTS)  # a parsed operation has its arguments as the fifth
 
     is_complete: ClassVar[bool] = True
     """False for the last operation of a faulty frame, of which only the first arguments could be read."""
@@ -258,12 +265,12 @@ class Operation(tuple[Any, ...]):
 
     def placed(self, frame: bytes, offset: int) -> Operation:
         """The same operation where it stands in a frame."""
-        schema, _, start, end = self[:4]
+        schema, _, start, end = self[:_OPERATION_PARTS]
         return type(self)((schema, frame, offset, offset + end - start))
 
     def __getnewargs__(self) -> tuple[tuple[Any, ...]]:
         """Copies and pickles have what the operation is made of, and read their arguments again."""
-        return (self[:4],)
+        return (self[:_OPERATION_PARTS],)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Operation):
@@ -277,6 +284,8 @@ class Operation(tuple[Any, ...]):
         return hash((self.raw, self.offset))
 
     def __repr__(self) -> str:
+        if len(self) < _OPERATION_PARTS or not isinstance(self._data, bytes):
+            return _WITHOUT_CONTENTS.format(type(self).__name__)
         arguments = ", ".join(f"{argument.name}={argument._shown()}" for argument in self.arguments)
         return f"<{self.full_name}({arguments}) at {self.offset}>"
 
@@ -331,6 +340,13 @@ class Message:
     type: MessageType | None = None
     counter: int = 0
     flaw: Flaw = NO_FLAW
+
+    def __post_init__(self) -> None:
+        """Raises TypeError for a type or a flaw that is none: everything else relies on what they have."""
+        if self.type is not None and not isinstance(self.type, MessageType):
+            raise TypeError(f"type is a MessageType or None, not {self.type!r}")
+        if not isinstance(self.flaw, Flaw):
+            raise TypeError(f"flaw is a Flaw, not {self.flaw!r}")
 
     @property
     def fault(self) -> Fault | None:

@@ -422,6 +422,8 @@ def _chosen(names: list[str], areas: list[str], dialect: str) -> tuple[tuple[str
     operations: dict[str, None] = {}
     system: dict[int, None] = {}
     for name in names:
+        if not isinstance(name, str):
+            raise TypeError(f"a name is a text, not {name!r}")
         upper = name.upper()
         found = [full for full, entry in known.items() if upper in (full, entry.opcode.name)]
         numbers = [entry.number for entry in SYSTEM if entry.name == upper]
@@ -441,6 +443,8 @@ def _chosen(names: list[str], areas: list[str], dialect: str) -> tuple[tuple[str
 
 def _types(name: str) -> list[MessageType]:
     """The types of messages that a name stands for. Raises ValueError."""
+    if not isinstance(name, str):
+        raise TypeError(f"a type of message is a text, not {name!r}")
     found = [member for member in MessageType if name.upper() == member.name or name.lower() == member.kind]
     if not found:
         kinds = dict.fromkeys(member.kind for member in MessageType)

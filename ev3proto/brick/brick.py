@@ -70,6 +70,10 @@ LOCALS = 64
 """Bytes of local memory that every direct command finds, however few it asks for: the most that it can ask for."""
 
 
+_MOST_SECONDS = 10**12
+"""So many may pass at once: 31,700 years. Infinity would never be over."""
+
+
 class Incoming(NamedTuple):
     """A frame that waits, and the connection that it came by."""
 
@@ -195,9 +199,17 @@ class Brick:
         return [reply.frame for reply in self.receive_from(None, frame)]
 
     def advance(self, seconds: float) -> list[bytes]:
-        """Lets time pass and returns the replies that became due.
+        """Lets time pass.
 
-        seconds  0 or more, counted in whole microseconds
+        Args:
+            seconds: 0 to 1000000000000, counted in whole microseconds.
+
+        Returns:
+            The replies that became due.
+
+        Raises:
+            ValueError: So many seconds cannot pass.
+            TypeError: It is no number.
         """
         return [reply.frame for reply in self.advance_all(seconds)]
 
@@ -218,6 +230,10 @@ class Brick:
 
     def advance_all(self, seconds: float) -> list[Outgoing]:
         """The same as `advance` for a brick with several connections."""
+        if not isinstance(seconds, int | float):
+            raise TypeError(f"seconds are a number from 0 to {_MOST_SECONDS}, not {seconds!r}")
+        if not 0 <= seconds <= _MOST_SECONDS:
+            raise ValueError(f"seconds are a number from 0 to {_MOST_SECONDS}, not {seconds!r}")
         target = self.microseconds + round(seconds * 1_000_000)
         self._deadline = thread_time() + self._stretch
         while self.microseconds < target:

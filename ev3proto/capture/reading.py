@@ -104,6 +104,7 @@ def read(
         OSError: The file cannot be opened.
         CaptureError: The file is no capture, or tshark cannot be used.
         ValueError: The dialect or the engine is not known.
+        TypeError: The source is none of these.
 
     """
     check_dialect(dialect)
@@ -156,4 +157,8 @@ def from_pyshark(packets: Iterable[Any], *, dialect: str = "official", ports: Co
 
 
 def _opened(source: str | os.PathLike[str] | BinaryIO) -> CaptureFile:
-    return CaptureFile.at(source) if isinstance(source, str | os.PathLike) else CaptureFile(source)
+    if isinstance(source, str | os.PathLike):
+        return CaptureFile.at(source)
+    if not hasattr(source, "read"):
+        raise TypeError(f"a capture is a path or a binary stream, not {type(source).__name__}")
+    return CaptureFile(source)

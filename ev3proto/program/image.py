@@ -258,6 +258,8 @@ def regular_offsets(entries: Sequence[Entry]) -> Iterator[int]:
 
 
 def _entry(part: CodeObject) -> Entry:
+    if not isinstance(part, CodeObject):
+        raise BuildError(f"objects cannot have {part!r}: each is a CodeObject")
     code = b"" if part.shares is not None else part.code
     return Entry(part.owner, part.triggers, part.local_size, code, part.shares)
 
@@ -324,8 +326,20 @@ def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect
 def build(program: Program) -> bytes:
     """The image of a program, each code laid where its writer had it, or else one after the other.
 
-    Raises BuildError, which names the field, for what no image can carry.
+    Args:
+        program: The program.
+
+    Returns:
+        The image.
+
+    Raises:
+        BuildError: No image can carry the program. The sentence names the field.
+        TypeError: It is no program.
     """
+    if not isinstance(program, Program):
+        raise TypeError(f"an image is made of a Program, not of {type(program).__name__}")
+    if not isinstance(program.defects, Defects):
+        raise BuildError(f"defects cannot be {program.defects!r}: they are Defects")
     return image_of(program.version, program.global_size, [_entry(part) for part in program.objects], program.defects)
 
 

@@ -38,12 +38,6 @@ def direct_command(
     Raises:
         BuildError: There is no operation, or no frame can carry the command.
     """
-    for operation in operations:
-        if not isinstance(operation, Operation):
-            raise BuildError(
-                f"{operation!r} is no operation: ev3proto.operation makes one; what ev3proto.ops makes, and labels, are"
-                " for ev3proto.command"
-            )
     sizes = {"global_size": global_size, "local_size": local_size}
     made = any_direct_command(*operations, counter=counter, reply=reply, **sizes)
     if not operations:
@@ -55,6 +49,12 @@ def any_direct_command(
     *operations: Operation, counter: int, reply: bool, global_size: int, local_size: int
 ) -> DirectCommand:
     """Makes a direct command, an empty one too, which no brick runs but anybody may send. As `direct_command`."""
+    for operation in operations:
+        if not isinstance(operation, Operation):
+            raise BuildError(
+                f"{operation!r} is no operation: ev3proto.operation makes one; what ev3proto.ops makes, and labels, are"
+                " for ev3proto.command"
+            )
     kind = _WITH_REPLY if reply else _WITHOUT_REPLY
     pieces = [one[1][one[2] : one[3]] for one in operations]
     frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(pieces))

@@ -12,7 +12,7 @@ from typing import Any
 
 from construct import Struct
 
-from ev3proto.errors import BuildError, DecodeError
+from ev3proto.errors import BuildError, DecodeError, as_bytes
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables.discovery import (
     BEACON_LINES,
@@ -68,7 +68,11 @@ def is_beacon(datagram: bytes, *, is_cut: bool = False) -> bool:
         True where it begins with the labels of a beacon's first two lines, as far as it is there, and names no other
         protocol.
 
+    Raises:
+        TypeError: It is not made of bytes.
     """
+    if not isinstance(datagram, bytes):
+        datagram = as_bytes(datagram, "a datagram")
     first, second, *_, last = (line.head for line in LINES.values())
     if not datagram.startswith(first):
         return False
@@ -158,6 +162,12 @@ class UnlockSchema(Bytewise):
 
     def write(self, value: Any) -> bytes:
         """The text. Raises BuildError."""
+        if not isinstance(value, Unlock):
+            raise BuildError(f"an unlock text is made of an Unlock, not of {type(value).__name__}")
+        if value.endings not in range(UNLOCK_ENDINGS + 1):
+            raise BuildError(
+                f"an unlock text has 0 to {UNLOCK_ENDINGS} line ends after its last line, not {value.endings!r}"
+            )
         request = f"{UNLOCK_REQUEST}{value.serial}{' ' * value.space}{UNLOCK_VERSION}{value.newline}"
         text = f"{request}{UNLOCK_PROTOCOL}{value.newline * value.endings}"
         try:

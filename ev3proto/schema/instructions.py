@@ -426,7 +426,10 @@ class InstructionSet(Bytewise):
         return schema, stop
 
     def write(self, value: Any) -> bytes:
-        """Writes a sequence of operations as byte code."""
+        """Writes a sequence of operations as byte code. Raises BuildError for what is no operation."""
+        for operation in value:
+            if not isinstance(operation, Operation):
+                raise BuildError(f"{operation!r} is no operation: ev3proto.operation makes one")
         return b"".join(operation.raw for operation in value)
 
     def operation(self, name: str, *values: Any, **named: Any) -> Operation:

@@ -45,7 +45,19 @@ _PARAMETER_BY_KIND = {
 
 
 def source_of(program: Program) -> str:
-    """The source of a program, in the strict dialect; `assemble` makes the same image of it, whoever wrote that."""
+    """The source of a program, in the strict dialect; `assemble` makes the same image of it, whoever wrote that.
+
+    Args:
+        program: The program.
+
+    Returns:
+        The source.
+
+    Raises:
+        TypeError: It is no program.
+    """
+    if not isinstance(program, Program):
+        raise TypeError(f"a source is made of a Program, not of {type(program).__name__}")
     return "".join(f"{line}\n" for line in Writer(program).lines())
 
 

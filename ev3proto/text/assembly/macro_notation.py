@@ -27,7 +27,12 @@ def operation_line(operation: Operation) -> str:
 
     Returns:
         The line, without its end.
+
+    Raises:
+        TypeError: It is no operation.
     """
+    if not isinstance(operation, Operation):
+        raise TypeError(f"a line is made of an Operation, not of {type(operation).__name__}")
     usual = _usual(operation[0])
     if is_usual(operation):
         pieces = [usual.head]

@@ -43,7 +43,15 @@ def assembly(exchange: Exchange, heading: str, notation: str = MACROS) -> Iterat
 
     Yields:
         Its lines: the comment, its header, then an operation a line, or the command, or bytes.
+
+    Raises:
+        TypeError: It is no Exchange.
     """
+    if not isinstance(exchange, Exchange):
+        raise TypeError(
+            f"assembly is made of an Exchange, not {type(exchange).__name__}: ev3proto.Dialogue().follow(message) gives"
+            " one"
+        )
     message = exchange.message
     yield f"// {heading}"
     if message.type is None or message.flaw.headless:

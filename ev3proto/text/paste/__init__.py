@@ -24,7 +24,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
-from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, Wants, short
+from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, Wants, check_text, short
 from ev3proto.text.paste.plain import plain_frame
 
 __all__ = ["MAX_LINE", "Missing", "Pasted", "read_argument", "read_bare", "read_text"]
@@ -59,6 +59,7 @@ def read_bare(lines: Iterable[str], missing: Missing) -> Iterator[Pasted]:
 
     completed = with_length if missing == "length" else with_header
     for number, line in enumerate(lines, 1):
+        check_text(line)
         data = bytes_in(line[:MAX_LINE])
         if not data:
             continue
@@ -75,6 +76,7 @@ def read_argument(text: str) -> Pasted:
 
     What cannot be read gives a `problem`, and so does a second piece in the same argument: `data` is the first.
     """
+    check_text(text)
     return plain_frame(text) or read_any_form(text)
 
 

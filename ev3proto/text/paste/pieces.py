@@ -9,11 +9,17 @@ from typing import NamedTuple
 
 from ev3proto.text.paste.head import Direction, Head
 
-# The shortest frame there is. Less than that in the midst of other text is not worth the risk of reading prose as hex.
 LEAST = 5
+"""Bytes of the shortest frame. Fewer, in the midst of other text, are not worth the risk of reading prose as hex."""
+
 MAX_LINE = 1 << 20
+"""Characters of the longest line that is read."""
+
 MAX_TEXT = 200
+"""Characters of a piece that are shown of it."""
+
 MAX_COLLECTED = 1 << 16
+"""Bytes (of an array: characters) of the longest piece that is collected over several lines."""
 
 
 class Pasted(NamedTuple):
@@ -74,6 +80,12 @@ class Wants(NamedTuple):
             is_meant = is_marked or (head.is_log and head.direction is not None)
             return size >= (min(self.least, 2) if is_meant else self.least)
         return self.is_sure or is_marked or head.is_log or size >= LEAST
+
+
+def check_text(text: str) -> None:
+    """Raises TypeError for what is no text."""
+    if not isinstance(text, str):
+        raise TypeError(f"what was pasted is a text, not {type(text).__name__}")
 
 
 def short(text: str, limit: int = 24) -> str:

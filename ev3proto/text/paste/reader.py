@@ -10,7 +10,7 @@ from ev3proto.text.paste.familiar import Familiar
 from ev3proto.text.paste.fitting import bare_reason, reason
 from ev3proto.text.paste.forms import Forms
 from ev3proto.text.paste.labelled import Labelled
-from ev3proto.text.paste.pieces import LEAST, MAX_LINE, MAX_TEXT, Pasted, Wants, short
+from ev3proto.text.paste.pieces import LEAST, MAX_LINE, MAX_TEXT, Pasted, Wants, check_text, short
 from ev3proto.text.paste.scanner import Row, Scanner
 
 _ADDRESS = late_pattern(r"(?:[0-9a-fA-F]{2}([:-]))(?:[0-9a-fA-F]{2}\1){4}[0-9a-fA-F]{2}")
@@ -49,6 +49,7 @@ class Reader:
         """All pieces, those of dumps that repeat a string among them."""
         number = 0
         for number, line in enumerate(lines, 1):
+            check_text(line)
             if line.startswith(" |") and _STRACE_DUMP.match(line):
                 self._dumps = self._dumps[1], number
             if len(line) > MAX_LINE:

@@ -96,11 +96,17 @@ _OPTIONS = {
 
 
 def constant(name: str) -> Constant:
-    """The value of a name: encoded bytes, an int or a str; the text at the head of this module says which.
+    """The value of a name.
 
-    name  as `constant_names` has it; opcodes in any case after the `op` (`opUI_Draw`, `opUI_DRAW`)
+    Args:
+        name: As `constant_names` has it; opcodes in any case after the `op` (`opUI_Draw`, `opUI_DRAW`).
 
-    Raises KeyError, whose message suggests the nearest names; TypeError for what is no text.
+    Returns:
+        Encoded bytes, an int or a str; the text at the head of this module says which.
+
+    Raises:
+        KeyError: There is no such name. The error suggests the nearest ones.
+        TypeError: The name is no text.
     """
     if not isinstance(name, str):
         raise TypeError(f"the name of a constant is a text, not {name!r}")
@@ -181,9 +187,11 @@ def _ports() -> Iterator[tuple[str, Constant]]:
 def LCX(value: int) -> bytes:
     """The shortest constant for a whole number: LC0 for -32 to 31, LC1 to +-127, LC2 to +-32767, LC4 beyond.
 
-    value  -2147483648 to 2147483647; the lowest one is the 32-bit pattern for "not a number"
+    Args:
+        value: A whole number, -2147483648 to 2147483647; the lowest one is the 32-bit pattern for "not a number".
 
-    Raises BuildError for other numbers and for what is no whole number (True and False are none).
+    Raises:
+        BuildError: It is another number, or no whole number (True and False are none).
     """
     return encode_integer(_whole(value, "LCX"))
 
@@ -191,9 +199,11 @@ def LCX(value: int) -> bytes:
 def LC0(value: int) -> bytes:
     """A constant in one byte.
 
-    value  -32 to 31
+    Args:
+        value: A whole number, -32 to 31.
 
-    Raises BuildError for anything else.
+    Raises:
+        BuildError: It is anything else.
     """
     return encode_as("LC0", _whole(value, "LC0"))
 
@@ -201,9 +211,11 @@ def LC0(value: int) -> bytes:
 def LC1(value: int) -> bytes:
     """A constant in two bytes.
 
-    value  -128 ("not a number") to 127
+    Args:
+        value: A whole number, -128 ("not a number") to 127.
 
-    Raises BuildError for anything else.
+    Raises:
+        BuildError: It is anything else.
     """
     return encode_as("LC1", _whole(value, "LC1"))
 
@@ -211,9 +223,11 @@ def LC1(value: int) -> bytes:
 def LC2(value: int) -> bytes:
     """A constant in three bytes.
 
-    value  -32768 ("not a number") to 32767
+    Args:
+        value: A whole number, -32768 ("not a number") to 32767.
 
-    Raises BuildError for anything else.
+    Raises:
+        BuildError: It is anything else.
     """
     return encode_as("LC2", _whole(value, "LC2"))
 
@@ -221,9 +235,11 @@ def LC2(value: int) -> bytes:
 def LC4(value: int) -> bytes:
     """A constant in five bytes.
 
-    value  -2147483648 ("not a number") to 2147483647
+    Args:
+        value: A whole number, -2147483648 ("not a number") to 2147483647.
 
-    Raises BuildError for anything else.
+    Raises:
+        BuildError: It is anything else.
     """
     return encode_as("LC4", _whole(value, "LC4"))
 
@@ -231,9 +247,11 @@ def LC4(value: int) -> bytes:
 def LCF(value: float) -> bytes:
     """A float constant: an LC4 whose four bytes are an IEEE single.
 
-    value  a number that a single holds, rounded to the nearest one; NaN becomes the firmware's "not a number"
+    Args:
+        value: A number that a single holds, rounded to the nearest one; NaN becomes the firmware's "not a number".
 
-    Raises BuildError beyond +-3.4028235e38 and for what is no number.
+    Raises:
+        BuildError: It is beyond +-3.4028235e38, or no number.
     """
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise BuildError(f"LCF takes a number, not {value!r}")
@@ -243,9 +261,11 @@ def LCF(value: float) -> bytes:
 def LCS(value: str) -> bytes:
     r"""A string with its zero.
 
-    value  text of ISO-8859-1, the brick's character set, without "\0"
+    Args:
+        value: Text of ISO-8859-1, the brick's character set, without "\0".
 
-    Raises BuildError for other characters, for a zero and for what is no str.
+    Raises:
+        BuildError: It has other characters or a zero, or is no str.
     """
     if not isinstance(value, str):
         raise BuildError(f"LCS takes a str, not {value!r}")
@@ -255,9 +275,11 @@ def LCS(value: str) -> bytes:
 def LVX(value: int) -> bytes:
     """The shortest form of a local variable: LV0 for 0 to 31, LV1 to 255, LV2 to 65535, LV4 beyond.
 
-    value  bytes from the start of local memory, 0 to 4294967295; of direct commands at most 62
+    Args:
+        value: Bytes from the start of local memory, 0 to 4294967295; of direct commands at most 62.
 
-    Raises BuildError for anything else.
+    Raises:
+        BuildError: It is anything else.
     """
     return encode_variable(LV(_whole(value, "LVX")), "LVX")
 
@@ -265,9 +287,11 @@ def LVX(value: int) -> bytes:
 def GVX(value: int) -> bytes:
     """The shortest form of a global variable: GV0 for 0 to 31, GV1 to 255, GV2 to 65535, GV4 beyond.
 
-    value  bytes from the start of global memory, 0 to 4294967295; of direct commands at most 1018
+    Args:
+        value: Bytes from the start of global memory, 0 to 4294967295; of direct commands at most 1018.
 
-    Raises BuildError for anything else.
+    Raises:
+        BuildError: It is anything else.
     """
     return encode_variable(GV(_whole(value, "GVX")), "GVX")
 
@@ -275,9 +299,11 @@ def GVX(value: int) -> bytes:
 def LAB1(value: int) -> bytes:
     """A label or a short jump in two bytes.
 
-    value  -128 to 127
+    Args:
+        value: A whole number, -128 to 127.
 
-    Raises BuildError for anything else.
+    Raises:
+        BuildError: It is anything else.
     """
     return encode_label(_whole(value, "LAB1"), "LAB1")
 
@@ -285,9 +311,11 @@ def LAB1(value: int) -> bytes:
 def HND(encoded: bytes) -> bytes:
     """An argument marked as a handle to a memory object.
 
-    encoded  one constant or variable in a long form, such as LC1(3) or GVX(40)
+    Args:
+        encoded: One constant or variable in a long form, such as LC1(3) or GVX(40).
 
-    Raises BuildError for anything else: a short form (LC0, LV0, GV0) has no bit for the mark.
+    Raises:
+        BuildError: It is anything else: a short form (LC0, LV0, GV0) has no bit for the mark.
     """
     return with_bits(_one_number(encoded, "HND"), handle=True)
 
@@ -295,9 +323,11 @@ def HND(encoded: bytes) -> bytes:
 def ADR(encoded: bytes) -> bytes:
     """An argument marked as an absolute address.
 
-    encoded  one constant or variable in a long form, such as LC4(0x8000) or GVX(40)
+    Args:
+        encoded: One constant or variable in a long form, such as LC4(0x8000) or GVX(40).
 
-    Raises BuildError for anything else: a short form (LC0, LV0, GV0) has no bit for the mark.
+    Raises:
+        BuildError: It is anything else: a short form (LC0, LV0, GV0) has no bit for the mark.
     """
     return with_bits(_one_number(encoded, "ADR"), address=True)
 

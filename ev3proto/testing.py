@@ -210,8 +210,9 @@ def _operations(draw: DrawFn, dialect: str, names: Names) -> Operation:
 def operations(dialect: str = "official", name: Names = None) -> SearchStrategy[Operation]:
     """Operations built from values, each argument in its shortest encoding.
 
-    dialect  the firmware whose operations
-    name     one operation (`SOUND.TONE`), or several; without it all of the dialect, each as often as any other
+    Args:
+        dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
+        name: One operation (`SOUND.TONE`), or several; without it all of the dialect, each as often as any other.
     """
     return _operations(dialect, name)
 
@@ -386,15 +387,21 @@ _DAISY_REPLIES = (MessageType.DAISY_REPLY, MessageType.DAISY_REPLY_ERROR)
 def choice(
     *, names: Iterable[str] = (), areas: Iterable[str] = (), types: Iterable[str] = (), dialect: str = "official"
 ) -> Choice:
-    """Frames about some operations or system commands, of some types.
+    """Chooses frames about some operations or system commands, of some types.
 
-    names    of operations (`SOUND.TONE`), of families (`SOUND`), of system commands (`LIST_FILES`), in any case
-    areas    of the firmware (`sound`), or `system`
-    types    of messages (`DIRECT_REPLY`), or kinds of them (`direct-command`), in any case; without any, all that can
-             be about what was chosen: direct commands for operations, commands and replies for system commands
-    dialect  the firmware whose operations
+    Args:
+        names: Of operations (`SOUND.TONE`), of families (`SOUND`), of system commands (`LIST_FILES`), in any case.
+        areas: Of the firmware (`sound`), or `system`.
+        types: Of messages (`DIRECT_REPLY`), or kinds of them (`direct-command`), in any case; without any, all that can
+            be about what was chosen: direct commands for operations, commands and replies for system commands.
+        dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
 
-    Raises ValueError for what is not known, and where no type of message is left.
+    Returns:
+        What the strategies of this module take as `chosen`.
+
+    Raises:
+        ValueError: One of them is not known, or no type of message is left.
+        TypeError: A name or a type is no text.
     """
     operations, system = _chosen([*names], [*areas], dialect)
     if operations is None:
@@ -625,8 +632,9 @@ def _raw_direct_commands(dialect: str, chosen: Choice) -> SearchStrategy[bytes]:
 def frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[bytes]:
     """Frames that are right, of every type and at most 1024 bytes; arguments in any encoding.
 
-    dialect  the firmware whose operations
-    chosen   which of them: `choice(names=["SOUND.TONE"])`, `choice(types=["direct-command"])`
+    Args:
+        dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
+        chosen: Which frames: `choice(names=["SOUND.TONE"])`, `choice(types=["direct-command"])`.
     """
     built = messages(dialect, chosen).map(lambda message: message.build())
     return built | _raw_direct_commands(dialect, chosen) if chosen.of(*_DIRECT_COMMANDS) else built
@@ -636,8 +644,12 @@ def frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[by
 def mutated_frames(draw: DrawFn, dialect: str = "official", chosen: Choice = ALL) -> bytes:
     """Frames that were right until a few of their bytes were changed, added or lost, or their length field was.
 
-    Parameters as for `frames`.
     Half of them get a length field that fits again, so that the fault is somewhere after it. A few are still right.
+
+    Args:
+        draw: What hypothesis gives; callers leave it out.
+        dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
+        chosen: Which frames, as for `frames`.
     """
     frame = bytearray(draw(frames(dialect, chosen)))
     for edit in draw(st.lists(st.sampled_from(("change", "insert", "delete", "length")), min_size=1, max_size=3)):

@@ -192,9 +192,16 @@ class Brick:
     # Frames
 
     def receive(self, frame: bytes) -> list[bytes]:
-        """Takes a frame and returns the replies that are due at once; none while a command is busy or wants none.
+        """Takes a frame.
 
-        frame  one whole frame; bytes after it are ignored, as those of a USB report are
+        Args:
+            frame: One whole frame; bytes after it are ignored, as those of a USB report are.
+
+        Returns:
+            The replies that are due at once; none while a command is busy or wants none.
+
+        Raises:
+            TypeError: The frame is not made of bytes.
         """
         return [reply.frame for reply in self.receive_from(None, frame)]
 
@@ -216,7 +223,9 @@ class Brick:
     def receive_from(self, channel: Hashable, frame: bytes) -> list[Outgoing]:
         """The same as `receive` for a brick with several connections.
 
-        channel  names the connection; every reply says to which it goes
+        Args:
+            channel: Names the connection; every reply says to which it goes.
+            frame: One whole frame.
         """
         if type(frame) is not bytes:
             frame = as_bytes(frame, "a frame")

@@ -33,9 +33,10 @@ def fixed(value: float, decimals: int) -> str:
 def formatted(pattern: bytes, value: int | float) -> bytes:
     """One number in a format of C's printf.
 
-    pattern  the format; every conversion in it gets the same value, where the firmware has one for the first only
-    value    int: passed as 32 bits; float: passed as double. Where a conversion wants the other kind, which C leaves
-             undefined, it is converted.
+    Args:
+        pattern: The format; every conversion in it gets the same value, where the firmware has one for the first only.
+        value: An int is passed as 32 bits, a float as a double. Where a conversion wants the other kind, which C leaves
+            undefined, it is converted.
     """
     return _CONVERSION.sub(lambda found: _converted(found, value), pattern)
 

@@ -108,8 +108,9 @@ class Machine:
     def turn(self, program: Program, most: int) -> tuple[int, bool]:
         """Gives the next object of a program its turn.
 
-        program  one that runs
-        most     operations in this turn
+        Args:
+            program: A program that runs.
+            most: Operations that it may run in this turn.
 
         Returns how many were executed, and whether the object waits for something.
         """
@@ -352,7 +353,10 @@ class Machine:
     def write_text(self, destination: Place, text: bytes, room: int | None = None) -> None:
         """Writes a text and its zero; an array that was named by its handle is resized first.
 
-        room  elements that the array gets; None: what the text needs
+        Args:
+            destination: Where it goes.
+            text: The text, without its zero.
+            room: Elements that the array gets; None: what the text needs.
         """
         if self.resize(destination, len(text) + 1 if room is None else room):
             destination.write_text(text)

@@ -29,7 +29,7 @@ class Packet(NamedTuple):
     data       what was captured
     size       bytes that it had on the wire; more than `data` has where it was cut
     interface  where it was captured
-    direction  the word of flags that btsnoop files keep beside a packet; None in other files
+    flags      the word of flags that btsnoop files keep beside a packet; None in other files
     """
 
     number: int

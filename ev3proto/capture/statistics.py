@@ -402,7 +402,8 @@ class Statistics:
     def summary(self, account: Account | None = None) -> Summary:
         """What there was so far. Commands whose reply did not come are unanswered.
 
-        account  the capture's, once it was read
+        Args:
+            account: That of the capture, after it was read.
         """
         while self._waiting:
             self._give_up(self._waiting.pop_oldest())

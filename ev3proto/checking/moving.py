@@ -85,11 +85,12 @@ class Layout:
     ) -> None:
         """Looks at all variables of a memory.
 
-        found       the variables
-        misaligned  those of them that are
-        stated      bytes that were asked for
-        most        bytes that can be used
-        rigid       where it is set, an argument keeps its length
+        Args:
+            found: The variables.
+            misaligned: Those of them that are misaligned.
+            stated: Bytes of memory that the command asks for.
+            most: Bytes of memory that a command can have.
+            rigid: Whether an argument must keep its length.
         """
         self.left: list[tuple[tuple[Footprint, ...], str]] = []
         self._most = most
@@ -292,7 +293,9 @@ _EVERY_WIDEST = _bits([at % WIDEST == 0 for at in range(1 << 10)])
 def _starts(start: int, ways: int) -> int:
     """Bits at the offsets where a block may start that may move by some numbers of bytes.
 
-    start  where it starts within the widest alignment
+    Args:
+        start: Where it starts within the widest alignment.
+        ways: A bit for each number of bytes that it may move by.
     """
     found = 0
     for way in range(WIDEST):

@@ -143,7 +143,11 @@ class _Validator:
     def scan(self, frame: bytes, at: int, end: int, starts: list[int] | None = None) -> Verdict:
         """The verdict on the code in `frame[at:end]`.
 
-        starts  gets the offset of every operation
+        Args:
+            frame: The frame.
+            at: The offset of the first opcode.
+            end: Where the code ends.
+            starts: A list that gets the offset of every operation.
         """
         data = frame[:end] + _BEYOND
         opcodes = self.opcodes
@@ -197,8 +201,12 @@ class _Refusal(NamedTuple):
 def _parameters(data: bytes, at: int, end: int, kinds: _Kinds, *, is_good: bool) -> int | _Refusal:
     """The offset after the parameters of an operation, or why it is refused.
 
-    end      where the code ends
-    is_good  whether a parameter has passed already (rule 3)
+    Args:
+        data: The frame, and zeros after it.
+        at: The offset of the first parameter.
+        end: Where the code ends.
+        kinds: What the validator expects, parameter by parameter.
+        is_good: Whether a parameter has passed already (rule 3).
     """
     before = at
     for kind in kinds:
@@ -232,7 +240,12 @@ def _parameters(data: bytes, at: int, end: int, kinds: _Kinds, *, is_good: bool)
 def _special(data: bytes, at: int, end: int, kind: int, before: int) -> int | _Refusal:
     """The same for a label, a count of parameters, a list of values.
 
-    before  offset of the parameter before it
+    Args:
+        data: The frame, and zeros after it.
+        at: The offset of the parameter.
+        end: Where the code ends.
+        kind: What the validator expects.
+        before: The offset of the parameter before it.
     """
     first = data[at]
     if kind == _VALUES:
@@ -305,7 +318,8 @@ def _kind(parameter: Parameter) -> int:
 def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Kinds]]:
     """For each table of CMDs by its name, what follows a CMD by the byte that is its number; nothing for unknown ones.
 
-    known  the operations that the validator knows
+    Args:
+        known: The operations that the validator knows.
     """
     commands = [(entry.opcode.validator_table, entry.command, entry.parameters) for entry in known]
     names = dict.fromkeys((*CMD_TABLES, *(name for name, command, _ in commands if command is not None)))
@@ -336,7 +350,9 @@ _DIRECT = {member.value for member in MessageType if member.kind == "direct-comm
 def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
     """Where the validator sees an operation begin in byte code, up to the one that it refuses, if it refuses one.
 
-    code  operations without the header of a frame, to which the offsets refer
+    Args:
+        code: Operations without the header of a frame, to which the offsets refer.
+        dialect: "official", "xtended" or "compat": the firmware whose validator it is.
     """
     starts: list[int] = []
     _validator(dialect).scan(code, 0, len(code), starts)

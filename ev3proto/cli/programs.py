@@ -58,8 +58,12 @@ def show_program(
 ) -> None:
     """Prints a program.
 
-    style   listing, tree, json or lego; table is a listing, asm is lego, None the listing
-    origin  where it comes from, None where people named it themselves
+    Args:
+        printer: What prints it.
+        program: The program.
+        image: Its image, which its offsets refer to.
+        style: `listing`, `tree`, `json` or `lego`; `table` and None are the listing, `asm` is `lego`.
+        origin: Where it comes from, None where people named it themselves.
     """
     if style == "json":
         import json

@@ -40,7 +40,11 @@ class Memory:
     def take(self, index: int, size: int, name: str, *, is_open: bool) -> None:
         """Bytes that were given to a variable by hand.
 
-        is_open  it may take more than these, as far as the next variable that was given a place by hand
+        Args:
+            index: The first of them.
+            size: How many they are.
+            name: What sentences call the variable.
+            is_open: Whether it may take more than these, as far as the next variable that was given a place by hand.
         """
         self._taken.append((index, index + size, name if is_open else ""))
         self.size = max(self.size, index + size)

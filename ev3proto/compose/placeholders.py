@@ -59,9 +59,11 @@ class Placeholder:
 def Local(size: int | None = None) -> Placeholder:  # noqa: N802 - stands beside LV
     """A new local variable, for what one operation hands to another.
 
-    size  bytes, 1 or more; omitted where the operations tell, as all do but those with texts without a length
+    Args:
+        size: Bytes, 1 or more; omitted where the operations tell, as all do but those with texts without a length.
 
-    Raises BuildError for another size.
+    Raises:
+        BuildError: It is another size.
     """
     return Placeholder(LOCAL, size)
 
@@ -69,8 +71,10 @@ def Local(size: int | None = None) -> Placeholder:  # noqa: N802 - stands beside
 def Global(size: int | None = None) -> Placeholder:  # noqa: N802 - stands beside GV
     """A new global variable: the reply carries it.
 
-    size  bytes, 1 or more; omitted where the operations tell, as all do but those with texts without a length
+    Args:
+        size: Bytes, 1 or more; omitted where the operations tell, as all do but those with texts without a length.
 
-    Raises BuildError for another size.
+    Raises:
+        BuildError: It is another size.
     """
     return Placeholder(GLOBAL, size)

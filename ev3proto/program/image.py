@@ -307,15 +307,21 @@ IMAGE = image_schema()
 
 
 def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect: str = "official") -> Program:
-    """A program image.
+    """Reads a program image.
 
-    image    from its sign to its last byte, at most 32 MiB
-    strict   False: nothing after the header raises; `program.faults` says what is wrong and where, and what could be
-             read is there
-    dialect  "official", "xtended" or "compat": the firmware whose instruction set to read by
+    Args:
+        image: The image from its sign to its last byte, at most 32 MiB.
+        strict: False: nothing after the header raises; `program.faults` says what is wrong and where, and what could be
+            read is there.
+        dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
 
-    `program.build()` gives the same bytes again. Raises DecodeError, a ValueError with `offset` and `reason`;
-    ValueError for an unknown dialect.
+    Returns:
+        The program; its `build()` gives the same bytes again.
+
+    Raises:
+        DecodeError: The image is faulty, or not even its header can be read. The error has `offset` and `reason`.
+        ValueError: There is no such dialect.
+        TypeError: The image is not made of bytes.
     """
     program = image_schema(dialect).read_image(as_bytes(image, "an image"))
     if strict and program.fault is not None:
@@ -352,10 +358,18 @@ def image_of(
 ) -> bytes:
     """The image of objects.
 
-    defects  where the codes stand, if not in their order without gaps
-    headers  the offsets that the headers tell, where they are not those of the codes
+    Args:
+        version: The version of the image, 0 to 65535.
+        global_size: Bytes of global memory, 0 to 4294967295.
+        entries: The objects, in the order of their numbers.
+        defects: Where the codes stand, if not in their order without gaps.
+        headers: The offsets in the headers, where they are not those of the codes.
 
-    Raises BuildError.
+    Returns:
+        The image.
+
+    Raises:
+        BuildError: No image can carry them. The sentence names the field.
     """
     if len(entries) > MAX_OBJECTS:
         raise BuildError(f"a program cannot have {len(entries)} objects: at most {MAX_OBJECTS}")

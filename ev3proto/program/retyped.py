@@ -96,8 +96,10 @@ Callees = Mapping[int, tuple[ProgramParameter, ...]]
 def with_types(codes: Sequence[tuple[Operation, ...]], callees: Callees, dialect: str) -> list[tuple[Operation, ...]]:
     """The operations of every code, those of CALL and ARRAY.FILL read with the types that the program tells.
 
-    codes    each once, however many objects share it
-    callees  the parameters that objects declare, by their numbers
+    Args:
+        codes: The codes, each once, however many objects share it.
+        callees: The parameters that objects declare, by their numbers.
+        dialect: The firmware whose instruction set they are read by.
     """
     instructions = instruction_set(dialect)
     call, fill = instructions[CALL], instructions[_FILL]

@@ -183,8 +183,12 @@ class ArgumentSchema(Bytewise):
     def write(self, value: Any) -> bytes:
         """The shortest encoding of a value.
 
-        value  a number, a text, the name of an enumeration's member, a `Variable`, an `Argument` (its bytes as they
-               are), or bytes that are one encoded argument. BuildError names the parameter and what it takes.
+        Args:
+            value: A number, a text, the name of an enumeration's member, a `Variable`, an `Argument` (its bytes as they
+                are), or bytes that are one encoded argument.
+
+        Raises:
+            BuildError: The parameter cannot have the value. The sentence names it and what it takes.
         """
         if isinstance(value, Argument):
             return value.raw

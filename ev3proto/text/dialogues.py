@@ -65,9 +65,10 @@ def reply_spans(exchange: Exchange) -> Line:
 def dialogue_line(command: Message | None, reply: Exchange | None, latency: float | None) -> Line:
     """A command and what came back.
 
-    command  None for a reply whose command was not seen
-    reply    None for a command that got none
-    latency  seconds between them, None where nobody knows
+    Args:
+        command: None for a reply whose command was not seen.
+        reply: None for a command that got none.
+        latency: Seconds between them, None where nobody knows.
     """
     line: Line = [("(a command that was not seen)", Role.ASIDE)] if command is None else command_spans(command)
     if reply is not None:

@@ -130,10 +130,11 @@ _FACTS = {
 def page(specification: dict[str, Any], title: str, margin: float, javascript: str) -> str:
     """The HTML.
 
-    specification  the chart, with its data
-    title          what the browser shows as the page's name
-    margin         pixels of the chart beside what it draws over time
-    javascript     vega, vega-lite and vega-embed
+    Args:
+        specification: The chart, with its data.
+        title: What the browser shows as the page's name.
+        margin: Pixels of the chart beside what it draws over time.
+        javascript: The libraries vega, vega-lite and vega-embed.
     """
     script = re.sub(r"@(\w+)@", lambda found: str(_FACTS[found[1]]), _SCRIPT.replace("@MARGIN@", str(round(margin))))
     return "\n".join(

@@ -52,7 +52,10 @@ def shortest(argument: Argument) -> bytes:
 def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: bool) -> Finding:
     """What is said of an argument that `is_longer`.
 
-    has_jumps  the command has jumps, which may be over it
+    Args:
+        operation: The operation that it is in.
+        argument: The argument.
+        has_jumps: Whether the command has jumps, which may be over it.
     """
     kind, value = argument.form.kind, argument.value
     shorter = shortest(argument)

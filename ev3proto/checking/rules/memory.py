@@ -107,7 +107,13 @@ def _misaligned_texts(
 ) -> tuple[str, str]:
     """What is wrong with a misaligned variable, and what to do.
 
-    multiples  what the validator and the processor want its index to be a multiple of
+    Args:
+        name: The parameter's name.
+        is_global: Whether the variable is in global memory.
+        start: Its index.
+        size: Bytes that it takes.
+        multiples: What the validator and the processor want its index to be a multiple of.
+        asked: Bytes of that memory that the command asks for.
     """
     for_validator, for_cpu = multiples
     is_validated = start % for_validator != 0
@@ -159,7 +165,9 @@ def _beyond_texts(name: str, is_global: bool, start: int, end: int, asked: int) 
 def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
     """Results that destroy one another, in one memory.
 
-    is_kept  whether a reply brings what is in that memory in the end
+    Args:
+        used: What the operations use of that memory.
+        is_kept: Whether a reply brings what is in that memory in the end.
     """
     # What stands in each byte, written and searched in slices: with arrays there may be a thousand bytes each time.
     results: list[tuple[_Identity, Use] | None] = [None] * MAX_FRAME

@@ -39,8 +39,10 @@ def hexadecimal(number: int) -> Name:
 def literal(value: object, depth: int = 0, used: int = 0) -> str:
     """A value as Lua.
 
-    depth  how deep it is indented
-    used   columns of its first line that are taken already
+    Args:
+        value: A whole number, a text, a truth value, a `Name` or a `Table`.
+        depth: How deep it is indented.
+        used: Columns of its first line that are taken already.
     """
     if isinstance(value, Table):
         return _table(value, depth, used)

@@ -6,7 +6,7 @@ import dataclasses
 import enum
 import inspect
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from importlib import import_module
 from types import ModuleType
@@ -17,6 +17,7 @@ from ev3proto.generate.pages.markdown import block, link, page, plain, table
 MODULES = ("ev3proto", "ev3proto.capture", "ev3proto.program", "ev3proto.system", "ev3proto.brick", "ev3proto.testing")
 """The modules that people import; each names what it offers in `__all__`."""
 
+_PLAIN = (bool, int, float, str, bytes, tuple, type(None))
 _WIDTH = 100
 _SECTIONS = ("Args", "Returns", "Raises", "Yields", "Attributes")
 
@@ -90,8 +91,9 @@ def _class(name: str, value: type) -> Iterator[str]:
 def _signature(head: str, function: Any) -> Iterator[str]:
     """`def name(first: type = default) -> type`, in one line or with a parameter a line."""
     signature = inspect.signature(function)
+    constants = vars(import_module(function.__module__))
     own = [each for each in signature.parameters.values() if each.name not in ("self", "cls")]
-    parameters = list(map(_parameter, own))
+    parameters = [_parameter(each, constants) for each in own]
     kinds = [each.kind for each in own]
     if inspect.Parameter.KEYWORD_ONLY in kinds and inspect.Parameter.VAR_POSITIONAL not in kinds:
         parameters.insert(kinds.index(inspect.Parameter.KEYWORD_ONLY), "*")
@@ -108,20 +110,35 @@ def _signature(head: str, function: Any) -> Iterator[str]:
 _STARS: dict[Any, str] = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Parameter.VAR_KEYWORD: "**"}
 
 
-def _parameter(parameter: inspect.Parameter) -> str:
-    """A parameter as it stands in a signature. A default that is a class or function is named."""
+def _parameter(parameter: inspect.Parameter, constants: Mapping[str, object]) -> str:
+    """A parameter as it stands in a signature.
+
+    Args:
+        parameter: The parameter.
+        constants: The names of its module. Its default goes by one of them if it has no short text of its own.
+    """
     text = _STARS.get(parameter.kind, "") + parameter.name
     has_type = parameter.annotation is not inspect.Parameter.empty
     if has_type:
         text += f": {_type(parameter.annotation)}"
     if parameter.default is not inspect.Parameter.empty:
         text += " = " if has_type else "="
-        text += str(getattr(parameter.default, "__name__", repr(parameter.default)))
+        text += _default(parameter.default, constants)
     return text
 
 
+def _default(value: Any, constants: Mapping[str, object]) -> str:
+    if hasattr(value, "__name__"):
+        return str(value.__name__)
+    names = [] if type(value) in _PLAIN else [name for name, other in constants.items() if other is value]
+    return names[0] if names else repr(value)
+
+
 def _type(annotation: Any) -> str:
-    return annotation if isinstance(annotation, str) else str(inspect.formatannotation(annotation))
+    if isinstance(annotation, str):
+        return annotation
+    # What hypothesis makes of an annotation has references in it, and the names of its own modules.
+    return re.sub(r"ForwardRef\('(\w+)'\)|hypothesis\.strategies\.", r"\1", inspect.formatannotation(annotation))
 
 
 def _docstring(value: object) -> Iterator[str]:

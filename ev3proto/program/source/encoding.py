@@ -27,7 +27,8 @@ OLD_STRING = encode_as("LCS_OLD", "")[:1]
 def integer(value: int) -> bytes:
     """A number in its shortest encoding. The lowest of a width takes the next one, -32 too.
 
-    value  -2147483648 to 4294967295; from 2147483648 on it is a pattern of 32 bits, LC4
+    Args:
+        value: -2147483648 to 4294967295; from 2147483648 on it is a pattern of 32 bits, LC4.
     """
     if not -_LARGEST <= value <= _LARGEST:
         return encode_as("LC4", wrapped(value))

@@ -23,8 +23,9 @@ def starts(sizes: Sequence[int]) -> list[int]:
 def shrink(sizes: list[int], goals: Mapping[int, int]) -> None:
     """Makes every jump as short as it can be. They only shrink, so this comes to an end.
 
-    sizes  bytes of every part of the code; those of jumps are changed
-    goals  by the number of the part that is a jump: the number of the part that it leads to
+    Args:
+        sizes: Bytes of every part of the code; those of jumps are changed.
+        goals: By the number of the part that is a jump: the number of the part that it leads to.
     """
     for _ in range(_MOST_PASSES):
         at = starts(sizes)

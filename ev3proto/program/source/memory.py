@@ -37,7 +37,10 @@ class DeclaredVariable:
 def declared(start: int, end: int, uses: Mapping[int, Type]) -> list[DeclaredVariable]:
     """Variables for the memory from `start` to `end`, one at every place that is used there.
 
-    uses  the type as which the place is used; STRING for a buffer, whose size nobody knows
+    Args:
+        start: Index of the first byte.
+        end: Index after the last byte.
+        uses: By the index of a place, the type as which it is used; STRING for a buffer, whose size nobody knows.
     """
     end = max(start, min(end, MOST_DECLARED))
     places = sorted(index for index in uses if start <= index < end)

@@ -51,15 +51,23 @@ class Assembled:
 def assemble(
     source: str | bytes, *, dialect: str | None = None, version: int | None = None, shortest: bool = False
 ) -> Assembled:
-    """The image of a program's source.
+    """Makes the image of a program's source.
 
-    source    the text, or the bytes of a file in UTF-8 or ISO-8859-1
-    dialect   "strict" or "lego"; None: strict, or LEGO's where it is not that
-    version   of the image, 0 to 65535; None: what the source says, or 0x6D
-    shortest  the rules of EV3-G: labels as short as they can be, floats always in four bytes, equal objects share code
+    Args:
+        source: The text, or the bytes of a file in UTF-8 or ISO-8859-1.
+        dialect: "strict" or "lego"; None: strict, or LEGO's where it is not that.
+        version: The version of the image, 0 to 65535; None: what the source says, or 0x6D.
+        shortest: The rules of EV3-G: labels as short as they can be, floats always in four bytes, equal objects share
+            code.
 
-    Raises AssemblyError with line, column, the line's text, and in `others` what else is wrong; ValueError for another
-    dialect.
+    Returns:
+        The image, the dialect by which the source was read, and the warnings.
+
+    Raises:
+        AssemblyError: The source cannot be assembled. The error has line, column, the line's text, and in `others` what
+            else is wrong.
+        ValueError: There is no such dialect.
+        TypeError: The source is neither text nor bytes.
     """
     if version is not None and not 0 <= version <= 0xFFFF:
         raise ValueError(f"version cannot be {version}: it is a whole number from 0 to 65535")

@@ -64,12 +64,12 @@ def source_of(program: Program) -> str:
 class ObjectCode:
     """How the code of one object is written.
 
-    word   vmthread, subcall or block
-    steps  the operations to be written
-    open   neither RETURN nor OBJECT_END is added
-    raw    the table of parameters in bytes, where it cannot be said otherwise
-    rest   bytes after the operations
-    uses   by the kind of memory: as what the steps use each place in it
+    word     vmthread, subcall or block
+    steps    the operations to be written
+    is_open  neither RETURN nor OBJECT_END is added
+    raw      the table of parameters in bytes, where it cannot be said otherwise
+    rest     bytes after the operations
+    uses     by the kind of memory: as what the steps use each place in it
     """
 
     def __init__(self, part: CodeObject) -> None:

@@ -86,8 +86,11 @@ class PendingMessage:
     def message(self, names: Names, dialect: str, counter: int, reply: bool | None) -> Message:
         """The message. Raises AssemblyError.
 
-        counter  for a message that states none
-        reply    whether a direct command without a stated type wants a reply; None: where it has global memory
+        Args:
+            names: What the labels in it stand for.
+            dialect: The firmware whose instruction set it is read by.
+            counter: For a message that states none.
+            reply: Whether a direct command without a stated type wants a reply; None: where it has global memory.
         """
         if self.type is None and not self.parts and not self.is_frame:
             raise error_at(self.token, "there is no operation in this message: the brick refuses an empty one")

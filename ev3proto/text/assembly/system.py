@@ -23,7 +23,11 @@ def find_command(name: str) -> SystemCommand | None:
 def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool) -> bytes:
     """The bytes after the message type. Raises AssemblyError.
 
-    may_fail  fields may be missing: the reply says that the command failed
+    Args:
+        call: The command as it was written.
+        encoder: What makes bytes of its values.
+        is_reply: Whether it is a reply.
+        may_fail: Fields may be missing: the reply says that the command failed.
     """
     entry = find_command(call.token.text)
     if entry is None:

@@ -13,12 +13,13 @@ import pytest
 from support.cases import each
 
 from ev3proto import enums, ops, system
+from ev3proto.cli.main import cli
 from ev3proto.generate import everything
 from ev3proto.ops import compat, xtended
 from ev3proto.tables.enumerations import ENUMERATIONS
 
 ROOT = Path(__file__).parent.parent
-FILES = everything.build()
+FILES = everything.build(cli)
 MODULES = {
     path.removesuffix(".py").removesuffix("/__init__").replace("/", "."): path for path in FILES if path.endswith(".py")
 }
@@ -40,7 +41,7 @@ def test_the_files_are_up_to_date(path: str) -> None:
 
 
 def test_no_generated_module_is_left_over() -> None:
-    assert list(everything.outdated(ROOT)) == []
+    assert list(everything.outdated(ROOT, cli)) == []
 
 
 def test_one_command_brings_all_of_it_up_to_date(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 import click
 
 import ev3proto
+from ev3proto.cli.main import cli
 from ev3proto.generate.everything import COMMAND, outdated, write
 
 _OF_THE_PROJECT = ("pyproject.toml", "dissector", "exports")
@@ -32,13 +33,13 @@ def main(check: bool, root: Path | None) -> None:
             raise click.UsageError("this ev3proto is installed without its project: give --root, the project's folder")
     if not check:
         try:
-            for path in write(root):
+            for path in write(root, cli):
                 click.echo(path)
         except OSError as error:
             click.echo(f"{error.filename}: cannot be written: {error.strerror}", err=True)
             sys.exit(1)
         return
-    found = list(outdated(root))
+    found = list(outdated(root, cli))
     for path in found:
         click.echo(f"{path} is out of date: run {COMMAND}", err=True)
     sys.exit(1 if found else 0)

@@ -6,6 +6,8 @@ import importlib
 from collections.abc import Iterator
 from pathlib import Path
 
+import click
+
 from ev3proto.generate import modules, output_schemas
 from ev3proto.generate.cheader import build as cheader
 from ev3proto.generate.dissector import build as dissector
@@ -19,8 +21,15 @@ COMMAND = "python -m ev3proto.generate"
 """What brings all of it up to date."""
 
 
-def build() -> dict[str, str]:
-    """Each file by its path in the project's folder; the same text every time."""
+def build(commands: click.Group) -> dict[str, str]:
+    """Makes all files; the same text every time.
+
+    Args:
+        commands: The command line, which a page describes. It is above all that is here, so whoever starts this has it.
+
+    Returns:
+        Each file by its path in the project's folder.
+    """
     return {
         **modules.build(),
         f"dissector/{dissector.FILE_NAME}": dissector.build(),
@@ -29,17 +38,18 @@ def build() -> dict[str, str]:
         f"exports/{tables_json.TABLES_NAME}": tables_json.build_tables(),
         f"exports/{tables_json.SCHEMA_NAME}": tables_json.build_schema(),
         f"exports/{output_schemas.FILE_NAME}": output_schemas.build(),
-        **pages.build(),
+        **pages.build(commands),
     }
 
 
-def outdated(root: Path) -> Iterator[str]:
+def outdated(root: Path, commands: click.Group) -> Iterator[str]:
     """The paths of files that are not as the tables have them: to be written, or to be deleted.
 
     Args:
         root: The project's folder.
+        commands: As for `build`.
     """
-    files = build()
+    files = build(commands)
     yield from _changed(root, files)
     yield from _left_over(root, files)
 
@@ -51,16 +61,17 @@ def _changed(root: Path, files: dict[str, str]) -> Iterator[str]:
             yield path
 
 
-def write(root: Path) -> Iterator[str]:
+def write(root: Path, commands: click.Group) -> Iterator[str]:
     """Brings the files up to date; yields the path of each that changed.
 
     Args:
         root: The project's folder.
+        commands: As for `build`.
     """
     # The pages show how the modules are called, and look at them for that: those come first.
     yield from _write(root, modules.build())
     importlib.invalidate_caches()
-    files = build()
+    files = build(commands)
     yield from _write(root, files)
     for path in list(_left_over(root, files)):
         (root / path).unlink()

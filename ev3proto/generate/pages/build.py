@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import click
+
 from ev3proto.generate.pages import (
     checker_codes,
     command_line,
@@ -19,8 +21,15 @@ FOLDER = "docs/reference"
 """Where they are. A page there that has the generated mark and is not among them belongs to nothing any more."""
 
 
-def build() -> dict[str, str]:
-    """Each file by its path in the project's folder; the same text every time."""
+def build(commands: click.Group) -> dict[str, str]:
+    """Makes all pages; the same text every time.
+
+    Args:
+        commands: The command line, which one of them describes.
+
+    Returns:
+        Each file by its path in the project's folder.
+    """
     pages = {
         "index.md": contents.text(),
         **{f"{area}.md": operations.text(area) for area in AREAS},
@@ -29,7 +38,7 @@ def build() -> dict[str, str]:
         "checker-codes.md": checker_codes.text(),
         "filters.md": filters.text(),
         "numbers.md": numbers.text(),
-        "command-line.md": command_line.text(),
+        "command-line.md": command_line.text(commands),
         "python.md": python_api.text(),
     }
     return {f"{FOLDER}/{name}": text for name, text in pages.items()}

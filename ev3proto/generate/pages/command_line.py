@@ -1,7 +1,4 @@
-"""The page of the command line: what `--help` prints of every subcommand.
-
-This is the one place below the command line that looks at it: the page describes it.
-"""
+"""The page of the command line: what `--help` prints of every subcommand."""
 
 from __future__ import annotations
 
@@ -15,15 +12,18 @@ _WIDTH = 100
 _NAME = "ev3proto"
 
 
-def text() -> str:
-    """The page."""
-    from ev3proto.cli.main import cli
+def text(commands: click.Group) -> str:
+    """The page.
 
-    return page("The command line", _lines(cli))
+    Args:
+        commands: `ev3proto` with its subcommands.
+    """
+    return page("The command line", _lines(commands))
 
 
-def _lines(cli: click.Group) -> Iterator[str]:
-    found = list(_commands(cli, click.Context(cli, info_name=_NAME, max_content_width=_WIDTH, terminal_width=_WIDTH)))
+def _lines(commands: click.Group) -> Iterator[str]:
+    context = click.Context(commands, info_name=_NAME, max_content_width=_WIDTH, terminal_width=_WIDTH)
+    found = list(_commands(commands, context))
     yield "Exit status: 0 fine, 1 the input is at fault, 2 the call is."
     yield ""
     yield from table(

@@ -7499,6 +7499,7 @@ end
 do
     -- Ports that beacons may name, besides those on which bricks usually listen.
     local MOST_NAMED = 64
+    local MAX_PORT = 65535
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
@@ -7525,6 +7526,21 @@ do
         tcp_ports:remove(port, ev3)
         if others[port] then tcp_ports:add(port, others[port]) end
         others[port] = nil
+    end
+
+    -- Whether somebody chose us for a port, by Decode As.
+    local function is_decoded_as(port)
+        return tostring(tcp_ports:get_dissector(port)) == tostring(Dissector.get("ev3"))
+    end
+
+    -- A packet that is not ours goes to whom we took its port from because of a beacon. On ports that the preference
+    -- names Wireshark guesses: whom we call takes whatever comes, as Lua cannot ask whether a packet is its own.
+    local function leave(tvb, pinfo, tree)
+        local port = pinfo.match_uint
+        if not is_named[port] or not others[port] then return 0 end
+        -- It may ask TCP for more, as we may: each call by another dissector takes one from this.
+        pinfo.can_desegment = pinfo.can_desegment + 1
+        return others[port]:call(tvb, pinfo, tree)
     end
 
     local connection_of, find_connection, forget_connections
@@ -7819,7 +7835,7 @@ do
                 return #text
             elseif verdict ~= OURS then
                 declined[place_of(number, tvb:offset())] = true
-                return 0
+                return leave(tvb, pinfo, tree)
             end
             return dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
         end
@@ -7828,7 +7844,7 @@ do
     local function dissect_tcp(tvb, pinfo, tree)
         local text, number = bytes_of(tvb), pinfo.number
         if not pinfo.visited then return dissect_first(tvb, text, pinfo, tree, number) end
-        if next(declined) and declined[place_of(number, tvb:offset())] then return 0 end
+        if next(declined) and declined[place_of(number, tvb:offset())] then return leave(tvb, pinfo, tree) end
         if has_found then
             local talk = connection_of(pinfo)
             if talk.is_found and number < talk.claimed_in then return 0 end
@@ -7861,11 +7877,18 @@ do
             bricks[address .. pinfo.src_port], bricks[address .. CARRIERS.beacon_port] = name, name
             if named then
                 bricks[address .. named], announced[address .. named] = name, true
-                if not ports[named] and not is_named[named] and #named_ports < MOST_NAMED then
+                local is_free = not ports[named] and not is_named[named] and not is_decoded_as(named)
+                if is_free and #named_ports < MOST_NAMED then
                     named_ports[#named_ports + 1], is_named[named] = named, true
                     take_port(named)
                 end
             end
+        end
+
+        -- The port that a beacon names, nil where there can be none of that number.
+        local function port_of(value)
+            local port = value:match("^%d%d?%d?%d?%d?$") and tonumber(value)
+            return port and port > 0 and port <= MAX_PORT and port or nil
         end
 
         local function dissect_beacon(tvb, text, tree, address)
@@ -7881,7 +7904,7 @@ do
                 end
                 local value = sub(text, at + #head + 1, stop - 1)
                 values[#values + 1] = on_one_line(value)
-                if line.name == "port" then port = tonumber(value:match("^%d+$")) end
+                if line.name == "port" then port = port_of(value) end
                 local range = tvb(at + #head, #value)
                 if item then item:add(beacon_field[line.name], range, utf8_text(value)) end
                 at = stop + 1
@@ -7973,7 +7996,7 @@ do
     end
 
     local function register()
-        ev3.prefs.tcp_ports = Pref.range("TCP ports", listened, "TCP ports on which bricks listen", 65535)
+        ev3.prefs.tcp_ports = Pref.range("TCP ports", listened, "TCP ports on which bricks listen", MAX_PORT)
         take_ports()
         ev3:register_heuristic("tcp", guess_tcp)
         DissectorTable.get("udp.port"):add(CARRIERS.beacon_port, ev3)

@@ -272,6 +272,18 @@ def test_a_beacon_with_another_line(tshark: Tshark) -> None:
     assert "    Port: 5555" in text
 
 
+def test_a_beacon_with_a_port_that_there_cannot_be(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    for number, port in enumerate((b"0", b"65536", b"1" + 30 * b"0", b"9" * 400)):
+        capture.add(datagram(BEACON.replace(b"5555", port), port=50_000 + number))
+        capture.add(answer(40_000, 50_000 + number))
+    path = tshark.place(capture.data(), "ports.pcap")
+    assert tshark.lua_errors(path, "-V") == []
+    assert tshark.run(path, "-Y", "ev3.beacon.serial", "-T", "fields", "-e", "frame.number").split() == list("1357")
+    bricks = tshark.run(path, "-Y", "ev3.beacon.answer", "-T", "fields", "-e", "ev3.brick").split()
+    assert bricks == [f"192.0.2.10:{50_000 + number}" for number in range(4)]
+
+
 def test_a_beacon_of_which_less_was_captured(ask: Ask) -> None:
     """What is there tells nothing else: the first label has 15 bytes, the first line 29, the last label ends at 64."""
     whole = datagram(BEACON)

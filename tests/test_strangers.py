@@ -183,6 +183,30 @@ def test_a_beacon_names_a_port(shown: Callable[..., list[str]]) -> None:
     assert shown(capture) == [str(number) for number in packets]
 
 
+def test_decode_as_takes_everything_on_a_port_that_a_beacon_names(shown: Callable[..., list[str]]) -> None:
+    """The beacon is of one brick; the port of another machine is ours because somebody said so."""
+    capture = Capture(RAW_IP)
+    beacon = capture.add(datagram(BEACON.replace(b"5555", b"6000"), source=bytes((192, 0, 2, 11))))
+    sent = Connection(capture, brick_port=6000).send(b"something else")
+    assert shown(capture) == [str(beacon)]
+    assert shown(capture, "-d", "tcp.port==6000,ev3") == [str(beacon), str(sent)]
+
+
+def test_who_had_the_port_that_a_beacon_names_keeps_it(tshark: Tshark) -> None:
+    """Names are looked up over TCP on port 53, at the brick's address and elsewhere, in one packet and in two."""
+    question = bytes.fromhex("0018 0007 0100 0001 0000 0000 0000 03 616263 02 6465 00 0001 0001".replace(" ", ""))
+    capture = Capture(RAW_IP)
+    capture.add(datagram(BEACON.replace(b"5555", b"53")))
+    for number in (10, 11):
+        connection = Connection(capture, brick_port=53, ends=(HOST, bytes((192, 0, 2, number))))
+        for piece in (question, question[:9], question[9:]):
+            connection.send(piece)
+    path = tshark.place(capture.data(), "names.pcap")
+    for words in ([], ["-2"]):
+        asked = tshark.run(path, *words, "-Y", "dns", "-T", "fields", "-e", "dns.qry.name").split()
+        assert asked == ["abc.de"] * 4
+
+
 def test_an_answer_needs_a_beacon(shown: Callable[..., list[str]]) -> None:
     capture = Capture(RAW_IP)
     brick = bytes((192, 0, 2, 10))

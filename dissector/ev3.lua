@@ -6597,8 +6597,8 @@ do
 
     -- What a text tells, from an offset on, that should begin with a frame of a type that `accepts` takes, as it goes
     -- the right way: OURS where one of its frames tells it, PERHAPS where none does. Then all of them must be without a
-    -- fault and make sense. Else the first one must, and the others must look like frames. The second result is how much
-    -- they tell.
+    -- fault and make sense. Else the first one must, and the others must look like frames. The second result is how
+    -- much they tell.
     function claiming.weigh_frames(text, at, accepts)
         local start, is_clean, telling = at, true, 0
         while at < #text do

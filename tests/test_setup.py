@@ -60,14 +60,14 @@ class Checkout:
         (folder / "python3").chmod(0o755)
         self.calls = folder / "calls"
         self.calls.touch()
-        self._env = {"PATH": f"{folder}:{os.environ['PATH']}", "CALLS": str(self.calls)}
+        self.env = {"PATH": f"{folder}:{os.environ['PATH']}", "CALLS": str(self.calls)}
 
     def start(
         self, *words: str, takes: int = 0, not_to_be_had: bool = False, env: Mapping[str, str] = NOTHING
     ) -> subprocess.Popen[str]:
         return subprocess.Popen(
             [self.folder / "bin" / "setup", *words],
-            env={**self._env, **env, "TAKES": str(takes), "NOT_TO_BE_HAD": "x" if not_to_be_had else ""},
+            env={**self.env, **env, "TAKES": str(takes), "NOT_TO_BE_HAD": "x" if not_to_be_had else ""},
             stderr=subprocess.PIPE,
             text=True,
             start_new_session=True,
@@ -132,6 +132,28 @@ def test_interrupted_while_it_is_brought_up_to_date(checkout: Checkout, number: 
     assert process.returncode
     assert "making .venv" in checkout.run()
     assert checkout.run() == ""
+
+
+AS_OTHERS = ("setpriv", "--bounding-set=-dac_override", "--inh-caps=-dac_override")
+"""Before a command: root, too, may only write where the permissions let its owner write."""
+
+
+@pytest.mark.skipif(shutil.which("setpriv") is None, reason="tests that run as root need setpriv")
+def test_a_folder_that_cannot_be_written(checkout: Checkout) -> None:
+    words: list[str | Path] = [*AS_OTHERS * (os.geteuid() == 0), checkout.folder / "bin" / "setup"]
+    checkout.folder.chmod(0o555)
+    done = subprocess.run(words, env=checkout.env, stderr=subprocess.PIPE, text=True, check=False)
+    assert (done.returncode, done.stderr) == (
+        1,
+        f"bin/setup: nothing can be written to {checkout.folder}, where .venv belongs: copy that folder to a place of"
+        " your own, and run bin/setup there\n",
+    )
+    checkout.folder.chmod(0o755)
+    checkout.run()
+    checkout.folder.chmod(0o555)
+    done = subprocess.run(words, env=checkout.env, stderr=subprocess.PIPE, text=True, check=False)
+    checkout.folder.chmod(0o755)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_without_a_network_what_is_there_goes_on_working(checkout: Checkout) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import base64
 import binascii
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
@@ -299,103 +299,127 @@ def _joins(left: Value, right: Value, gap: str) -> bool:
 
 
 def values(line: str, *, is_text: bool = False) -> Iterator[Value]:
-    """The values in a line that was cleaned."""
+    """The values in a line that was cleaned.
+
+    Args:
+        line: The line.
+        is_text: Whether what stands in quotes is a string in any case, though no escape or prefix says so.
+    """
     position = 0
     string_end = -1
     closers: set[int] = set()
     while token := _TOKEN.search(line, position):
         start, position = token.span()
-        kind = token.lastgroup
-        match kind:
-            case "lesson":
-                position = start + 2
-            case "binary":
-                yield Value(
-                    start, position, Style.MARKED, token["bits"], bytes((int(token["bits"].replace("_", ""), 2) & 255,))
-                )
-            case "long":
-                yield Value(start, position, Style.LONG, token["glued"])
-            case "marked":
-                number = int(token["hex"], 16) & 0xFF
-                yield Value(start, position, Style.MARKED, token["hex"], bytes((number,)))
-            case "sized":
-                yield Value(start, position, Style.MARKED, token["digit"], bytes((int(token["digit"], 16),)))
-            case "glued_marks":
-                for column in range(start, position, 4):
-                    digits = line[column + 2 : column + 4]
-                    yield Value(column, column + 4, Style.MARKED, digits, bytes.fromhex(digits))
-            case "numbered":
-                yield Value(start, position, Style.BARE, token["sharp"])
-            case "suffixed":
-                number = int(token["digits"], 16)
-                if number <= 255:
-                    yield Value(start, position, Style.MARKED, token["digits"], bytes((number,)))
-            case "percent":
-                yield Value(start, position, Style.MARKED, token["code"], bytes.fromhex(token["code"]))
-            case "unknown":
-                text = token["placeholder"]
-                yield Value(start, position, Style.UNKNOWN, text, bytes(len(text) // 2))
-            case "templated":
-                text = token[0].lower()
-                yield Value(start, start + 4, Style.BARE, text[:4])
-                yield Value(start + 4, start + 8, Style.UNKNOWN, "xxxx", bytes(2))
-                if len(text) % 2 == 0:
-                    yield Value(start + 8, position, Style.BARE, text[8:])
-            case "joined":
-                for offset in range(start, position, 3):
-                    yield Value(offset, offset + 2, Style.BARE, line[offset : offset + 2])
-            case "fours":
-                for offset in range(start, position, 5):
-                    end = min(offset + 4, position)
-                    yield Value(offset, end, Style.BARE, line[offset:end])
-            case "printable":
-                for offset in range(start, position - 1, 3):
-                    end = offset + 3 if offset + 6 <= position else position
-                    digits = line[offset + 1 : offset + 3]
-                    yield Value(offset, end, Style.MARKED, digits, bytes.fromhex(digits))
-            case "negative":
-                number = int(token["number"])
-                if number <= 128:
-                    yield Value(start, position, Style.MARKED, token[0], bytes(((-number) & 255,)))
-            case "typed":
-                number = int(token["decimal"])
-                if number <= 255:
-                    yield Value(start, position, Style.MARKED, token[0], bytes((number,)))
-            case "bare":
-                yield Value(start, position, Style.BARE, token[0])
-            case "escapes":
-                start, position = _escapes(line, start, string_end)
-                yield Value(start, position, Style.STRING, line[start:position])
-                string_end = position
-            case "quote":
-                mark_at = token.start("mark")
-                if mark_at in closers:
-                    continue
-                body = _BODY[token["mark"]].match(line, position)
-                assert body is not None
-                text = body[0]
-                if body.end() >= len(line):
-                    continue
-                is_string = (
-                    is_text
-                    or "\\" in text
-                    or (
-                        (token["prefix"] in ("b", "B") and _HEX_ONLY.fullmatch(text) is None)
-                        or (string_end >= 0 and _JOINER.fullmatch(line, string_end, start) is not None)
-                    )
-                )
-                if is_string and OTHER not in text:
-                    position = string_end = body.end() + 1
-                    yield Value(start, position, Style.STRING, text)
-                else:
-                    closers.add(body.end())
-            case "base64" | "word":
-                named = _named(line, start) if _AFTER_WORD.match(line, position) is not None else None
-                if named is not None:
-                    position = named.end
-                    yield named
-                elif kind == "base64":
-                    yield Value(start, position, Style.BASE64, token[0])
+        kind = token.lastgroup or ""
+        by_itself = _BY_ITSELF.get(kind)
+        if by_itself is not None:
+            yield from by_itself(token)
+        elif kind == "lesson":
+            position = start + 2
+        elif kind == "escapes":
+            start, position = _escapes(line, start, string_end)
+            yield Value(start, position, Style.STRING, line[start:position])
+            string_end = position
+        elif kind == "quote":
+            if token.start("mark") in closers:
+                continue
+            body = _BODY[token["mark"]].match(line, position)
+            assert body is not None
+            if body.end() >= len(line):
+                continue
+            is_joined = string_end >= 0 and _JOINER.fullmatch(line, string_end, start) is not None
+            if OTHER not in body[0] and (is_text or is_joined or _is_string(token["prefix"], body[0])):
+                position = string_end = body.end() + 1
+                yield Value(start, position, Style.STRING, body[0])
+            else:
+                closers.add(body.end())
+        else:
+            named = _named(line, start) if _AFTER_WORD.match(line, position) is not None else None
+            if named is not None:
+                position = named.end
+                yield named
+            elif kind == "base64":
+                yield Value(start, position, Style.BASE64, token[0])
+
+
+def _is_string(prefix: str | None, body: str) -> bool:
+    """Whether what stands in quotes says by itself that it is a string: by an escape, or as bytes of Python."""
+    return "\\" in body or (prefix in ("b", "B") and _HEX_ONLY.fullmatch(body) is None)
+
+
+def _whole(token: re.Match[str], style: Style, text: str) -> Iterator[Value]:
+    """All of a token as one value."""
+    yield Value(*token.span(), style, text)
+
+
+def _byte(token: re.Match[str], text: str, number: int) -> Iterator[Value]:
+    """All of a token as one byte; nothing where the number is none."""
+    if 0 <= number <= 255:
+        yield Value(*token.span(), Style.MARKED, text, bytes((number,)))
+
+
+def _glued_marks(token: re.Match[str]) -> Iterator[Value]:
+    for at in range(token.start(), token.end(), 4):
+        digits = token.string[at + 2 : at + 4]
+        yield Value(at, at + 4, Style.MARKED, digits, bytes.fromhex(digits))
+
+
+def _unknown(token: re.Match[str]) -> Iterator[Value]:
+    text = token["placeholder"]
+    yield Value(*token.span(), Style.UNKNOWN, text, bytes(len(text) // 2))
+
+
+def _templated(token: re.Match[str]) -> Iterator[Value]:
+    """A frame without a blank in which `xxxx` stands for the counter."""
+    start, end = token.span()
+    text = token[0].lower()
+    yield Value(start, start + 4, Style.BARE, text[:4])
+    yield Value(start + 4, start + 8, Style.UNKNOWN, "xxxx", bytes(2))
+    if len(text) % 2 == 0:
+        yield Value(start + 8, end, Style.BARE, text[8:])
+
+
+def _groups(token: re.Match[str], digits: int) -> Iterator[Value]:
+    """Groups of so many digits, with one character between them."""
+    for at in range(token.start(), token.end(), digits + 1):
+        end = min(at + digits, token.end())
+        yield Value(at, end, Style.BARE, token.string[at:end])
+
+
+def _printable(token: re.Match[str]) -> Iterator[Value]:
+    """`=0E=00`, of which the last value has what stands after it, too."""
+    start, stop = token.span()
+    for at in range(start, stop - 1, 3):
+        end = at + 3 if at + 6 <= stop else stop
+        digits = token.string[at + 1 : at + 3]
+        yield Value(at, end, Style.MARKED, digits, bytes.fromhex(digits))
+
+
+def _negative(token: re.Match[str]) -> Iterator[Value]:
+    """A byte as a signed number, -128 to -1."""
+    number = int(token["number"])
+    return _byte(token, token[0], -number & 0xFF if number <= 128 else -1)
+
+
+_BY_ITSELF: Mapping[str, Callable[[re.Match[str]], Iterator[Value]]] = {
+    "binary": lambda token: _byte(token, token["bits"], int(token["bits"].replace("_", ""), 2) & 0xFF),
+    "long": lambda token: _whole(token, Style.LONG, token["glued"]),
+    "marked": lambda token: _byte(token, token["hex"], int(token["hex"], 16) & 0xFF),
+    "sized": lambda token: _byte(token, token["digit"], int(token["digit"], 16)),
+    "glued_marks": _glued_marks,
+    "numbered": lambda token: _whole(token, Style.BARE, token["sharp"]),
+    "suffixed": lambda token: _byte(token, token["digits"], int(token["digits"], 16)),
+    "percent": lambda token: _byte(token, token["code"], int(token["code"], 16)),
+    "unknown": _unknown,
+    "templated": _templated,
+    "joined": lambda token: _groups(token, 2),
+    "fours": lambda token: _groups(token, 4),
+    "printable": _printable,
+    "negative": _negative,
+    "typed": lambda token: _byte(token, token[0], int(token["decimal"])),
+    "bare": lambda token: _whole(token, Style.BARE, token[0]),
+}
+"""The values in those kinds of tokens that say all themselves; the others depend on what stands around them."""
 
 
 def _escapes(line: str, start: int, least: int) -> tuple[int, int]:

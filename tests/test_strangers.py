@@ -29,6 +29,7 @@ from support.strangers import (
     numbered,
     nxt,
     object_exchange,
+    opcodes,
     padded,
     reports,
     similar_beacons,
@@ -102,6 +103,7 @@ STRANGERS: dict[str, tuple[Callable[[], bytes], int]] = {
     "obex": (lambda: over_bluetooth(object_exchange), 0),
     "nxt": (lambda: over_bluetooth(nxt), 0),
     "modbus": (lambda: over_bluetooth(modbus), 0),
+    "opcodes": (lambda: over_bluetooth(opcodes), 5),
     "usb": (over_usb, REPORTS // 100),
 }
 """Captures, and how many packets may be taken for ours."""
@@ -259,6 +261,53 @@ def claims_without_proof() -> tuple[bytes, list[int]]:
 def test_claims_without_proof_end(tshark: Tshark) -> None:
     data, ours = claims_without_proof()
     path = tshark.place(data, "unproven.pcap")
+    words = ("-Y", "ev3.msg_num", "-T", "fields", "-e", "frame.number")
+    assert tshark.run(path, *words).split() == list(map(str, ours))
+    assert tshark.run(path, "-2", *words).split() == list(map(str, ours))
+    assert [event.numbers[0] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)] == ours
+
+
+def claims_of_serial_ports() -> tuple[bytes, list[int]]:
+    """Serial ports on which something begins like ours, and the packets whose frames are taken."""
+    capture = Capture(HCI_WITH_DIRECTION)
+    faulty = bytes.fromhex("0700 0100 80 0000 94 77")
+    idle = bytes.fromhex("0600 0100 80 0000 01")
+    strange = b"\xff" * 20
+
+    def port(number: int) -> SerialPort:
+        return SerialPort(capture, connection=number, address=bytes((number, 0, 0, 0x53, 0x16, 0)))
+
+    telling = port(1)
+    ours = [telling.send(tone(1)), telling.send(faulty)]
+    telling.send(strange)
+    ours.append(telling.send(tone(2)))
+    telling.send(strange)
+    telling.send(strange)
+    # The claim ended, and one frame is not enough.
+    telling.send(tone(3))
+    ours.append(telling.send(tone(4)))
+    by_chance = port(2)
+    ours.append(by_chance.send(idle))
+    by_chance.send(strange)
+    by_chance.send(idle)
+    ours.append(by_chance.send(tone(5)))
+    proven = port(3)
+    ours += [proven.send(voltage(1)), proven.receive(volts(1))]
+    ours += [proven.send(faulty) for _ in range(10)]
+    # Somebody else speaks; no reply claims a port.
+    late = port(4)
+    for _ in range(8):
+        late.send(strange)
+    late.receive(volts(6))
+    late.send(tone(6))
+    ours.append(late.send(tone(7)))
+    ours.append(port(5).send(tone(8)))
+    return capture.data(), ours
+
+
+def test_claims_of_serial_ports_without_proof_end(tshark: Tshark) -> None:
+    data, ours = claims_of_serial_ports()
+    path = tshark.place(data, "ports.pcap")
     words = ("-Y", "ev3.msg_num", "-T", "fields", "-e", "frame.number")
     assert tshark.run(path, *words).split() == list(map(str, ours))
     assert tshark.run(path, "-2", *words).split() == list(map(str, ours))

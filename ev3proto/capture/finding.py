@@ -8,7 +8,7 @@ it is asked whether it can become such a one. The dissector finds frames in the 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from enum import Enum, auto
 
 from ev3proto.messages import Argument, DaisyCommand, DaisyReply, DirectCommand, Message, SystemCommand
@@ -162,6 +162,19 @@ class Finder:
             count += 1
             at += frame_size(buffer, at)
         return count
+
+    def first_place(self, buffer: bytes, at: int, accepts: Callable[[MessageType], bool]) -> int | None:
+        """The first place from an offset on where a frame stands that goes this way, and the next one may follow."""
+        for trials, hit in enumerate(_STARTS.finditer(buffer, at)):
+            if trials >= MOST_TRIALS:
+                break
+            place = hit.start()
+            end = place + frame_size(buffer, place)
+            if end > len(buffer) or not accepts(_TYPES[buffer[place + HEADER_SIZE - 1]]):
+                continue
+            if (end == len(buffer) or self.may_start(buffer, end)) and self.stands(buffer, place, end):
+                return place
+        return None
 
     def next_step(self, buffer: bytes, at: int, begins: Collection[int], least: int = 0) -> tuple[Found, int]:
         """The place from an offset on where the stream goes on, and what stands there.

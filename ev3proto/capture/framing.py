@@ -118,6 +118,11 @@ class Cutter:
         return self._is_claimed
 
     @property
+    def left(self) -> bytes:
+        """The bytes that wait for more."""
+        return self._buffer
+
+    @property
     def waiting(self) -> list[int]:
         """The packets whose bytes wait for more."""
         return [number for _, number in self._marks] if self._marks else []

@@ -20,15 +20,17 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   beginning of each side: what is left of a frame. Then one telling operation is enough.
 - Not strange are up to `STRANGE_PACKETS` packets, counted anew after a frame that tells, that hold nothing but frames,
   with faults or in the wrong direction. Where no frame told, those before such a packet prove nothing.
-- Bluetooth's channel and USB devices that nobody knows as bricks are claimed by a flawless command. On USB a reply is
-  taken when it answers a command, and what has faults once such a reply was seen. After more than `ODD_REPORTS`
-  reports that have a frame's length and not its type, or not the size of its type's reports, no command is taken
-  either until a reply answers one; daisy-chain frames are, and the bootloader's faulty replies. On Bluetooth a command
-  may come in several packets, as long as the other side says nothing in between, and what may be a telegram of LEGO's
-  NXT claims nothing.
-- On Bluetooth and USB the claim ends after `FAULTS_IN_A_ROW` packets without anything that can be a frame. The next one
-  may begin. On Bluetooth, where `PROOFS` packets have shown that the traffic is ours, these must have more bytes than a
-  frame: what is left of one of which something is missing may come in many packets.
+- Bluetooth's channel is claimed like a TCP connection, but by a command alone, which may come in several packets, as
+  long as the other side says nothing in between; and what may be a telegram of LEGO's NXT claims nothing. What follows
+  a command that tells does not matter. Such claims are proven and end as on TCP. The channel is never left alone: after
+  `STRANGE_PACKETS` packets it takes two telling operations. A proven claim ends, too: after `FAULTS_IN_A_ROW` packets
+  without anything that can be a frame, if they have more bytes than as many frames. What is left of a frame of which
+  something is missing may come in many packets.
+- USB devices that nobody knows as bricks are claimed by a flawless command. A reply is taken when it answers a command,
+  and what has faults once such a reply was seen. After more than `ODD_REPORTS` reports that have a frame's length and
+  not its type, or not the size of its type's reports, no command is taken either until a reply answers one; daisy-chain
+  frames are, and the bootloader's faulty replies. The claim ends after `FAULTS_IN_A_ROW` packets without anything that
+  can be a frame. The next one may begin.
 - A datagram is a beacon when it begins with the labels of a beacon's first two lines, as far as it was captured, and
   names no other protocol. It is an answer to a beacon when it goes to a brick whose beacon was seen: to the port where
   the beacon came from, the one that it names, or the one for beacons.
@@ -36,19 +38,19 @@ dissector and the built-in reader of captures follow the same rule, and this mod
 """
 
 STRANGE_PACKETS = 8
-"""Packets of a TCP connection without anything of ours after which it is left alone.
+"""Packets of a TCP connection without anything of ours after which it is left alone; of Bluetooth see above.
 
 It is more than one, because a capture may begin inside a frame.
 """
 
 FAULTS_IN_A_ROW = 3
-"""Packets in a row that hold nothing like a frame, after which a claim of Bluetooth or USB ends."""
+"""Packets in a row that hold nothing like a frame, after which a claim of USB ends, and a proven one of Bluetooth."""
 
 PROOFS = 8
-"""Packets of Bluetooth in which frames end after which it is no chance that there are some; of TCP see above."""
+"""How much of what flawless frames tell proves a claim."""
 
 STRANGE_IN_A_ROW = 2
-"""Strange packets in a row after which a claim of a TCP connection ends that nothing has proven."""
+"""Strange packets in a row after which a claim of TCP or Bluetooth ends that nothing has proven."""
 
 FIRST_TELLING = "ADD8"
 """The operations before this one, whose numbers are the smallest, are in others' data by chance."""

@@ -208,18 +208,26 @@ def _frame_check(data: bytes) -> int:
 
 
 class SerialPort:
-    """A channel of RFCOMM, from the L2CAP connection on; `connection` tells devices apart."""
+    """A channel of RFCOMM, from the L2CAP connection on; `connection` tells devices apart.
+
+    With an `address` the capture has the beginning of the connection, too. Wireshark tells devices apart by that alone.
+    """
 
     UIH = 0xEF
     SIGNALS, RFCOMM = 1, 3
     OURS, THEIRS = 0x0041, 0x0051
 
-    def __init__(self, capture: Capture, channel: int = 1, connection: int = 0x00B) -> None:
+    CONNECTED = 3
+
+    def __init__(self, capture: Capture, channel: int = 1, connection: int = 0x00B, address: bytes = b"") -> None:
         self.capture = capture
         self.dlci = channel << 1
         self.connection = connection
         heads = {way: bytes((self.dlci << 2 | way << 1 | 1, self.UIH)) for way in (True, False)}
         self.heads = {way: (head, _frame_check(head)) for way, head in heads.items()}
+        if address:
+            event = struct.pack("<BBBH", self.CONNECTED, 11, 0, connection) + address + bytes((1, 0))
+            capture.add(struct.pack(">IB", 1, 4) + event)
         asked = struct.pack("<BBHHH", 2, 1, 4, self.RFCOMM, self.OURS)
         self._packet(True, self.SIGNALS, asked)
         self._packet(False, self.SIGNALS, struct.pack("<BBHHHHH", 3, 1, 8, self.THEIRS, self.OURS, 0, 0))

@@ -141,3 +141,10 @@ def reports(rng: random.Random, count: int) -> Iterator[Said]:
         kind = rng.choice(list(MessageType))
         head = struct.pack("<HHB", size - 2, rng.randrange(0x10000), kind)
         yield rng.random() < 0.5, head + rng.randbytes(MAX_FRAME - len(head))
+
+
+def opcodes(rng: random.Random) -> Iterator[Said]:
+    """Messages after their length in two bytes: an operation, and small numbers."""
+    for _ in range(400):
+        body = bytes((rng.randrange(20), *(rng.randrange(16) for _ in range(rng.randrange(25)))))
+        yield rng.random() < 0.5, struct.pack("<H", len(body)) + body

@@ -5,29 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed
-from ev3proto.capture.carriers.claims import SerialPortClaim, begins_a_serial_port
+from ev3proto.capture.carriers.bluetooth.claim import Piece, PortClaim
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Direction, Event, Route
 from ev3proto.tables.carriers import RFCOMM_CHANNEL, Carrier
-
-
-class _Port(SerialPortClaim):
-    """Whether a serial port is ours."""
-
-    __slots__ = ("_is_from_host", "_turn")
-
-    def __init__(self, context: Context) -> None:
-        super().__init__(context, lambda event: begins_a_serial_port(event, self._turn))
-        self._is_from_host: bool | None = None
-        self._turn = 0
-
-    def reach(self, is_from_host: bool, number: int) -> None:
-        """Says which side speaks in a packet."""
-        if is_from_host is not self._is_from_host:
-            self._is_from_host, self._turn = is_from_host, number
 
 
 class SerialPorts:
@@ -39,7 +23,7 @@ class SerialPorts:
         self._bluetooth = Bluetooth(context.budget)
         self._streams: dict[tuple[object, bool], Stream] = {}
         self._conversations: dict[object, Conversation] = {}
-        self._claims: dict[object, _Port] = {}
+        self._claims: dict[object, PortClaim] = {}
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
@@ -50,7 +34,8 @@ class SerialPorts:
                 self._conversations.pop(found.key, None)
                 yield from self._end(found.key)
                 closed = self._claims.pop(found.key, None)
-                yield from () if closed is None else closed.end()
+                if closed is not None:
+                    closed.forget()
             elif found.serial is None or found.serial.channel != RFCOMM_CHANNEL:
                 self._account.other += found.weight
             else:
@@ -59,56 +44,84 @@ class SerialPorts:
     def end(self) -> Iterable[Event]:
         """What was waiting for more."""
         self._account.other += self._bluetooth.pending()
-        for (connection, _), stream in self._streams.items():
-            yield from self._claims[connection].take(stream.end())
+        for stream in self._streams.values():
+            yield from stream.end()
         for claim in self._claims.values():
-            yield from claim.end()
+            claim.forget()
         self._streams.clear()
 
-    def _end(self, connection: object) -> Iterable[Event]:
+    def _end(self, connection: object) -> list[Event]:
         """Both streams of a connection come to their end."""
+        events: list[Event] = []
         for way in (True, False):
             stream = self._streams.pop((connection, way), None)
             if stream is not None:
                 self._context.budget.remove(stream)
-                yield from self._claims[connection].take(stream.end())
+                events += stream.end()
+        return events
 
     def _serial(self, packet: Packet, found: Carried) -> Iterable[Event]:
         serial = found.serial
         assert serial is not None
         self._account.headers += found.weight - len(serial.data)
+        claim = self._claims.get(found.key)
+        if claim is None:
+            claim = self._claims[found.key] = PortClaim(self._context)
         if serial.is_turn:
             yield from self._end(found.key)
+            claim.forget()
         if not serial.data:
             return
-        key = found.key, serial.is_from_host
-        if key not in self._streams:
-            conversation = self._conversations.setdefault(found.key, self._context.conversation())
-            if found.key not in self._claims:
-                self._claims[found.key] = _Port(self._context)
-            # Other programs use the same channel: something like a frame must start with a packet.
-            cutter = Cutter(self._context.schema, in_step=False, is_claimed=False, may_gap=True)
-            route = _route(packet, found, serial.is_from_host)
-            self._streams[key] = Stream(self._context, conversation, cutter, route, packet)
-        stream = self._streams[key]
-        stream.packet = packet
-        claim = self._claims[found.key]
-        claim.reach(serial.is_from_host, packet.number)
-        before = self._account.other
-        events = stream.feed(serial.data, packet.number, packet.time_ns)
-        if self._account.other > before:
-            claim.meet_stranger()
-        yield from claim.take(events)
+        piece = Piece(serial.data, packet.number, packet.time_ns)
+        if claim.is_claimed:
+            yield from self._take(packet, found, claim, piece)
+        else:
+            for begun in claim.begin(_side(found), piece):
+                yield from self._stream(packet, found).feed(*begun)
+        stream = self._streams.get((found.key, serial.is_from_host))
+        if stream is None:
+            return
         if serial.missing:
-            yield from claim.take(stream.leave_hole(serial.missing))
-        self._context.budget.update(stream, stream.size, lambda _: self._give_up(stream, claim))
+            yield from stream.leave_hole(serial.missing)
+        self._context.budget.update(stream, stream.size, lambda _: self._give_up(stream))
 
-    def _give_up(self, stream: Stream, claim: _Port) -> None:
-        self._context.late.extend(claim.take(stream.give_up()))
+    def _take(self, packet: Packet, found: Carried, claim: PortClaim, piece: Piece) -> list[Event]:
+        """What is complete with a packet of a port that is ours."""
+        stream = self._stream(packet, found)
+        text = piece.data if claim.is_proven else stream.cutter.left + piece.data
+        events = stream.feed(*piece)
+        if claim.take(_side(found), events, text, len(piece.data)):
+            if not claim.is_claimed:
+                events += self._end(found.key)
+            return events
+        claim.end(self._end(found.key))
+        return []
+
+    def _stream(self, packet: Packet, found: Carried) -> Stream:
+        serial = found.serial
+        assert serial is not None
+        key = found.key, serial.is_from_host
+        stream = self._streams.get(key)
+        if stream is None:
+            conversation = self._conversations.setdefault(found.key, self._context.conversation())
+            # The other side may have begun in the middle of a frame.
+            cutter = Cutter(self._context.schema, in_step=False, is_claimed=False, may_gap=True)
+            route = _route(packet, found)
+            stream = self._streams[key] = Stream(self._context, conversation, cutter, route, packet)
+        stream.packet = packet
+        return stream
+
+    def _give_up(self, stream: Stream) -> None:
+        self._context.late.extend(stream.give_up())
 
 
-def _route(packet: Packet, found: Carried, is_from_host: bool) -> Route:
+def _side(found: Carried) -> Direction:
+    assert found.serial is not None
+    return Direction.SENT if found.serial.is_from_host else Direction.RECEIVED
+
+
+def _route(packet: Packet, found: Carried) -> Route:
     host, device = found.ends
-    ends = (host, device) if is_from_host else (device, host)
-    direction = Direction.SENT if is_from_host else Direction.RECEIVED
-    return Route(Carrier.BLUETOOTH, *ends, direction, packet.interface.name, device)
+    side = _side(found)
+    ends = (host, device) if side is Direction.SENT else (device, host)
+    return Route(Carrier.BLUETOOTH, *ends, side, packet.interface.name, device)

@@ -25,12 +25,14 @@ do
     local function channel_of(pinfo)
         local from, to, channel = ends(pinfo)
         local talk = talk_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
+        talk.sides = talk.sides or {}
         -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
         local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
         local stream = streams[key]
         if not stream then
             stream = { left = "", look_at = 0 }
             streams[key] = stream
+            table.insert(talk.sides, stream)
         end
         return talk, stream
     end
@@ -58,12 +60,44 @@ do
         return low + high * 0x100 == (fixed and fixed + count or nxt.lengths[command])
     end
 
-    local function is_claim(message)
-        return is_sensible_command(message) and not may_be_of_nxt(message.text)
-    end
-
     local function clear(stream)
         stream.left, stream.list, stream.look_at = "", nil, 0
+    end
+
+    -- Nothing is known of what a channel's sides said so far.
+    local function clear_sides(talk)
+        for _, stream in ipairs(talk.sides) do
+            clear(stream)
+            stream.step = nil
+        end
+    end
+
+    -- What a text tells from an offset on, whatever follows its first frame, if that one tells it.
+    local function weigh_first(text, at, accepts)
+        local verdict, telling = claiming.weigh_frames(text, at, accepts)
+        local low, high = byte(text, at + 1, at + 2)
+        local stop = high and at + LENGTH_FIELD + low + high * 0x100
+        if verdict or not stop or stop >= #text then return verdict, telling end
+        verdict, telling = claiming.weigh_frames(sub(text, 1, stop), at, accepts)
+        return verdict == OURS and verdict or nil, telling
+    end
+
+    -- What a text tells that should begin with a command: nobody answers what was not asked.
+    local function weigh_commands(text)
+        local verdict, telling = weigh_first(text, 0, is_command)
+        if not verdict or verdict == PART then return verdict, 0 end
+        local low, high = byte(text, 1, 2)
+        if may_be_of_nxt(sub(text, 1, LENGTH_FIELD + low + high * 0x100)) then return nil, 0 end
+        return verdict, telling
+    end
+
+    -- The packets of a claimed stream that came before it was claimed.
+    local function take_waiting(stream)
+        for index, before in ipairs(stream.list) do
+            is_ours[before] = is_command
+            if index == 1 then begun[before] = stream.list end
+            if index > 1 then continued[before], earlier[before] = stream.list, index - 1 end
+        end
     end
 
     -- A packet of a channel that is not known to be ours: whether it is. Other programs use the same channels. What may
@@ -72,25 +106,46 @@ do
         -- Nobody answers in the middle of a command.
         if talk.waiting and talk.waiting ~= stream then clear(talk.waiting) end
         talk.waiting = stream
-        local left = stream.left
-        local joined = left ~= "" and judge_frames(left .. piece, 0, is_command, is_claim) or nil
-        if joined == OURS then
-            for index, before in ipairs(stream.list) do
-                is_ours[before] = is_command
-                if index == 1 then begun[before] = stream.list end
-                if index > 1 then continued[before], earlier[before] = stream.list, index - 1 end
-            end
-            return true
+        local verdict, telling = nil, 0
+        if stream.left ~= "" then verdict, telling = weigh_commands(stream.left .. piece) end
+        if not verdict then
+            clear(stream)
+            verdict, telling = weigh_commands(piece)
         end
-        local alone = judge_frames(piece, 0, is_command, is_claim)
-        if joined == PART and alone ~= OURS then
-            stream.left = left .. piece
+        if verdict == PART then
+            stream.left = stream.left .. piece
+            stream.list = stream.list or {}
             table.insert(stream.list, number)
             return false
         end
-        clear(stream)
-        if alone == PART then stream.left, stream.list = piece, { number } end
-        return alone == OURS
+        if not verdict and claiming.weigh_frames(piece, 0, is_from_brick) then
+            clear(stream)
+            return false
+        end
+        if (talk.strange or 0) >= CLAIMS.strange_packets then claiming.end_claim(talk) end
+        local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, #piece)
+        if not is_claimed then clear(stream) elseif stream.list then take_waiting(stream) end
+        return is_claimed
+    end
+
+    -- What a packet of a claimed channel tells that is not proven to be ours, with all that waited for it; the packet
+    -- itself begins at `joint`.
+    local function weigh(text, joint, accepts)
+        local verdict, telling = weigh_first(text, 0, accepts)
+        if not verdict and joint > 0 then verdict, telling = weigh_first(text, joint, accepts) end
+        local at = not verdict and find_frame(text, 1, accepts)
+        if at then verdict, telling = claiming.weigh_frames(text, at, accepts) end
+        return (not at or verdict == OURS) and verdict or nil, telling
+    end
+
+    -- Whether a packet belongs to the claim on its channel, which may end with it. With `is_part` it ends no frame.
+    local function belongs(talk, stream, text, size, is_part)
+        if talk.is_proven or is_part and may_become_flawless(text, 0, stream.accepts) then return true end
+        local verdict, telling = weigh(text, #text - size, stream.accepts)
+        if verdict == PART or not verdict and claiming.meet_faulty(talk, text, 0) then return true end
+        local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, size)
+        if not is_claimed then clear_sides(talk) end
+        return is_claimed
     end
 
     -- Whether the frame that begins with this text is not whole with it.
@@ -136,20 +191,24 @@ do
         return text, true
     end
 
-    -- Counts the packets in a row without anything of ours, after which the channel is not known to be ours. What is
-    -- left of a frame of which something is missing may come in many, where frames have shown that it is.
-    local function count_faults(talk, stream, has_ours, size)
-        if has_ours then
+    -- Counts the packets in a row without anything of ours, after which a proven channel is not known to be ours any
+    -- more. What is left of a frame of which something is missing may come in many.
+    local function count_faults(talk, has_ours, size)
+        if not talk.is_proven or has_ours then
             talk.faults, talk.unread = 0, 0
-            if size > 0 then talk.proofs = (talk.proofs or 0) + 1 end
             return
         end
-        talk.faults, talk.unread = (talk.faults or 0) + 1, (talk.unread or 0) + size
-        if talk.faults < CLAIMS.faults_in_a_row then return end
-        if (talk.proofs or 0) < CLAIMS.proofs or talk.unread > MAX_LENGTH then
-            talk.is_claimed, talk.faults, talk.unread, talk.proofs = false, 0, 0, 0
-            clear(stream)
+        talk.faults, talk.unread = (talk.faults or 0) + 1, talk.unread + size
+        if talk.faults >= CLAIMS.faults_in_a_row and talk.unread > CLAIMS.faults_in_a_row * MAX_LENGTH then
+            claiming.end_claim(talk)
+            clear_sides(talk)
         end
+    end
+
+    -- A packet that ended the claim on its channel is not ours.
+    local function forget_packet(number)
+        if continued[number] then continued[number].complete_in = nil end
+        continued[number], earlier[number], waiting[number] = nil, nil, nil
     end
 
     local function add_joined(tree, tvb, before, number)
@@ -178,16 +237,19 @@ do
         local talk, stream, text, may_be_whole
         if is_first then
             talk, stream = channel_of(pinfo)
-            if not talk.is_claimed then
-                talk.is_claimed = claim(talk, stream, piece, number)
+            local is_begun = not talk.is_claimed
+            if is_begun then
+                if not claim(talk, stream, piece, number) then return 0 end
                 -- It is claimed by a command, so this packet goes to the brick.
-                talk.name = talk.is_claimed and tostring(pinfo.dl_dst) or nil
-                talk.to_brick = stream
+                talk.name, talk.to_brick = tostring(pinfo.dl_dst), stream
             end
-            if not talk.is_claimed then return 0 end
             stream.accepts = stream == talk.to_brick and is_command or is_from_brick
-            is_ours[number] = stream.accepts
             text, may_be_whole = join(stream, piece, number)
+            if not is_begun and not belongs(talk, stream, text, #piece, not may_be_whole) then
+                forget_packet(number)
+                return 0
+            end
+            is_ours[number] = stream.accepts
             if stream.step == "lost" then steps[number] = "lost" end
         elseif is_ours[number] then
             text = (waiting[number] or "") .. piece
@@ -221,7 +283,7 @@ do
             end
             if is_first then
                 stream.step = step
-                count_faults(talk, stream, has_ours, after)
+                count_faults(talk, has_ours, after)
             end
         end
         if size > 0 then

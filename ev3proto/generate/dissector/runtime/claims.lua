@@ -221,6 +221,13 @@ do
         if talk.proofs >= CLAIMS.proofs then claiming.prove(talk) end
     end
 
+    -- The claim on a connection has ended, or too much was strange before there was one: now more must tell that it is
+    -- ours.
+    function claiming.end_claim(talk)
+        talk.has_ended = talk.is_claimed and talk.is_weak and 1 or 2
+        talk.is_claimed, talk.is_proven, talk.telling, talk.strange = false, false, 0, 0
+    end
+
     local function begin_claim(talk, verdict, telling)
         talk.is_claimed, talk.is_weak, talk.proofs = true, true, 0
         add_proof(talk, verdict, telling)
@@ -251,9 +258,7 @@ do
         elseif talk.is_claimed then
             if talk.is_weak and may_be_rest(side) then return true end
             count_strange(talk, size)
-            if talk.strange >= (talk.is_weak and 1 or CLAIMS.strange_in_a_row) then
-                talk.has_ended, talk.is_claimed, talk.telling = talk.is_weak and 1 or 2, false, 0
-            end
+            if talk.strange >= (talk.is_weak and 1 or CLAIMS.strange_in_a_row) then claiming.end_claim(talk) end
         elseif talk.has_ended then
             talk.telling = verdict and talk.telling + telling or 0
             if talk.telling >= talk.has_ended then begin_claim(talk, verdict, telling) end

@@ -1,0 +1,173 @@
+"""Whether a serial port of Bluetooth is ours, packet by packet: `tables.claims` has the rule."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ev3proto.capture.carriers.claims import Claim, is_proof
+from ev3proto.capture.carriers.streams import Context
+from ev3proto.capture.record import Direction, Event, Skipped
+from ev3proto.capture.weighing import Verdict, Weigher
+from ev3proto.schema.header import frame_size
+from ev3proto.tables.claims import FAULTS_IN_A_ROW, may_be_of_nxt
+from ev3proto.tables.frame import MAX_FRAME, MessageType
+
+_PIECE_SIZE = 200
+"""Bytes of memory that a packet takes while it waits, besides its data, about."""
+
+
+class Piece(NamedTuple):
+    """What a packet carries.
+
+    data     the bytes
+    number   the packet
+    time_ns  when it was captured
+    """
+
+    data: bytes
+    number: int
+    time_ns: int
+
+
+class PortClaim(Claim):
+    """What is known of a serial port. It may become ours at any time, and cease to be."""
+
+    __slots__ = ("_budget", "_faults", "_speaker", "_to_brick", "_waiting", "_weigher")
+
+    def __init__(self, context: Context) -> None:
+        """Makes the claim of a new port.
+
+        Args:
+            context: Counts the bytes, and limits what waits.
+
+        """
+        super().__init__(context)
+        self._budget = context.budget
+        self._weigher = Weigher(context.schema)
+        self._to_brick: Direction | None = None
+        self._speaker: Direction | None = None
+        self._waiting: list[Piece] = []  # of a command that is not whole yet, before the port is claimed
+        self._faults = 0
+
+    def begin(self, side: Direction, piece: Piece) -> list[Piece]:
+        """Takes a packet of a port that is not known to be ours.
+
+        Args:
+            side: Its direction.
+            piece: What it carries.
+
+        Returns:
+            The packets that claim the port, of which this is the last one. None where it is not claimed.
+
+        """
+        if side is not self._speaker:
+            # Nobody answers in the middle of a command.
+            self.forget()
+            self._speaker = side
+        verdict, telling = Verdict.NOTHING, 0
+        if self._waiting:
+            verdict, telling = self._weigh_commands(b"".join(before.data for before in self._waiting) + piece.data)
+        if verdict is Verdict.NOTHING:
+            self.forget()
+            verdict, telling = self._weigh_commands(piece.data)
+        if verdict is Verdict.PART:
+            self._wait(piece)
+            return []
+        if verdict is not Verdict.NOTHING or self._weigher.weigh(piece.data, 0, _is_from_brick)[0] is Verdict.NOTHING:
+            self._count(side, verdict, telling, len(piece.data))
+        if self.is_claimed:
+            self._to_brick, self._faults = side, 0
+            return [*self._taken(), piece]
+        self.forget()
+        self._account.other += len(piece.data)
+        return []
+
+    def take(self, side: Direction, events: list[Event], text: bytes, size: int) -> bool:
+        """Takes a packet of a port that is known to be ours.
+
+        Args:
+            side: Its direction.
+            events: What is complete with it.
+            text: What it carries, after the bytes that waited for it.
+            size: How many bytes it carries.
+
+        Returns:
+            False where the claim ends before it, so that it is none of ours.
+
+        """
+        if not self.is_proven:
+            if not self._belongs(side, text, size, is_part=not events):
+                self._decline(events)
+                return False
+            self.is_proven = self.is_proven or any(map(is_proof, events))
+        self._count_faults(events)
+        return True
+
+    def end(self, events: list[Event]) -> None:
+        """Says that the claim has ended, and what waited is none of ours."""
+        self._decline(events)
+
+    def forget(self, _number: int = 0) -> None:
+        """Waits no longer for the rest of a command."""
+        self._account.other += sum(len(piece.data) for piece in self._taken())
+
+    def _wait(self, piece: Piece) -> None:
+        self._waiting.append(piece)
+        size = sum(len(piece.data) + _PIECE_SIZE for piece in self._waiting)
+        self._budget.update(self, size, self.forget)
+
+    def _taken(self) -> list[Piece]:
+        waiting, self._waiting = self._waiting, []
+        if waiting:
+            self._budget.remove(self)
+        return waiting
+
+    def _weigh_commands(self, text: bytes) -> tuple[Verdict, int]:
+        """What a text tells that should begin with a command: nobody answers what was not asked."""
+        verdict, telling = self._weigher.weigh_first(text, 0, _is_command)
+        if verdict in (Verdict.PERHAPS, Verdict.OURS) and may_be_of_nxt(text[: frame_size(text)]):
+            return Verdict.NOTHING, 0
+        return verdict, telling
+
+    def _count(self, side: Direction, verdict: Verdict, telling: int, size: int) -> None:
+        if self._is_left:
+            # Its connection may be another one meanwhile, so it is not left alone for good.
+            self._is_left = False
+            self._end_claim()
+        if verdict is Verdict.NOTHING:
+            self._meet_strange(side, size)
+        else:
+            self._meet_ours(side, telling)
+
+    def _belongs(self, side: Direction, text: bytes, size: int, *, is_part: bool) -> bool:
+        accepts = _is_command if side is self._to_brick else _is_from_brick
+        if is_part and self._weigher.may_become(text, 0, accepts):
+            return True
+        verdict, telling = self._weigher.weigh_anywhere(text, len(text) - size, accepts)
+        if verdict is Verdict.PART:
+            return True
+        if verdict is Verdict.NOTHING and self._weigher.holds_frames(text) and self._count_faulty():
+            return True
+        self._count(side, verdict, telling, size)
+        return self.is_claimed
+
+    def _count_faults(self, events: list[Event]) -> None:
+        """After too much without anything of ours a proven port is not known to be ours any more."""
+        skipped = [event for event in events if isinstance(event, Skipped)]
+        if not self.is_proven or len(skipped) < len(events):
+            self._faults = self._unread = 0
+        elif events:
+            self._faults += 1
+            self._unread += sum(len(event.data) for event in skipped)
+            # What is left of a frame of which something is missing may come in many packets.
+            if self._faults >= FAULTS_IN_A_ROW and self._unread > FAULTS_IN_A_ROW * MAX_FRAME:
+                self._end_claim()
+
+
+def _is_command(member: MessageType) -> bool:
+    return member.is_command
+
+
+def _is_from_brick(member: MessageType) -> bool:
+    """Bricks write into each other's mailboxes."""
+    return not member.is_command or (member.carries == "system" and not member.wants_reply)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ev3proto.errors import DecodeError, Fault, as_bytes
+from ev3proto.errors import DecodeError, Fault, as_bytes, counted
 from ev3proto.messages import Message
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.header import frame_size, impossible_length, is_frame_size
@@ -105,7 +105,7 @@ class Decoder:
         left = len(self._buffer)
         error = StreamError(
             self._position,
-            f"the stream ends inside a frame, of which {left} byte{'s' * (left > 1)} came",
+            f"the stream ends inside a frame, of which {counted(left, 'byte')} came",
             truncated=True,
         )
         if self._strict:

@@ -24,9 +24,6 @@ from ev3proto.capture import Capture, CaptureError, read
 COMMANDS = [struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60") for counter in range(5)]
 """UI_READ.GET_VBATT, 10 bytes each."""
 
-HEADERS = 40
-"""Bytes of IP and TCP in front of each."""
-
 
 def segments() -> list[bytes]:
     connection = Connection(Packets(RAW_IP))

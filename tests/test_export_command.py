@@ -18,7 +18,6 @@ from ev3proto.generate.tables_json.build import build_schema, build_tables
 from ev3proto.tables.carriers import CARRIERS
 
 ROOT = Path(__file__).parent.parent
-EXPORTS = ROOT / "exports"
 TONE = "0e002a0080000094010182b80182e803"
 
 FILES = {

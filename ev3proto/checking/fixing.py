@@ -17,7 +17,7 @@ from ev3proto.checking.moving import Layout, is_misaligned, multiple
 from ev3proto.checking.report import Report
 from ev3proto.checking.rules.encodings import is_longer, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
-from ev3proto.errors import as_bytes
+from ev3proto.errors import as_bytes, counted
 from ev3proto.messages import Argument, DirectCommand, Message, Operation, Variable
 from ev3proto.schema.argument import SHORT, encode_variable
 from ev3proto.schema.frame import read_last
@@ -277,7 +277,7 @@ class _Fixing:
             pieces.append((argument, shorter))
             what = f"{argument.name} of {operation.full_name} at offset {argument.offset}"
             before, after = argument.raw.hex(":").upper(), shorter.hex(":").upper()
-            self._changed(what, before, after, f"the same in {saved} byte{'s' * (saved > 1)} less")
+            self._changed(what, before, after, f"the same in {counted(saved, 'byte')} less")
         spanned = len(longer) - len(pieces)
         if spanned:
             are = "longer encodings stay" if spanned > 1 else "longer encoding stays"

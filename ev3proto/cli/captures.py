@@ -14,6 +14,7 @@ import click
 from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.progress import EVERY, advancing, progress_bar
+from ev3proto.errors import counted
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.text.visible import visible
@@ -214,8 +215,7 @@ class CaptureSource:
     @property
     def extent(self) -> str:
         """How much there is of it, as complaints call it."""
-        count = self.account.packets
-        return f"{count} {'packet' if self.lines is None else 'frame'}{'s' * (count != 1)}"
+        return counted(self.account.packets, "packet" if self.lines is None else "frame")
 
     def _read(self, capture: Capture) -> Iterator[Event]:
         """The events; skipped bytes are complained about."""

@@ -12,6 +12,7 @@ import click
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.tables import Tables
+from ev3proto.errors import counted
 
 if TYPE_CHECKING:
     from ev3proto.capture.byte_account import Account
@@ -148,7 +149,7 @@ class _Page:
         if account.balance:
             rows.append(("not read", str(account.balance), _share(account.balance, account.captured)))
         rows.append(("all", str(account.captured), ""))
-        many = f"{account.packets} {'packet' if self._unit == 'packet' else 'frame'}{'s' * (account.packets != 1)}"
+        many = counted(account.packets, "packet" if self._unit == "packet" else "frame")
         self._section(f"Captured bytes, in {many}", ("part", "bytes", "share"), rows)
 
     def _section(self, heading: str, titles: Sequence[str], rows: Sequence[Sequence[str]], more: int = 0) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from construct import Construct, GreedyBytes, Int8ul, Int16ul, Int32ul, NullTerminated, StringEncoded
 from construct.core import ConstructError
 
-from ev3proto.errors import BuildError, DecodeError
+from ev3proto.errors import BuildError, DecodeError, counted
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, Field, Kind
@@ -122,7 +122,7 @@ class Fields(Bytewise):
                 return values, at, fault
         if at < len(data):
             left = len(data) - at
-            return values, at, DecodeError(at, f"{left} byte{'s' * (left > 1)} left over after the last field")
+            return values, at, DecodeError(at, f"{counted(left, 'byte')} left over after the last field")
         return values, at, None
 
     def _field(self, field: Field, before: Mapping[str, FieldValue], data: bytes, at: int) -> tuple[FieldValue, int]:

@@ -45,10 +45,11 @@ def kind_of(owner: int, triggers: int) -> ObjectKind:
     return ObjectKind.SUBCALL if triggers == 1 else ObjectKind.THREAD
 
 
-PARAMETER_CODES: dict[int, Type] = {0: DATA8, 1: DATA16, 2: DATA32, 3: DATAF, 4: STRING}
-"""The low bits of a parameter's code. A handle is declared as 16 bits; a string is followed by a byte of size."""
-
 STRING_CODE = 4
+"""The low bits of the code of a parameter that is a string, which is followed by a byte of size."""
+
+PARAMETER_CODES: dict[int, Type] = {0: DATA8, 1: DATA16, 2: DATA32, 3: DATAF, STRING_CODE: STRING}
+"""The low bits of a parameter's code. A handle is declared as 16 bits."""
 
 PARAMETER_DIRECTIONS = {(True, False): Direction.IN, (False, True): Direction.OUT, (True, True): Direction.INOUT}
 """By the bits "in" (0x80) and "out" (0x40) of a parameter's code."""

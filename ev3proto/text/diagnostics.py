@@ -20,6 +20,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Message
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
@@ -61,7 +62,7 @@ def tally(findings: Iterable[Finding]) -> str:
 @lru_cache(_MOST_COUNTS)
 def _counts(*numbers: int) -> str:
     """The numbers of findings of each severity in words. Most frames have few, so that they are like one another."""
-    counts = [f"{count} {severity}{'s' * (count != 1)}" for count, severity in zip(numbers, _SEVERITIES, strict=True)]
+    counts = [counted(count, severity) for count, severity in zip(numbers, _SEVERITIES, strict=True)]
     return ", ".join(text for count, text in zip(numbers, counts, strict=True) if count) or "no findings"
 
 
@@ -149,7 +150,7 @@ def fixed(
     line: Line = [(f"{place}: ", Role.HEADING)] if place else []
     count = len(fix.changes)
     if count:
-        line.append((f"fixed in {count} place{'s' * (count > 1)}", Role.NAME))
+        line.append((f"fixed in {counted(count, 'place')}", Role.NAME))
     else:
         line.append(("nothing could be fixed" if fix.report.findings else "nothing to fix", Role.PLAIN))
     yield line

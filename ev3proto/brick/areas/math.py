@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 from ev3proto.brick import soft_float
-from ev3proto.brick.conversions import single, wrap8, wrap16, wrap32
+from ev3proto.brick.conversions import single
 from ev3proto.brick.formatting import fixed
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.machine import Machine
@@ -17,7 +17,6 @@ from ev3proto.tables.math import SIZES
 
 _TYPES = {suffix: kind for suffix, kind, _ in SIZES}
 _INTEGERS = {suffix: kind for suffix, kind in _TYPES.items() if kind is not Type.DATAF}
-_WRAPS = {Type.DATA8: wrap8, Type.DATA16: wrap16, Type.DATA32: wrap32}
 
 IntegerFunction = Callable[[int, int], int]
 

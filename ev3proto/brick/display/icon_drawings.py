@@ -13,7 +13,6 @@ Names are those of the tables' enumerations. Icons of neither list are blank.
 _PAGE = "R5,0,13,12 "
 _FOLDER = "L1,2,7,2 L8,3,21,3 R0,3,23,9 "
 _BUTTON = "R0,0,24,22 "
-_SELECTED = "F1,1,22,20 "
 _TRIANGLE = "L12,1,2,19 L12,1,22,19 L2,19,22,19 "
 _ARROW = "L1,10,6,10 L4,8,6,10 L4,12,6,10 "
 _BATTERY = "R0,1,14,6 F14,3,2,2 "

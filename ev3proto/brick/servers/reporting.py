@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from ev3proto.checking.checking import check
 from ev3proto.checking.report import Severity
+from ev3proto.errors import counted
 from ev3proto.schema.header import HEADER
 from ev3proto.text.spans import Line, Role
 
@@ -90,14 +91,14 @@ class Reporter:
         """What was found, for people: each kind of finding with the first frame that has it."""
         from ev3proto.text.diagnostics import diagnostics
 
-        many = f"{self.frames} frame{'s' * (self.frames != 1)} from clients"
+        many = f"{counted(self.frames, 'frame')} from clients"
         if not self._found:
             yield [(f"{many}: no findings", Role.PLAIN)]
             return
         yield [(f"{many}, {len(self._found)} different findings", Role.HEADING)]
         for found in sorted(self._found.values(), key=lambda found: list(Severity).index(found.finding.severity)):
             yield []
-            place = f"{found.sender}, in {found.frames} frame{'s' * (found.frames != 1)}"
+            place = f"{found.sender}, in {counted(found.frames, 'frame')}"
             yield from diagnostics(found.report, [found.finding], place=place, dialect=self._dialect)
         if self._left_out:
             yield []

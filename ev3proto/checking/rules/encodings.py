@@ -5,7 +5,7 @@ from __future__ import annotations
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.header import plural
+from ev3proto.errors import counted
 from ev3proto.messages import Argument, Variable
 from ev3proto.schema.argument import encode_integer, encode_variable
 from ev3proto.schema.identification import ENCODINGS
@@ -63,11 +63,11 @@ def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: b
         shorter = _shorter_way_back(argument, value)
     aside = ""
     if has_jumps and argument.parameter.role is not Role.JUMP:
-        aside = f", and count {plural(argument.length - len(shorter), 'byte')} less in jumps over it"
+        aside = f", and count {counted(argument.length - len(shorter), 'byte')} less in jumps over it"
     return operation.finding_at(
         codes.LONGER_FORM,
         argument,
-        f"{argument.name} is {argument.encoding}, and its value fits {plural(len(shorter), 'byte')}",
+        f"{argument.name} is {argument.encoding}, and its value fits {counted(len(shorter), 'byte')}",
         f"write it as {shorter.hex(' ').upper()}{aside}",
     )
 

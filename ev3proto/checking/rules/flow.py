@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.header import plural
+from ev3proto.errors import counted
 from ev3proto.messages import Argument
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.semantics.footprint import whole_number
@@ -46,7 +46,7 @@ def _object_end(operation: CheckedOperation, end: int) -> Finding:
     return codes.AFTER_END.finding(
         operation.end,
         end - operation.end,
-        f"{plural(end - operation.end, 'byte')} follow the OBJECT_END at offset {operation.start}, so the firmware"
+        f"{counted(end - operation.end, 'byte')} follow the OBJECT_END at offset {operation.start}, so the firmware"
         " refuses the command",
         "omit the OBJECT_END, or what follows it",
     )

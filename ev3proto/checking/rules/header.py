@@ -8,6 +8,7 @@ from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Reason
+from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, with_length
@@ -18,11 +19,6 @@ MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
 
 TYPE_OFFSET = HEADER_SIZE - 1
 """Where the message type stands."""
-
-
-def plural(count: int, what: str) -> str:
-    """`1 byte`, `2 bytes`."""
-    return f"{count} {what}{'s' * (count != 1)}"
 
 
 def check_envelope(context: CheckContext) -> Iterator[Finding]:
@@ -74,7 +70,7 @@ def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]
             _says(stated, follow),
             f"give {follow} as the length, or the bytes that are missing: {stated - follow}"
             if _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context)
-            else f"give the {plural(stated - follow, 'byte')} that {'is' if stated - follow == 1 else 'are'} missing",
+            else f"give the {counted(stated - follow, 'byte')} that {'is' if stated - follow == 1 else 'are'} missing",
         )
     elif stated < follow:
         yield _left_over(frame, stated, follow, context)
@@ -82,7 +78,7 @@ def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]
 
 def _says(stated: int, follow: int) -> str:
     verb = "follows" if stated == 1 else "follow"
-    return f"the length field says that {plural(stated, 'byte')} {verb} it, and there are {follow}"
+    return f"the length field says that {counted(stated, 'byte')} {verb} it, and there are {follow}"
 
 
 def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) -> Finding:
@@ -91,7 +87,7 @@ def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) ->
         return codes.PADDING.finding(
             end,
             len(frame) - end,
-            f"the frame ends here, and {plural(len(frame) - end, 'zero')} fill it up to a USB report",
+            f"the frame ends here, and {counted(len(frame) - end, 'zero')} fill it up to a USB report",
             "omit them everywhere but on USB",
         )
     return codes.LEFT_OVER.finding(
@@ -111,7 +107,7 @@ def _ways_out(frame: bytes, stated: int, follow: int, context: CheckContext) -> 
     elif not is_start:
         yield f"give the length of one frame, which has {MAX_FRAME} bytes at most"
     if is_start:
-        yield f"omit the last {plural(follow - stated, 'byte')}"
+        yield f"omit the last {counted(follow - stated, 'byte')}"
 
 
 def _reads_to_its_end(frame: bytes, context: CheckContext) -> bool:

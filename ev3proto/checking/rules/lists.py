@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.header import plural
+from ev3proto.errors import counted
 from ev3proto.semantics.inline_arrays import InlineArray, inline_arrays
 from ev3proto.tables.declaration import Direction
 from ev3proto.tables.encoding import CONSTANT, RANGES, TEXT
@@ -33,14 +33,14 @@ def _long_texts(operation: CheckedOperation) -> Iterator[Finding]:
             yield operation.finding_at(
                 codes.NAME_TOO_LONG,
                 argument,
-                f"{argument.name} has {plural(size - 1, 'character')}, and the firmware takes {most - 1} at most",
+                f"{argument.name} has {counted(size - 1, 'character')}, and the firmware takes {most - 1} at most",
                 f"shorten it by {size - most}",
             )
 
 
 def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]:
     argument, length, stated, present = array.argument, array.length, array.stated, array.present
-    says = f"{length} says that {argument.name} has {plural(stated, 'byte')}"
+    says = f"{length} says that {argument.name} has {counted(stated, 'byte')}"
     if argument.form.kind == CONSTANT:
         if stated > present:
             yield operation.finding_at(
@@ -54,7 +54,7 @@ def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]
             codes.ARRAY_TOO_SHORT,
             argument,
             f"{says}, and it has {present} with its zero",
-            ", or ".join((*_count(operation, array, present // array.one), f"give all {plural(stated, 'byte')}")),
+            ", or ".join((*_count(operation, array, present // array.one), f"give all {counted(stated, 'byte')}")),
         )
     elif stated < present - 1:
         yield operation.finding_at(
@@ -64,7 +64,7 @@ def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]
             ", or ".join(
                 (
                     *_count(operation, array, -(-(present - 1) // array.one)),
-                    f"omit the last {plural(present - 1 - stated, 'byte')}",
+                    f"omit the last {counted(present - 1 - stated, 'byte')}",
                 )
             ),
         )

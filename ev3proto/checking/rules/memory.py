@@ -8,7 +8,8 @@ from functools import lru_cache
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET, plural
+from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
+from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.semantics.footprint import Footprint, MemoryFacts, Taken
@@ -137,7 +138,7 @@ def _aligned(is_global: bool, start: int, size: int, multiple: int, asked: int) 
     if end > most:
         return f"use a multiple of {multiple}"
     if end > asked:
-        return f"{better}, and ask for {plural(end, 'byte')} of {scope} memory"
+        return f"{better}, and ask for {counted(end, 'byte')} of {scope} memory"
     return f"{better}, or another multiple of {multiple}"
 
 
@@ -155,11 +156,11 @@ def _beyond_texts(name: str, is_global: bool, start: int, end: int, asked: int) 
     """What is wrong with a variable beyond its memory, and what to do."""
     scope, most = _memory(is_global)
     bytes_taken = f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}"
-    has = f"{plural(asked, 'byte')} of" if asked else "no"
+    has = f"{counted(asked, 'byte')} of" if asked else "no"
     message = f"{name} takes {bytes_taken} of {scope} memory, and the header asks for {has} {scope} memory"
     if end > most:
-        return message, f"use a lower index; there are {plural(most, 'byte')} of {scope} memory at most"
-    return message, f"ask for {plural(end, 'byte')} of {scope} memory, or use a lower index"
+        return message, f"use a lower index; there are {counted(most, 'byte')} of {scope} memory at most"
+    return message, f"ask for {counted(end, 'byte')} of {scope} memory, or use a lower index"
 
 
 def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
@@ -289,7 +290,7 @@ def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> I
         yield codes.UNWANTED_GLOBALS.finding(
             HEADER_SIZE,
             MEMORY_SIZE,
-            f"the header asks for {plural(command.global_size, 'byte')} of global memory, which no operation uses and"
+            f"the header asks for {counted(command.global_size, 'byte')} of global memory, which no operation uses and"
             " no reply brings",
             f"ask for none, or give the type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}",
         )
@@ -328,4 +329,4 @@ def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
 def _unused_texts(scope: str, asked: int, needed: int) -> tuple[str, str]:
     """What is wrong with memory of which only some is needed, and what to do."""
     share = f"{needed} of them are" if needed else "none of them is"
-    return f"the header asks for {plural(asked, 'byte')} of {scope} memory, and {share} used", f"ask for {needed}"
+    return f"the header asks for {counted(asked, 'byte')} of {scope} memory, and {share} used", f"ask for {needed}"

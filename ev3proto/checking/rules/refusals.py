@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.header import plural
-from ev3proto.errors import Fault
+from ev3proto.errors import Fault, counted
 from ev3proto.messages import Argument
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.schema.identification import ENCODINGS
@@ -216,7 +215,7 @@ def _faulty_count(context: CheckContext, operation: CheckedOperation, count: Arg
         return operation.finding_at(
             codes.CUT_OFF,
             count,
-            f"{count.name} says that {plural(int(count.value), 'value')} follow, and {plural(room, 'byte')} do",
+            f"{count.name} says that {counted(int(count.value), 'value')} follow, and {counted(room, 'byte')} do",
             "give as many values as it says, or the number that there are",
         )
     state = f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is no number"

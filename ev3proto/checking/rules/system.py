@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.header import TYPE_OFFSET, plural
+from ev3proto.checking.rules.header import TYPE_OFFSET
+from ev3proto.errors import counted
 from ev3proto.messages import DaisyCommand, SystemCommand
 from ev3proto.schema.fields import NUMBERS
 from ev3proto.schema.header import HEADER_SIZE
@@ -125,7 +126,7 @@ def _fields(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
             yield codes.FIELD_TOO_LONG.finding(
                 at,
                 size,
-                f"{field.name} has {plural(size, 'byte')}, and the firmware has room for {field.most}",
+                f"{field.name} has {counted(size, 'byte')}, and the firmware has room for {field.most}",
                 f"shorten it by {size - field.most}",
                 entry.name,
                 field.name,
@@ -176,7 +177,7 @@ def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
         yield codes.REFUSED_PATH.finding(
             at + start,
             len(part),
-            f"the {what} has {plural(len(part), 'character')}, and the firmware takes {room - 1} at most",
+            f"the {what} has {counted(len(part), 'character')}, and the firmware takes {room - 1} at most",
             shorten,
             entry.name,
             _PATH,

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from functools import cache
 
 from ev3proto.compose.meanings import MeaningError, objections
-from ev3proto.errors import BuildError
+from ev3proto.errors import BuildError, counted
 from ev3proto.messages import Operation
 from ev3proto.schema.argument import ArgumentSchema, encode_integer
 from ev3proto.schema.instructions import InstructionSet, instruction_set
@@ -247,7 +247,7 @@ def _in_order(
 def _takes(schema: OperationSchema) -> str:
     """`SOUND.TONE takes 3 values (VOLUME, FREQUENCY, DURATION)`."""
     names = [one.parameter.name for one in schema.fixed]
-    count = f"{len(names)} value{'s' * (len(names) != 1)}"
+    count = counted(len(names), "value")
     if schema.list_parameter is not None:
         count += " and a list"
     named = f" ({', '.join(names)})" if names else ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from ev3proto.errors import BuildError
+from ev3proto.errors import BuildError, counted
 from ev3proto.messages import Variable
 from ev3proto.schema.argument import (
     ArgumentSchema,
@@ -266,7 +266,7 @@ class Encoder:
             verb = "is read as" if parameter.direction is Direction.IN else "would be overwritten by"
             raise error_at(
                 token,
-                f"{token.text} has {room} byte{'s' * (room != 1)} here and {verb} {parameter.name}, a {parameter.type}"
+                f"{token.text} has {counted(room, 'byte')} here and {verb} {parameter.name}, a {parameter.type}"
                 f" of {parameter.type.size}",
             )
 

@@ -4794,9 +4794,13 @@ do
         return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
     end
 
+    -- For those that have none, U+0080 to U+009F: some terminals obey them.
+    local REPLACEMENT = "\239\191\189"
+
     function on_one_line(text)
         if not find(text, "[\0-\31\127-\255]") then return text end
-        return (gsub(utf8_text(text), "[\1-\31\127]", symbol_of))
+        text = gsub(utf8_text(text), "[\1-\31\127]", symbol_of)
+        return (gsub(text, "\194[\128-\159]", REPLACEMENT))
     end
 
     function shortened(text)
@@ -5084,8 +5088,9 @@ do
     -- The name under which a file is written: nothing of its path leads out of the folder.
     local function safe_name(path, taken)
         local name = gsub(gsub(path:match("[^/\\]*$"), "[^%w%._%- ]", "_"), "^[%. ]+", "_")
-        name = sub(gsub(name, "[%. ]+$", ""), 1, 100)
-        local stem = name:match("^[^%.]*"):upper()
+        -- Windows leaves dots and blanks at the end of a name out, and those before its first dot out of a device's.
+        name = gsub(sub(name, 1, 100), "[%. ]+$", "")
+        local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
         if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
             name = "_" .. name
         end
@@ -7595,11 +7600,6 @@ do
         others[port] = nil
     end
 
-    -- Whether somebody chose us for a port, by Decode As.
-    local function is_decoded_as(port)
-        return tostring(tcp_ports:get_dissector(port)) == tostring(Dissector.get("ev3"))
-    end
-
     -- A packet that is not ours goes to whom we took its port from because of a beacon. On ports that the preference
     -- names Wireshark guesses: whom we call takes whatever comes, as Lua cannot ask whether a packet is its own.
     local function leave(tvb, pinfo, tree)
@@ -7937,6 +7937,11 @@ do
 
     local dissect_udp, guess_udp
     do
+        -- Whether somebody chose us for a port, by Decode As.
+        local function is_decoded_as(port)
+            return tostring(tcp_ports:get_dissector(port)) == tostring(Dissector.get("ev3"))
+        end
+
         -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
         local function remember_brick(pinfo, named)
             local address = tostring(pinfo.src) .. " "

@@ -5,6 +5,7 @@ Everything is asked of the real tshark; packet numbers are those of the captures
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import pytest
 from scapy.layers.inet import IP, TCP
 from scapy.layers.l2 import Ether
 from scapy.utils import wrpcap
+from support.packets import RAW_IP, Capture, Connection
 from support.wireshark import Tshark
 
 CAPTURES = Path(__file__).parent.parent / "captures"
@@ -270,3 +272,14 @@ def one_segment(path: Path, frame: bytes, *, from_brick: bool = False) -> Path:
     segment = TCP(sport=ports[0], dport=ports[1], flags="PA")
     wrpcap(str(path), Ether() / IP(src="192.0.2.1", dst="192.0.2.2") / segment / frame)
     return path
+
+
+def test_no_control_character_is_in_a_line(tshark: Tshark) -> None:
+    """Of ISO-8859-1 neither those below 20 nor 7F to 9F: tshark 4.0 hands them to the terminal as they are."""
+    name = b"a\x1b\x7f\x85\x9b\xe4"
+    body = b"\x00\x00\xd4\x08\x84" + name + b"\x00"
+    capture = Capture(RAW_IP)
+    Connection(capture).send(struct.pack("<HHB", 3 + len(body), 1, 0x80) + body)
+    path = tshark.place(capture.data(), "controls.pcap")
+    said = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info").strip()
+    assert said == 'COM_SET SET_BRICKNAME name="a\u241b\u2421\ufffd\ufffdä"'

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import struct
 import subprocess
 import tempfile
 from collections.abc import Callable
@@ -18,6 +19,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 from support.cli import run_ev3proto_text
+from support.packets import RAW_IP, Capture, Connection
 from support.wireshark import Tshark
 
 from ev3proto.cli.dissector import dissector
@@ -79,7 +81,7 @@ class Home:
         """With our tshark first on the path."""
         return run(*words, path=f"{self.program.parent}{os.pathsep}{os.environ['PATH']}")
 
-    def read(self, capture: str, *words: str) -> str:
+    def read(self, capture: str | Path, *words: str) -> str:
         """What tshark prints of a capture, without the name of any script, and without complaining."""
         placed = self.tshark.place(CAPTURES / capture)
         done = subprocess.run(
@@ -354,6 +356,20 @@ def test_the_button_for_trouble_shows_what_is_wrong_with_ev3_alone(with_profile:
     assert len(found("bluetooth.pcapng", "ev3 && _ws.expert")) == 13
     assert found("bluetooth.pcapng", trouble) == [28, 29]
     assert found("wifi.pcapng", trouble) == found("wifi.pcapng", "ev3 && _ws.expert") != []
+
+
+def test_the_button_for_motors_shows_all_that_works_on_motors(with_profile: Home, tmp_path: Path) -> None:
+    """OUTPUT_STOP, _STEP_SPEED, _TIME_SYNC, _SPEED of ports in a variable, _READ; then a tone."""
+    motors = ["A3 00 0F 01", "AE 00 01 14 00 83 E8030000 00 01", "B1 00 06 14 00 83 E8030000 01", "A5 00 40 14"]
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for body in (*motors, "A8 00 01 60 64", "94 01 01 82B801 82E803"):
+        operation = bytes.fromhex(body)
+        connection.send(struct.pack("<HHBH", 5 + len(operation), 1, 0x80, 0x0408) + operation)
+    path = tmp_path / "motors.pcap"
+    path.write_bytes(capture.data())
+    button = {label: text for label, text, _ in profile.BUTTONS}["Motors"]
+    assert with_profile.read(path, "-Y", button, "-T", "fields", "-e", "frame.number").split() == list("12345")
 
 
 @pytest.mark.parametrize(

@@ -103,6 +103,24 @@ def test_exported_files_stay_in_their_folder(tshark: Tshark) -> None:
     assert written == ["2-_", "2-a.rbf", "_", "_con.txt", "_hidden", "a.rbf", "b.rbf", "x___y"]
 
 
+def test_exported_files_have_names_that_windows_keeps(tshark: Tshark) -> None:
+    """There a name is a device's also with blanks before its dot, and loses the dots and blanks at its end."""
+    folder = export_folder(tshark, "windows")
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for number, name in enumerate(["AUX .txt", "com1  .a.b", "x" * 99 + ".rbf", "y" * 98 + " .rtf"]):
+        sent = [
+            ev3proto.system_command("BEGIN_DOWNLOAD", counter=2 * number, size=1, path=name),
+            ev3proto.system_reply("BEGIN_DOWNLOAD", counter=2 * number, handle=number),
+            ev3proto.system_command("CONTINUE_DOWNLOAD", counter=2 * number + 1, handle=number, data=b"x"),
+        ]
+        for message, say in zip(sent, (connection.send, connection.receive, connection.send), strict=True):
+            say(message.build())
+    tshark.run(tshark.place(capture.data(), "windows.pcap"), "-q", "-o", f"ev3.export:{folder}")
+    written = sorted(path.name for path in folder.iterdir())
+    assert written == ["_AUX .txt", "_com1  .a.b", "x" * 99, "y" * 98]
+
+
 def test_the_info_column_is_bounded(tshark: Tshark) -> None:
     """One packet of many frames: 4 kB of them, and how many more."""
     capture = Capture(RAW_IP)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 from typing import NamedTuple
 
+from ev3proto.tables import AREAS
 from ev3proto.tables.frame import MessageType
 
 NAME = "EV3"
@@ -89,7 +90,7 @@ BUTTONS = (
     ("Replies", "ev3.response_time", "replies to commands that were seen"),
     ("Slow", "ev3.response_time > 0.05", "replies that took longer than 50 ms"),
     ("Files", "ev3.transfer.path", "files and listings that were moved"),
-    ("Motors", "ev3.output_speed.nos || ev3.output_power.nos || ev3.output_start.nos", "who works on motors"),
+    ("Motors", f"ev3.op in {{{', '.join(str(opcode.number) for opcode in AREAS['output'])}}}", "who works on motors"),
 )
 """Buttons beside the line for filters: label, filter, what it shows."""
 

@@ -19,9 +19,13 @@ do
         return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
     end
 
+    -- For those that have none, U+0080 to U+009F: some terminals obey them.
+    local REPLACEMENT = "\239\191\189"
+
     function on_one_line(text)
         if not find(text, "[\0-\31\127-\255]") then return text end
-        return (gsub(utf8_text(text), "[\1-\31\127]", symbol_of))
+        text = gsub(utf8_text(text), "[\1-\31\127]", symbol_of)
+        return (gsub(text, "\194[\128-\159]", REPLACEMENT))
     end
 
     function shortened(text)

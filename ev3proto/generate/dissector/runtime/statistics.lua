@@ -173,8 +173,9 @@ do
     -- The name under which a file is written: nothing of its path leads out of the folder.
     local function safe_name(path, taken)
         local name = gsub(gsub(path:match("[^/\\]*$"), "[^%w%._%- ]", "_"), "^[%. ]+", "_")
-        name = sub(gsub(name, "[%. ]+$", ""), 1, 100)
-        local stem = name:match("^[^%.]*"):upper()
+        -- Windows leaves dots and blanks at the end of a name out, and those before its first dot out of a device's.
+        name = gsub(sub(name, 1, 100), "[%. ]+$", "")
+        local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
         if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
             name = "_" .. name
         end

@@ -34,11 +34,6 @@ do
         others[port] = nil
     end
 
-    -- Whether somebody chose us for a port, by Decode As.
-    local function is_decoded_as(port)
-        return tostring(tcp_ports:get_dissector(port)) == tostring(Dissector.get("ev3"))
-    end
-
     -- A packet that is not ours goes to whom we took its port from because of a beacon. On ports that the preference
     -- names Wireshark guesses: whom we call takes whatever comes, as Lua cannot ask whether a packet is its own.
     local function leave(tvb, pinfo, tree)
@@ -376,6 +371,11 @@ do
 
     local dissect_udp, guess_udp
     do
+        -- Whether somebody chose us for a port, by Decode As.
+        local function is_decoded_as(port)
+            return tostring(tcp_ports:get_dissector(port)) == tostring(Dissector.get("ev3"))
+        end
+
         -- Where the host may send its answer: to the port that the beacon came from, the one that it names, or its own.
         local function remember_brick(pinfo, named)
             local address = tostring(pinfo.src) .. " "

@@ -4299,41 +4299,53 @@ local instructions = INSTRUCTION_SETS[dialect]
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local new_memory, forget_memories, place_of, number_of, new_notes, new_texts
+local new_column, row_of, forget_rows, place_of, number_of, new_notes, new_texts
 do
-    local forgetting = {}
+    -- What was found out of the bodies of the last commands, as a dialogue says the same again and again. Each has a
+    -- row, which some of its bytes tell, and takes it from the one before; in each column is what is known of it, or
+    -- false. So what comes once costs little, and no table grows for it.
+    local ROWS = 1024
+    local bodies, columns = {}, {}
+    local last_body, last_row
 
-    function forget_memories()
-        for _, forget in ipairs(forgetting) do
-            forget()
+    local function clear(column)
+        for row = 1, ROWS do
+            column[row] = false
         end
+        return column
+    end
+    clear(bodies)
+
+    function new_column()
+        local column = clear({})
+        columns[#columns + 1] = column
+        return column
     end
 
-    -- Remembers what was found out, by some text, as a dialogue says the same again and again. What was not asked for
-    -- since `half` came in is forgotten, so that it holds at most twice as much; `cost_of` says how much a value
-    -- counts.
-    function new_memory(half, cost_of)
-        local recent, before, cost = {}, {}, 0
-        local memory = {}
+    -- Bytes near the start and at the end, as bodies are alike in others. A few are so short that some are missing.
+    local function new_row(body)
+        local a, b, c, d, e = byte(body, 3, 7)
+        local y, z = byte(body, -2, -1)
+        if not e then return 1 + (31 * (a or 0) + 257 * (b or 0) + 7 * (c or 0) + 61 * (d or 0)) % ROWS end
+        return 1 + (#body + 5 * a + 31 * b + 7 * c + 61 * d + 127 * e + 257 * y + 11 * z) % ROWS
+    end
 
-        function memory.put(key, value)
-            if cost >= half then recent, before, cost = {}, recent, 0 end
-            recent[key], cost = value, cost + (cost_of and cost_of(value) or 1)
-        end
-
-        function memory.get(key)
-            local value = recent[key]
-            if value == nil then
-                value = before[key]
-                if value ~= nil then memory.put(key, value) end
+    function row_of(body)
+        if body == last_body then return last_row end
+        local row = new_row(body)
+        if bodies[row] ~= body then
+            bodies[row] = body
+            for index = 1, #columns do
+                columns[index][row] = false
             end
-            return value
         end
+        last_body, last_row = body, row
+        return row
+    end
 
-        forgetting[#forgetting + 1] = function()
-            recent, before, cost = {}, {}, 0
-        end
-        return memory
+    function forget_rows()
+        last_body = nil
+        clear(bodies)
     end
 
     -- A message's place is the number of its packet and its offset there, in one number.
@@ -4431,11 +4443,10 @@ do
         return notes
     end
 
-    -- Keeps texts, each by a number that tells where it is. One that comes again soon has the number that it had.
+    -- Keeps texts, each by a number that tells where it is.
     function new_texts()
         local PAGE, MOST_LENGTH = 0x10000, 0x10000
         local pages, pieces, count, size
-        local recent = new_memory(256)
         local texts = {}
 
         function texts.forget()
@@ -4444,16 +4455,13 @@ do
         texts.forget()
 
         function texts.put(text)
-            local known = recent.get(text)
-            if known then return known end
             if size >= PAGE / 2 then
                 pages[#pages + 1] = new_bytes(concat(pieces, "", 1, count), true)
                 count, size = 0, 0
             end
-            known = (#pages * PAGE + size) * MOST_LENGTH + #text
+            local known = (#pages * PAGE + size) * MOST_LENGTH + #text
             count = count + 1
             pieces[count], size = text, size + #text
-            recent.put(text, known)
             return known
         end
 
@@ -5195,6 +5203,7 @@ do
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
     local requests, bodies = new_notes(3), new_texts()
+    local body_numbers = new_column()
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
     -- known.
@@ -5221,6 +5230,17 @@ do
         if place == answer_place then return answer end
         local command, delay, body = requests.get(place)
         return command and { place = command, delay = delay, body = bodies.get(body) }
+    end
+
+    -- The number of a body that is kept. One that comes again soon has the number that it had.
+    local function number_of_body(body)
+        local row = row_of(body)
+        local number = body_numbers[row]
+        if not number then
+            number = bodies.put(body)
+            body_numbers[row] = number
+        end
+        return number
     end
 
     -- The number of the packet with the reply to a command.
@@ -5417,7 +5437,7 @@ do
                 if request.earlier then request.earlier = nil end
                 talk.is_proven = talk.is_proven or is_proof(message, request.body)
                 replies.put(request.place, number_of(place))
-                requests.put(place, request.place, request.delay, bodies.put(request.body))
+                requests.put(place, request.place, request.delay, number_of_body(request.body))
                 answer, answer_place = request, place
                 if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
             end
@@ -5453,16 +5473,16 @@ end
 -- Notes what a reply will hold while its command is read: start, note_output, note_operation, keep.
 local layout_notes = {}
 
-local read_reply, say_reply
+local layout_for, read_reply, say_reply
 do
     local unpack = table.unpack
 
     -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
-    -- parameter, encoding, index. `first` is the first operation; `lengths`, by the offset of their operation, are
-    -- constants that say how long outputs are.
+    -- parameter, encoding, index; and its `size`, as more may follow. `first` is the first operation; `lengths`, by the
+    -- offset of their operation, are constants that say how long outputs are.
     local OUTPUT = 4
 
-    -- The layout of the command that is being read; it grows here, and is kept in a table of just its size.
+    -- The layout of the command that is being read, or was read last.
     local draft = {}
     local draft_size, draft_lengths, draft_first
 
@@ -5493,10 +5513,19 @@ do
         end
     end
 
-    -- Written at once, as a table that grows is laid out anew.
-    local function finished_layout()
-        if not draft_lengths then return { first = draft_first, unpack(draft, 1, draft_size) } end
-        return { first = draft_first, lengths = draft_lengths, unpack(draft, 1, draft_size) }
+    local function finish_draft()
+        draft.size, draft.first, draft.lengths = draft_size, draft_first, draft_lengths
+        draft.line, draft.is_used = nil, nil
+        -- Where the outputs of the last operation end.
+        draft[draft_size + 1] = false
+    end
+
+    -- The draft in a table of its own, written at once, as a table that grows is laid out anew.
+    local function copy_of_draft()
+        return {
+            size = draft_size, first = draft_first, lengths = draft_lengths, is_used = draft.is_used,
+            unpack(draft, 1, draft_size),
+        }
     end
 
     -- The type of an output that has that of the array it comes from: what fits before the next output of its
@@ -5573,7 +5602,7 @@ do
     end
 
     -- `body` is what follows a command's header.
-    local function layout_of_body(body)
+    local function draft_layout(body)
         local at, view = MEMORY_FIELD, {}
         layout_notes.start()
         while at < #body do
@@ -5583,33 +5612,53 @@ do
             if fault then break end
             at = after
         end
-        return finished_layout()
+        draft_body = body
+        finish_draft()
     end
 
-    -- Those of the last commands that came more than once. False where one was noted, true where its reply was there.
-    local layouts = new_memory(512, function(layout) return type(layout) == "table" and 1 + #layout / OUTPUT or 1 end)
+    -- Those of commands that came more than once, of so many entries in all; else whether one was noted, or asked for.
+    local layouts, NOTED, ASKED = new_column(), "noted", "asked"
+    local MOST_KEPT = 0x4000 * OUTPUT
+    local kept = 0
 
     -- Says that the layout was noted of which a reply will ask: nearly always before another one is.
     function layout_notes.keep(body)
+        local row = row_of(body)
         draft_body = body
-        if layouts.get(body) == nil then layouts.put(body, false) end
+        finish_draft()
+        layouts[row] = layouts[row] or NOTED
     end
 
-    local function layout_for(body)
-        local known = layouts.get(body)
-        if known and known ~= true then return known end
-        local layout = known ~= nil and body == draft_body and finished_layout() or layout_of_body(body)
-        layouts.put(body, known and layout or true)
+    local function keep_draft(row)
+        kept = kept + draft_size
+        if kept > MOST_KEPT then
+            forget_rows()
+            kept = draft_size
+        end
+        local layout = copy_of_draft()
+        layouts[row] = layout
         return layout
+    end
+
+    -- The layout of the replies to a command, by what follows its header. One that is not kept lasts until the next
+    -- command is read.
+    function layout_for(body)
+        local row = row_of(body)
+        local known = layouts[row]
+        if known and known ~= NOTED and known ~= ASKED then return known end
+        if not known or body ~= draft_body then draft_layout(body) end
+        if known == ASKED then return keep_draft(row) end
+        layouts[row] = ASKED
+        return draft
     end
 
     -- The line on a reply with so plain a layout, to be filled with its values; false for any other layout: each output
     -- is one number, and nothing but a number.
     local function plain_line(layout)
-        local count = #layout / OUTPUT
+        local count = layout.size / OUTPUT
         if count < 1 or count > MOST_VALUES then return false end
         local pieces, needed = { layout.first.reply_head }, 0
-        for at = 1, #layout, OUTPUT do
+        for at = 1, layout.size, OUTPUT do
             local parameter, encoding = layout[at + 1], layout[at + 2]
             local type, enum = parameter.type, parameter.enum
             local is_plain = READ_TYPE[type] and not parameter.length and not (enum and not enum.is_flags)
@@ -5624,9 +5673,8 @@ do
 
     local values = {}
 
-    -- The line on a reply to a command that came before, where that is a plain one; else nil.
-    function say_reply(body, reply)
-        local layout = layout_for(body)
+    -- The line on a reply, where its layout was asked for before and is a plain one; else nil.
+    function say_reply(layout, reply)
         local line = layout.line
         if line == nil then
             -- A command that comes once is not worth it.
@@ -5636,7 +5684,7 @@ do
         end
         if not line or reply.stop < layout.needed then return nil end
         local text, count = reply.text, 0
-        for at = 1, #layout, OUTPUT do
+        for at = 1, layout.size, OUTPUT do
             local type = layout[at + 1].type
             local value = READ_TYPE[type](text, HEADER_SIZE + layout[at + 3])
             if type == DATAF then
@@ -5654,13 +5702,12 @@ do
     -- The values found; they are overwritten by those of the next reply.
     local found = {}
 
-    -- The values in the reply to a command, how many there are, and the command's first operation. Where the tree is
+    -- The values in a reply by its layout, how many there are, and the command's first operation. Where the tree is
     -- not shown, no more of them than a line says, and of lists no more elements.
-    function read_reply(body, reply, is_shown)
-        local layout = layout_for(body)
+    function read_reply(layout, reply, is_shown)
         local count, most = 0, is_shown and math.huge or MOST_VALUES + 1
         local output = found[1] or {}
-        for at = 1, #layout, OUTPUT do
+        for at = 1, layout.size, OUTPUT do
             found[count + 1] = output
             if read_output(output, layout, at, reply, most) then
                 count = count + 1
@@ -5902,14 +5949,19 @@ do
         message.complaints[#message.complaints + 1] = text
     end
 
+    -- How many operations follow the first one. Each is written but once.
+    local further = setmetatable({ "" }, { __index = function(texts, count)
+        texts[count] = " (+" .. plural(count - 1, "operation") .. ")"
+        return texts[count]
+    end })
+
     local function operations_line(line, count)
-        return count > 1 and line .. " (+" .. plural(count - 1, "operation") .. ")" or line
+        return count > 1 and line .. further[count] or line
     end
 
-    -- What was said of commands in one line, by all that follows their headers: a dialogue says the same again and
-    -- again. Just the text where there is nothing to complain about; true where a command was there once, as it may be
-    -- the only time.
-    local lines = new_memory(512)
+    -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
+    -- was there once, as it may be the only time.
+    local lines, troubles = new_column(), new_column()
 
     local function line_of(message, line, count, fault)
         return line and operations_line(line, count) or fault and message.type.name or "no operations"
@@ -5930,19 +5982,27 @@ do
     local function say_direct_command(message)
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
-        local before = lines.get(body)
-        local known = before ~= true and before
-        if not known then
-            local line, count, fault, complaints =
-                say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
-            if message.type.wants_reply then layout_notes.keep(body) end
-            known = line_of(message, line, count, fault)
-            if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
-            lines.put(body, before and known or true)
+        local row = row_of(body)
+        local line, trouble = lines[row], troubles[row]
+        if line then
+            if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
+            return line
         end
-        if type(known) == "string" then return known end
-        message.fault, message.complaints = known.fault, known.complaints
-        return known.line
+        local first, count, fault, complaints =
+            say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
+        if message.type.wants_reply then layout_notes.keep(body) end
+        line = line_of(message, first, count, fault)
+        if not fault and not complaints then
+            lines[row] = line
+            return line
+        end
+        message.fault, message.complaints = fault, complaints
+        if trouble then
+            lines[row], troubles[row] = line, { fault = fault, complaints = complaints }
+        else
+            troubles[row] = true
+        end
+        return line
     end
 
     -- A direct command is said and added at once: it is read but once.
@@ -5977,9 +6037,10 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
-        local line = not is_shown and say_reply(request.body, message)
+        local layout = layout_for(request.body)
+        local line = not is_shown and say_reply(layout, message)
         if line then return line end
-        local outputs, count, first = read_reply(request.body, message, is_shown)
+        local outputs, count, first = read_reply(layout, message, is_shown)
         message.outputs, message.count = outputs, count
         local head = first and first.reply_head or "reply:"
         if count > 0 then return values_text(head, outputs, count) end
@@ -8102,7 +8163,7 @@ do
 
     function ev3.init()
         forget_dialogues()
-        forget_memories()
+        forget_rows()
         statistics.forget()
         statistics.print_at_end()
         each_carrier("forget")
@@ -8126,6 +8187,6 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        forget_memories()
+        forget_rows()
     end
 end

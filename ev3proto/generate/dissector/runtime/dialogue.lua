@@ -21,6 +21,7 @@ do
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
     local requests, bodies = new_notes(3), new_texts()
+    local body_numbers = new_column()
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
     -- known.
@@ -47,6 +48,17 @@ do
         if place == answer_place then return answer end
         local command, delay, body = requests.get(place)
         return command and { place = command, delay = delay, body = bodies.get(body) }
+    end
+
+    -- The number of a body that is kept. One that comes again soon has the number that it had.
+    local function number_of_body(body)
+        local row = row_of(body)
+        local number = body_numbers[row]
+        if not number then
+            number = bodies.put(body)
+            body_numbers[row] = number
+        end
+        return number
     end
 
     -- The number of the packet with the reply to a command.
@@ -243,7 +255,7 @@ do
                 if request.earlier then request.earlier = nil end
                 talk.is_proven = talk.is_proven or is_proof(message, request.body)
                 replies.put(request.place, number_of(place))
-                requests.put(place, request.place, request.delay, bodies.put(request.body))
+                requests.put(place, request.place, request.delay, number_of_body(request.body))
                 answer, answer_place = request, place
                 if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
             end

@@ -2,41 +2,53 @@
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local new_memory, forget_memories, place_of, number_of, new_notes, new_texts
+local new_column, row_of, forget_rows, place_of, number_of, new_notes, new_texts
 do
-    local forgetting = {}
+    -- What was found out of the bodies of the last commands, as a dialogue says the same again and again. Each has a
+    -- row, which some of its bytes tell, and takes it from the one before; in each column is what is known of it, or
+    -- false. So what comes once costs little, and no table grows for it.
+    local ROWS = 1024
+    local bodies, columns = {}, {}
+    local last_body, last_row
 
-    function forget_memories()
-        for _, forget in ipairs(forgetting) do
-            forget()
+    local function clear(column)
+        for row = 1, ROWS do
+            column[row] = false
         end
+        return column
+    end
+    clear(bodies)
+
+    function new_column()
+        local column = clear({})
+        columns[#columns + 1] = column
+        return column
     end
 
-    -- Remembers what was found out, by some text, as a dialogue says the same again and again. What was not asked for
-    -- since `half` came in is forgotten, so that it holds at most twice as much; `cost_of` says how much a value
-    -- counts.
-    function new_memory(half, cost_of)
-        local recent, before, cost = {}, {}, 0
-        local memory = {}
+    -- Bytes near the start and at the end, as bodies are alike in others. A few are so short that some are missing.
+    local function new_row(body)
+        local a, b, c, d, e = byte(body, 3, 7)
+        local y, z = byte(body, -2, -1)
+        if not e then return 1 + (31 * (a or 0) + 257 * (b or 0) + 7 * (c or 0) + 61 * (d or 0)) % ROWS end
+        return 1 + (#body + 5 * a + 31 * b + 7 * c + 61 * d + 127 * e + 257 * y + 11 * z) % ROWS
+    end
 
-        function memory.put(key, value)
-            if cost >= half then recent, before, cost = {}, recent, 0 end
-            recent[key], cost = value, cost + (cost_of and cost_of(value) or 1)
-        end
-
-        function memory.get(key)
-            local value = recent[key]
-            if value == nil then
-                value = before[key]
-                if value ~= nil then memory.put(key, value) end
+    function row_of(body)
+        if body == last_body then return last_row end
+        local row = new_row(body)
+        if bodies[row] ~= body then
+            bodies[row] = body
+            for index = 1, #columns do
+                columns[index][row] = false
             end
-            return value
         end
+        last_body, last_row = body, row
+        return row
+    end
 
-        forgetting[#forgetting + 1] = function()
-            recent, before, cost = {}, {}, 0
-        end
-        return memory
+    function forget_rows()
+        last_body = nil
+        clear(bodies)
     end
 
     -- A message's place is the number of its packet and its offset there, in one number.
@@ -134,11 +146,10 @@ do
         return notes
     end
 
-    -- Keeps texts, each by a number that tells where it is. One that comes again soon has the number that it had.
+    -- Keeps texts, each by a number that tells where it is.
     function new_texts()
         local PAGE, MOST_LENGTH = 0x10000, 0x10000
         local pages, pieces, count, size
-        local recent = new_memory(256)
         local texts = {}
 
         function texts.forget()
@@ -147,16 +158,13 @@ do
         texts.forget()
 
         function texts.put(text)
-            local known = recent.get(text)
-            if known then return known end
             if size >= PAGE / 2 then
                 pages[#pages + 1] = new_bytes(concat(pieces, "", 1, count), true)
                 count, size = 0, 0
             end
-            known = (#pages * PAGE + size) * MOST_LENGTH + #text
+            local known = (#pages * PAGE + size) * MOST_LENGTH + #text
             count = count + 1
             pieces[count], size = text, size + #text
-            recent.put(text, known)
             return known
         end
 

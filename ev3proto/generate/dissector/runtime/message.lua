@@ -28,14 +28,19 @@ do
         message.complaints[#message.complaints + 1] = text
     end
 
+    -- How many operations follow the first one. Each is written but once.
+    local further = setmetatable({ "" }, { __index = function(texts, count)
+        texts[count] = " (+" .. plural(count - 1, "operation") .. ")"
+        return texts[count]
+    end })
+
     local function operations_line(line, count)
-        return count > 1 and line .. " (+" .. plural(count - 1, "operation") .. ")" or line
+        return count > 1 and line .. further[count] or line
     end
 
-    -- What was said of commands in one line, by all that follows their headers: a dialogue says the same again and
-    -- again. Just the text where there is nothing to complain about; true where a command was there once, as it may be
-    -- the only time.
-    local lines = new_memory(512)
+    -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
+    -- was there once, as it may be the only time.
+    local lines, troubles = new_column(), new_column()
 
     local function line_of(message, line, count, fault)
         return line and operations_line(line, count) or fault and message.type.name or "no operations"
@@ -56,19 +61,27 @@ do
     local function say_direct_command(message)
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
-        local before = lines.get(body)
-        local known = before ~= true and before
-        if not known then
-            local line, count, fault, complaints =
-                say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
-            if message.type.wants_reply then layout_notes.keep(body) end
-            known = line_of(message, line, count, fault)
-            if fault or complaints then known = { line = known, fault = fault, complaints = complaints } end
-            lines.put(body, before and known or true)
+        local row = row_of(body)
+        local line, trouble = lines[row], troubles[row]
+        if line then
+            if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
+            return line
         end
-        if type(known) == "string" then return known end
-        message.fault, message.complaints = known.fault, known.complaints
-        return known.line
+        local first, count, fault, complaints =
+            say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
+        if message.type.wants_reply then layout_notes.keep(body) end
+        line = line_of(message, first, count, fault)
+        if not fault and not complaints then
+            lines[row] = line
+            return line
+        end
+        message.fault, message.complaints = fault, complaints
+        if trouble then
+            lines[row], troubles[row] = line, { fault = fault, complaints = complaints }
+        else
+            troubles[row] = true
+        end
+        return line
     end
 
     -- A direct command is said and added at once: it is read but once.
@@ -103,9 +116,10 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
-        local line = not is_shown and say_reply(request.body, message)
+        local layout = layout_for(request.body)
+        local line = not is_shown and say_reply(layout, message)
         if line then return line end
-        local outputs, count, first = read_reply(request.body, message, is_shown)
+        local outputs, count, first = read_reply(layout, message, is_shown)
         message.outputs, message.count = outputs, count
         local head = first and first.reply_head or "reply:"
         if count > 0 then return values_text(head, outputs, count) end

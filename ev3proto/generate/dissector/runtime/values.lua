@@ -22,16 +22,16 @@ end
 -- Notes what a reply will hold while its command is read: start, note_output, note_operation, keep.
 local layout_notes = {}
 
-local read_reply, say_reply
+local layout_for, read_reply, say_reply
 do
     local unpack = table.unpack
 
     -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
-    -- parameter, encoding, index. `first` is the first operation; `lengths`, by the offset of their operation, are
-    -- constants that say how long outputs are.
+    -- parameter, encoding, index; and its `size`, as more may follow. `first` is the first operation; `lengths`, by the
+    -- offset of their operation, are constants that say how long outputs are.
     local OUTPUT = 4
 
-    -- The layout of the command that is being read; it grows here, and is kept in a table of just its size.
+    -- The layout of the command that is being read, or was read last.
     local draft = {}
     local draft_size, draft_lengths, draft_first
 
@@ -62,10 +62,19 @@ do
         end
     end
 
-    -- Written at once, as a table that grows is laid out anew.
-    local function finished_layout()
-        if not draft_lengths then return { first = draft_first, unpack(draft, 1, draft_size) } end
-        return { first = draft_first, lengths = draft_lengths, unpack(draft, 1, draft_size) }
+    local function finish_draft()
+        draft.size, draft.first, draft.lengths = draft_size, draft_first, draft_lengths
+        draft.line, draft.is_used = nil, nil
+        -- Where the outputs of the last operation end.
+        draft[draft_size + 1] = false
+    end
+
+    -- The draft in a table of its own, written at once, as a table that grows is laid out anew.
+    local function copy_of_draft()
+        return {
+            size = draft_size, first = draft_first, lengths = draft_lengths, is_used = draft.is_used,
+            unpack(draft, 1, draft_size),
+        }
     end
 
     -- The type of an output that has that of the array it comes from: what fits before the next output of its
@@ -142,7 +151,7 @@ do
     end
 
     -- `body` is what follows a command's header.
-    local function layout_of_body(body)
+    local function draft_layout(body)
         local at, view = MEMORY_FIELD, {}
         layout_notes.start()
         while at < #body do
@@ -152,33 +161,53 @@ do
             if fault then break end
             at = after
         end
-        return finished_layout()
+        draft_body = body
+        finish_draft()
     end
 
-    -- Those of the last commands that came more than once. False where one was noted, true where its reply was there.
-    local layouts = new_memory(512, function(layout) return type(layout) == "table" and 1 + #layout / OUTPUT or 1 end)
+    -- Those of commands that came more than once, of so many entries in all; else whether one was noted, or asked for.
+    local layouts, NOTED, ASKED = new_column(), "noted", "asked"
+    local MOST_KEPT = 0x4000 * OUTPUT
+    local kept = 0
 
     -- Says that the layout was noted of which a reply will ask: nearly always before another one is.
     function layout_notes.keep(body)
+        local row = row_of(body)
         draft_body = body
-        if layouts.get(body) == nil then layouts.put(body, false) end
+        finish_draft()
+        layouts[row] = layouts[row] or NOTED
     end
 
-    local function layout_for(body)
-        local known = layouts.get(body)
-        if known and known ~= true then return known end
-        local layout = known ~= nil and body == draft_body and finished_layout() or layout_of_body(body)
-        layouts.put(body, known and layout or true)
+    local function keep_draft(row)
+        kept = kept + draft_size
+        if kept > MOST_KEPT then
+            forget_rows()
+            kept = draft_size
+        end
+        local layout = copy_of_draft()
+        layouts[row] = layout
         return layout
+    end
+
+    -- The layout of the replies to a command, by what follows its header. One that is not kept lasts until the next
+    -- command is read.
+    function layout_for(body)
+        local row = row_of(body)
+        local known = layouts[row]
+        if known and known ~= NOTED and known ~= ASKED then return known end
+        if not known or body ~= draft_body then draft_layout(body) end
+        if known == ASKED then return keep_draft(row) end
+        layouts[row] = ASKED
+        return draft
     end
 
     -- The line on a reply with so plain a layout, to be filled with its values; false for any other layout: each output
     -- is one number, and nothing but a number.
     local function plain_line(layout)
-        local count = #layout / OUTPUT
+        local count = layout.size / OUTPUT
         if count < 1 or count > MOST_VALUES then return false end
         local pieces, needed = { layout.first.reply_head }, 0
-        for at = 1, #layout, OUTPUT do
+        for at = 1, layout.size, OUTPUT do
             local parameter, encoding = layout[at + 1], layout[at + 2]
             local type, enum = parameter.type, parameter.enum
             local is_plain = READ_TYPE[type] and not parameter.length and not (enum and not enum.is_flags)
@@ -193,9 +222,8 @@ do
 
     local values = {}
 
-    -- The line on a reply to a command that came before, where that is a plain one; else nil.
-    function say_reply(body, reply)
-        local layout = layout_for(body)
+    -- The line on a reply, where its layout was asked for before and is a plain one; else nil.
+    function say_reply(layout, reply)
         local line = layout.line
         if line == nil then
             -- A command that comes once is not worth it.
@@ -205,7 +233,7 @@ do
         end
         if not line or reply.stop < layout.needed then return nil end
         local text, count = reply.text, 0
-        for at = 1, #layout, OUTPUT do
+        for at = 1, layout.size, OUTPUT do
             local type = layout[at + 1].type
             local value = READ_TYPE[type](text, HEADER_SIZE + layout[at + 3])
             if type == DATAF then
@@ -223,13 +251,12 @@ do
     -- The values found; they are overwritten by those of the next reply.
     local found = {}
 
-    -- The values in the reply to a command, how many there are, and the command's first operation. Where the tree is
+    -- The values in a reply by its layout, how many there are, and the command's first operation. Where the tree is
     -- not shown, no more of them than a line says, and of lists no more elements.
-    function read_reply(body, reply, is_shown)
-        local layout = layout_for(body)
+    function read_reply(layout, reply, is_shown)
         local count, most = 0, is_shown and math.huge or MOST_VALUES + 1
         local output = found[1] or {}
-        for at = 1, #layout, OUTPUT do
+        for at = 1, layout.size, OUTPUT do
             found[count + 1] = output
             if read_output(output, layout, at, reply, most) then
                 count = count + 1

@@ -4156,6 +4156,25 @@ do
         return parameter
     end
 
+    -- What one line needs to know of a parameter that a variable stands for; what is alike for several is one table. One
+    -- that is an output with a length asks for more than its size.
+    local demand_of
+    do
+        local made = {}
+
+        function demand_of(parameter)
+            local demand = {
+                alignment = parameter.alignment or 1,
+                size = parameter.size or 1,
+                is_output = parameter.is_output == true,
+                is_long = parameter.is_output and parameter.length ~= nil or false,
+            }
+            local key = format("%d %d %s %s", demand.alignment, demand.size, demand.is_output, demand.is_long)
+            made[key] = made[key] or demand
+            return made[key]
+        end
+    end
+
     -- The elements of a list by number, for one type of them: all the same but for the number in the name.
     local function numbered(element)
         return setmetatable({}, { __index = function(elements, number)
@@ -4237,6 +4256,13 @@ do
                 if row[index].element == parameter.name then parameter.tells_type = true end
             end
         end
+        -- Where nothing in an operation says how long something else is, its arguments can be read without a second look.
+        local demands = {}
+        for index, parameter in ipairs(operation.fixed) do
+            if parameter.tells_length or parameter.tells_type or operation.list then return operation end
+            demands[index] = demand_of(parameter)
+        end
+        operation.demands = demands
         return operation
     end
 
@@ -4487,10 +4513,11 @@ end
 -- daisy command with its sub-command and two layers.
 local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
 
-local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
+local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, skim_arguments,
+    read_operation, read_fields
 do
     -- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
-    local SIZES = {}
+    local SIZES, IS_VARIABLE = {}, {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
 
@@ -4512,8 +4539,9 @@ do
                 name = row[3], kind = row[4], width = row[5], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS,
                 label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
             }
-            if SCOPES[row[4]] then encoding.scope = SCOPES[row[4]] end
+            if SCOPES[row[4]] then encoding.scope, IS_VARIABLE[first] = SCOPES[row[4]], true end
             if row[4] == CONSTANT then encoding.is_number = true end
+            if row.handle or row.address then encoding.is_special = true end
             if row.handle then encoding.handle = true end
             if row.address then encoding.address = true end
             if row.value then
@@ -4715,6 +4743,31 @@ do
         return at
     end
 
+    -- The same with `is_brief` of an operation with `demands`, and `visit` is handed that of the parameter, too. Without
+    -- a tree most arguments are read here: each needs just the size that its first byte tells.
+    function skim_arguments(operation, text, at, stop, visit, context)
+        local fixed, demands = operation.fixed, operation.demands
+        for index = 1, #demands do
+            local first, low, high = byte(text, at + 1, at + 3)
+            local size, after = SIZES[first], nil
+            if size and size > 0 and at + size <= stop then
+                after = at + size
+            else
+                local offset, reason, kind
+                after, offset, reason, kind = measure(text, at, stop, fixed[index].name)
+                if not after then return at, offset, reason, kind end
+            end
+            if IS_VARIABLE[first] then
+                local encoding = ENCODINGS[first]
+                local value = encoding.value or size == 2 and low or size == 3 and low + high * 0x100
+                    or value_of(text, at, after, encoding)
+                visit(context, fixed[index], encoding, value, demands[index])
+            end
+            at = after
+        end
+        return at
+    end
+
     -- One operation, and its arguments as above: what it is, and the offset after it.
     function read_operation(text, at, stop, visit, context, is_brief)
         local operation, after, reason, kind = select_operation(text, at, stop)
@@ -4785,7 +4838,7 @@ end
 --
 -- What the info column and the headings of the tree say.
 
-local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, argument_text, add_phrase, output_text,
+local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, argument_text, output_text,
     values_text, transfer_text
 do
     -- Wireshark cuts the info column anyway; a list of a hundred values says no more than its start.
@@ -4844,21 +4897,6 @@ do
         if name or encoding.text then return name or encoding.text end
         if encoding.kind == CONSTANT_TEXT then return shortened(value) end
         return parameter.is_float and number_text(value) or encoding.texts[value]
-    end
-
-    -- A line on an operation is collected piece by piece, `count` of them: SOUND TONE volume=1 frequency=440
-    function add_phrase(pieces, parameter, encoding, value)
-        if not parameter.is_said then return end
-        local count = pieces.count
-        if count <= 2 * MOST_VALUES then
-            pieces[count + 1] = parameter.key
-            -- Most are short numbers and variables, whose text is made already.
-            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
-            pieces.count = count + 2
-        elseif count == 2 * MOST_VALUES + 1 then
-            pieces[count + 1] = " ..."
-            pieces.count = count + 1
-        end
     end
 
     local function one_value_text(output, value)
@@ -5838,9 +5876,15 @@ do
         end
     end
 
+    -- How many operations follow the first one. Each text is written but once.
+    local further = setmetatable({ "" }, { __index = function(texts, count)
+        texts[count] = " (+" .. plural(count - 1, "operation") .. ")"
+        return texts[count]
+    end })
+
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
-    -- Returns the line on the first one, how many there are, the offset after what could be read, and the fault where
-    -- there is one.
+    -- Returns the line, nil where there is no operation, the offset after what could be read, and the fault where there
+    -- is one.
     function show_operations(item, tvb, start, text, at, stop, globals, locals)
         local line, count = nil, 0
         buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
@@ -5848,7 +5892,9 @@ do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
             heading = add(item, OPCODE, tvb(start + at, 1))
             local operation, after, reason, kind = select_operation(text, at, stop)
-            if not operation then return line, count, at, { at = after, reason = reason, kind = kind } end
+            if not operation then
+                return line and line .. further[count], at, { at = after, reason = reason, kind = kind }
+            end
             if operation.cmd_name then
                 local range = tvb(start + at + 1, 1)
                 local cmd = add(heading, CMD, range, operation.name)
@@ -5866,56 +5912,94 @@ do
             line = line or operation.title .. said
             shown.lengths = NO_LENGTHS
             count, at = count + 1, after
-            if reason then return line, count, at, { at = offset, reason = reason, kind = kind } end
+            if reason then return line .. further[count], at, { at = offset, reason = reason, kind = kind } end
         end
-        return line, count, at
+        return line and line .. further[count], at
     end
 
-    local function say_argument(view, parameter, encoding, value)
+    -- The line on the first operation, piece by piece: SOUND TONE volume=1 frequency=440
+    local pieces, piece_count = {}, 0
+
+    local function check_argument(view, parameter, encoding, value)
         if encoding.scope then
             variable_complaints(view.complaints, view, parameter, encoding, value)
             note_output(view.offset, parameter, encoding, value)
         elseif parameter.tells_length and tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
-        if view.is_first then add_phrase(view.pieces, parameter, encoding, value) end
+    end
+
+    local function say_argument(view, parameter, encoding, value)
+        if encoding.scope or parameter.tells_length then check_argument(view, parameter, encoding, value) end
+        if not parameter.is_said then return end
+        local count = piece_count
+        if count <= 2 * MOST_VALUES then
+            pieces[count + 1] = parameter.key
+            -- Most are short numbers and variables, whose text is made already.
+            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
+            piece_count = count + 2
+        elseif count == 2 * MOST_VALUES + 1 then
+            pieces[count + 1] = " ..."
+            piece_count = count + 1
+        end
+    end
+
+    -- Nearly all variables are as they should be.
+    local function check_variable(view, parameter, encoding, index, demand)
+        local is_global = encoding.kind == GLOBAL
+        local asked = is_global and view.globals or view.locals
+        if demand.is_long or asked and index + demand.size > asked or index % demand.alignment ~= 0
+            or encoding.is_special then
+            variable_complaints(view.complaints, view, parameter, encoding, index)
+        end
+        if is_global and demand.is_output then note_output(view.offset, parameter, encoding, index) end
     end
 
     -- One serves all, as they come one after the other.
-    local view = { complaints = {}, pieces = { count = 1 }, lengths = {} }
+    local view = { complaints = {}, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted. Returns the line on the first one, how many there are, the fault, and the
-    -- complaints.
+    -- What a reply will hold is noted. Returns the line, nil where there is no operation, the fault, and the complaints.
     function say_operations(text, at, stop, globals, locals)
-        local line, count, pieces, fault = nil, 0, view.pieces, nil
-        view.globals, view.locals, view.is_beyond, view.is_first, pieces.count = globals, locals, false, true, 1
+        local first, count, lengths, fault = nil, 0, view.lengths, nil
+        view.globals, view.locals, view.is_beyond, piece_count = globals, locals, false, 1
         layout_notes.start()
         while at < stop do
-            view.offset = at
-            local operation, after, offset, reason, kind =
-                read_operation(text, at, stop, say_argument, view, line ~= nil)
-            if operation then
-                if not line then
-                    pieces[1] = operation.title
-                    line = concat(pieces, "", 1, pieces.count)
-                    view.is_first = false
-                end
-                local has_lengths = next(view.lengths) ~= nil
-                note_operation(at, operation, has_lengths and view.lengths)
-                if has_lengths then view.lengths = {} end
-                count = count + 1
+            local operation, after, offset, reason, kind = select_operation(text, at, stop)
+            if not operation then
+                fault = { at = after, reason = offset, kind = reason }
+                break
             end
+            view.offset = at
+            if not first then
+                first = operation
+                after, offset, reason, kind = read_arguments(operation, text, after, stop, say_argument, view)
+            elseif operation.demands then
+                after, offset, reason, kind = skim_arguments(operation, text, after, stop, check_variable, view)
+            else
+                after, offset, reason, kind = read_arguments(operation, text, after, stop, check_argument, view, true)
+            end
+            local has_lengths = not operation.demands and next(lengths) ~= nil
+            note_operation(at, operation, has_lengths and lengths)
+            if has_lengths then
+                lengths = {}
+                view.lengths = lengths
+            end
+            count = count + 1
             if reason then
                 fault = { at = offset, reason = reason, kind = kind }
                 break
             end
             at = after
         end
-        local complaints = view.complaints
-        if not complaints[1] then return line, count, fault, nil end
+        local complaints, line = view.complaints, nil
+        if first then
+            pieces[1], pieces[piece_count + 1] = first.title, further[count]
+            line = concat(pieces, "", 1, piece_count + 1)
+        end
+        if not complaints[1] then return line, fault, nil end
         view.complaints = {}
-        return line, count, fault, complaints
+        return line, fault, complaints
     end
 end
 
@@ -5949,22 +6033,12 @@ do
         message.complaints[#message.complaints + 1] = text
     end
 
-    -- How many operations follow the first one. Each is written but once.
-    local further = setmetatable({ "" }, { __index = function(texts, count)
-        texts[count] = " (+" .. plural(count - 1, "operation") .. ")"
-        return texts[count]
-    end })
-
-    local function operations_line(line, count)
-        return count > 1 and line .. further[count] or line
-    end
-
     -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
     -- was there once, as it may be the only time.
     local lines, troubles = new_column(), new_column()
 
-    local function line_of(message, line, count, fault)
-        return line and operations_line(line, count) or fault and message.type.name or "no operations"
+    local function line_of(message, line, fault)
+        return line or fault and message.type.name or "no operations"
     end
 
     local function say_cut_command(message)
@@ -5988,10 +6062,10 @@ do
             if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
             return line
         end
-        local first, count, fault, complaints =
+        local first, fault, complaints =
             say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
         if message.type.wants_reply then layout_notes.keep(body) end
-        line = line_of(message, first, count, fault)
+        line = line_of(message, first, fault)
         if not fault and not complaints then
             lines[row] = line
             return line
@@ -6016,13 +6090,13 @@ do
         local memory = add_le(item, field.memory_sizes, range)
         add_le(memory, field.globals, range)
         add_le(memory, field.locals, range)
-        local line, count, after, fault =
+        local line, after, fault =
             show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, asked_memory(text))
         if fault then
             message.fault = fault
             add_rest(item, tvb, base, after, stop)
         end
-        return line_of(message, line, count, fault)
+        return line_of(message, line, fault)
     end
 
     local function say_direct_reply(message, place, is_shown)
@@ -6184,9 +6258,9 @@ do
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
         if payload < stop and DAISY.carries_operations[number] then
-            local first, count, fault = say_operations(text, payload, stop)
+            local said, fault = say_operations(text, payload, stop)
             message.has_operations = not fault
-            if not fault then line = line .. ": " .. operations_line(first, count) end
+            if not fault then line = line .. ": " .. said end
         end
         return line
     end

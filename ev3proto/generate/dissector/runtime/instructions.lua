@@ -91,6 +91,25 @@ do
         return parameter
     end
 
+    -- What one line needs to know of a parameter that a variable stands for; what is alike for several is one table. One
+    -- that is an output with a length asks for more than its size.
+    local demand_of
+    do
+        local made = {}
+
+        function demand_of(parameter)
+            local demand = {
+                alignment = parameter.alignment or 1,
+                size = parameter.size or 1,
+                is_output = parameter.is_output == true,
+                is_long = parameter.is_output and parameter.length ~= nil or false,
+            }
+            local key = format("%d %d %s %s", demand.alignment, demand.size, demand.is_output, demand.is_long)
+            made[key] = made[key] or demand
+            return made[key]
+        end
+    end
+
     -- The elements of a list by number, for one type of them: all the same but for the number in the name.
     local function numbered(element)
         return setmetatable({}, { __index = function(elements, number)
@@ -172,6 +191,13 @@ do
                 if row[index].element == parameter.name then parameter.tells_type = true end
             end
         end
+        -- Where nothing in an operation says how long something else is, its arguments can be read without a second look.
+        local demands = {}
+        for index, parameter in ipairs(operation.fixed) do
+            if parameter.tells_length or parameter.tells_type or operation.list then return operation end
+            demands[index] = demand_of(parameter)
+        end
+        operation.demands = demands
         return operation
     end
 

@@ -28,22 +28,12 @@ do
         message.complaints[#message.complaints + 1] = text
     end
 
-    -- How many operations follow the first one. Each is written but once.
-    local further = setmetatable({ "" }, { __index = function(texts, count)
-        texts[count] = " (+" .. plural(count - 1, "operation") .. ")"
-        return texts[count]
-    end })
-
-    local function operations_line(line, count)
-        return count > 1 and line .. further[count] or line
-    end
-
     -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
     -- was there once, as it may be the only time.
     local lines, troubles = new_column(), new_column()
 
-    local function line_of(message, line, count, fault)
-        return line and operations_line(line, count) or fault and message.type.name or "no operations"
+    local function line_of(message, line, fault)
+        return line or fault and message.type.name or "no operations"
     end
 
     local function say_cut_command(message)
@@ -67,10 +57,10 @@ do
             if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
             return line
         end
-        local first, count, fault, complaints =
+        local first, fault, complaints =
             say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
         if message.type.wants_reply then layout_notes.keep(body) end
-        line = line_of(message, first, count, fault)
+        line = line_of(message, first, fault)
         if not fault and not complaints then
             lines[row] = line
             return line
@@ -95,13 +85,13 @@ do
         local memory = add_le(item, field.memory_sizes, range)
         add_le(memory, field.globals, range)
         add_le(memory, field.locals, range)
-        local line, count, after, fault =
+        local line, after, fault =
             show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, asked_memory(text))
         if fault then
             message.fault = fault
             add_rest(item, tvb, base, after, stop)
         end
-        return line_of(message, line, count, fault)
+        return line_of(message, line, fault)
     end
 
     local function say_direct_reply(message, place, is_shown)
@@ -263,9 +253,9 @@ do
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
         -- The payload's layout is not certain: operations are shown only where all of it reads as such.
         if payload < stop and DAISY.carries_operations[number] then
-            local first, count, fault = say_operations(text, payload, stop)
+            local said, fault = say_operations(text, payload, stop)
             message.has_operations = not fault
-            if not fault then line = line .. ": " .. operations_line(first, count) end
+            if not fault then line = line .. ": " .. said end
         end
         return line
     end

@@ -117,9 +117,15 @@ do
         end
     end
 
+    -- How many operations follow the first one. Each text is written but once.
+    local further = setmetatable({ "" }, { __index = function(texts, count)
+        texts[count] = " (+" .. plural(count - 1, "operation") .. ")"
+        return texts[count]
+    end })
+
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
-    -- Returns the line on the first one, how many there are, the offset after what could be read, and the fault where
-    -- there is one.
+    -- Returns the line, nil where there is no operation, the offset after what could be read, and the fault where there
+    -- is one.
     function show_operations(item, tvb, start, text, at, stop, globals, locals)
         local line, count = nil, 0
         buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
@@ -127,7 +133,9 @@ do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
             heading = add(item, OPCODE, tvb(start + at, 1))
             local operation, after, reason, kind = select_operation(text, at, stop)
-            if not operation then return line, count, at, { at = after, reason = reason, kind = kind } end
+            if not operation then
+                return line and line .. further[count], at, { at = after, reason = reason, kind = kind }
+            end
             if operation.cmd_name then
                 local range = tvb(start + at + 1, 1)
                 local cmd = add(heading, CMD, range, operation.name)
@@ -145,55 +153,93 @@ do
             line = line or operation.title .. said
             shown.lengths = NO_LENGTHS
             count, at = count + 1, after
-            if reason then return line, count, at, { at = offset, reason = reason, kind = kind } end
+            if reason then return line .. further[count], at, { at = offset, reason = reason, kind = kind } end
         end
-        return line, count, at
+        return line and line .. further[count], at
     end
 
-    local function say_argument(view, parameter, encoding, value)
+    -- The line on the first operation, piece by piece: SOUND TONE volume=1 frequency=440
+    local pieces, piece_count = {}, 0
+
+    local function check_argument(view, parameter, encoding, value)
         if encoding.scope then
             variable_complaints(view.complaints, view, parameter, encoding, value)
             note_output(view.offset, parameter, encoding, value)
         elseif parameter.tells_length and tells_length(parameter, encoding) then
             view.lengths[parameter.name] = value
         end
-        if view.is_first then add_phrase(view.pieces, parameter, encoding, value) end
+    end
+
+    local function say_argument(view, parameter, encoding, value)
+        if encoding.scope or parameter.tells_length then check_argument(view, parameter, encoding, value) end
+        if not parameter.is_said then return end
+        local count = piece_count
+        if count <= 2 * MOST_VALUES then
+            pieces[count + 1] = parameter.key
+            -- Most are short numbers and variables, whose text is made already.
+            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
+            piece_count = count + 2
+        elseif count == 2 * MOST_VALUES + 1 then
+            pieces[count + 1] = " ..."
+            piece_count = count + 1
+        end
+    end
+
+    -- Nearly all variables are as they should be.
+    local function check_variable(view, parameter, encoding, index, demand)
+        local is_global = encoding.kind == GLOBAL
+        local asked = is_global and view.globals or view.locals
+        if demand.is_long or asked and index + demand.size > asked or index % demand.alignment ~= 0
+            or encoding.is_special then
+            variable_complaints(view.complaints, view, parameter, encoding, index)
+        end
+        if is_global and demand.is_output then note_output(view.offset, parameter, encoding, index) end
     end
 
     -- One serves all, as they come one after the other.
-    local view = { complaints = {}, pieces = { count = 1 }, lengths = {} }
+    local view = { complaints = {}, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted. Returns the line on the first one, how many there are, the fault, and the
-    -- complaints.
+    -- What a reply will hold is noted. Returns the line, nil where there is no operation, the fault, and the complaints.
     function say_operations(text, at, stop, globals, locals)
-        local line, count, pieces, fault = nil, 0, view.pieces, nil
-        view.globals, view.locals, view.is_beyond, view.is_first, pieces.count = globals, locals, false, true, 1
+        local first, count, lengths, fault = nil, 0, view.lengths, nil
+        view.globals, view.locals, view.is_beyond, piece_count = globals, locals, false, 1
         layout_notes.start()
         while at < stop do
-            view.offset = at
-            local operation, after, offset, reason, kind =
-                read_operation(text, at, stop, say_argument, view, line ~= nil)
-            if operation then
-                if not line then
-                    pieces[1] = operation.title
-                    line = concat(pieces, "", 1, pieces.count)
-                    view.is_first = false
-                end
-                local has_lengths = next(view.lengths) ~= nil
-                note_operation(at, operation, has_lengths and view.lengths)
-                if has_lengths then view.lengths = {} end
-                count = count + 1
+            local operation, after, offset, reason, kind = select_operation(text, at, stop)
+            if not operation then
+                fault = { at = after, reason = offset, kind = reason }
+                break
             end
+            view.offset = at
+            if not first then
+                first = operation
+                after, offset, reason, kind = read_arguments(operation, text, after, stop, say_argument, view)
+            elseif operation.demands then
+                after, offset, reason, kind = skim_arguments(operation, text, after, stop, check_variable, view)
+            else
+                after, offset, reason, kind = read_arguments(operation, text, after, stop, check_argument, view, true)
+            end
+            local has_lengths = not operation.demands and next(lengths) ~= nil
+            note_operation(at, operation, has_lengths and lengths)
+            if has_lengths then
+                lengths = {}
+                view.lengths = lengths
+            end
+            count = count + 1
             if reason then
                 fault = { at = offset, reason = reason, kind = kind }
                 break
             end
             at = after
         end
-        local complaints = view.complaints
-        if not complaints[1] then return line, count, fault, nil end
+        local complaints, line = view.complaints, nil
+        if first then
+            pieces[1], pieces[piece_count + 1] = first.title, further[count]
+            line = concat(pieces, "", 1, piece_count + 1)
+        end
+        if not complaints[1] then return line, fault, nil end
         view.complaints = {}
-        return line, count, fault, complaints
+        return line, fault, complaints
     end
 end

@@ -2,7 +2,7 @@
 --
 -- What the info column and the headings of the tree say.
 
-local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, argument_text, add_phrase, output_text,
+local MOST_VALUES, plural, on_one_line, shortened, number_text, meaning_of, argument_text, output_text,
     values_text, transfer_text
 do
     -- Wireshark cuts the info column anyway; a list of a hundred values says no more than its start.
@@ -61,21 +61,6 @@ do
         if name or encoding.text then return name or encoding.text end
         if encoding.kind == CONSTANT_TEXT then return shortened(value) end
         return parameter.is_float and number_text(value) or encoding.texts[value]
-    end
-
-    -- A line on an operation is collected piece by piece, `count` of them: SOUND TONE volume=1 frequency=440
-    function add_phrase(pieces, parameter, encoding, value)
-        if not parameter.is_said then return end
-        local count = pieces.count
-        if count <= 2 * MOST_VALUES then
-            pieces[count + 1] = parameter.key
-            -- Most are short numbers and variables, whose text is made already.
-            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
-            pieces.count = count + 2
-        elseif count == 2 * MOST_VALUES + 1 then
-            pieces[count + 1] = " ..."
-            pieces.count = count + 1
-        end
     end
 
     local function one_value_text(output, value)

@@ -8,10 +8,11 @@
 -- daisy command with its sub-command and two layers.
 local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
 
-local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, read_operation, read_fields
+local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, skim_arguments,
+    read_operation, read_fields
 do
     -- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
-    local SIZES = {}
+    local SIZES, IS_VARIABLE = {}, {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
 
@@ -33,8 +34,9 @@ do
                 name = row[3], kind = row[4], width = row[5], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS,
                 label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
             }
-            if SCOPES[row[4]] then encoding.scope = SCOPES[row[4]] end
+            if SCOPES[row[4]] then encoding.scope, IS_VARIABLE[first] = SCOPES[row[4]], true end
             if row[4] == CONSTANT then encoding.is_number = true end
+            if row.handle or row.address then encoding.is_special = true end
             if row.handle then encoding.handle = true end
             if row.address then encoding.address = true end
             if row.value then
@@ -232,6 +234,31 @@ do
                 end
                 at = after
             end
+        end
+        return at
+    end
+
+    -- The same with `is_brief` of an operation with `demands`, and `visit` is handed that of the parameter, too. Without
+    -- a tree most arguments are read here: each needs just the size that its first byte tells.
+    function skim_arguments(operation, text, at, stop, visit, context)
+        local fixed, demands = operation.fixed, operation.demands
+        for index = 1, #demands do
+            local first, low, high = byte(text, at + 1, at + 3)
+            local size, after = SIZES[first], nil
+            if size and size > 0 and at + size <= stop then
+                after = at + size
+            else
+                local offset, reason, kind
+                after, offset, reason, kind = measure(text, at, stop, fixed[index].name)
+                if not after then return at, offset, reason, kind end
+            end
+            if IS_VARIABLE[first] then
+                local encoding = ENCODINGS[first]
+                local value = encoding.value or size == 2 and low or size == 3 and low + high * 0x100
+                    or value_of(text, at, after, encoding)
+                visit(context, fixed[index], encoding, value, demands[index])
+            end
+            at = after
         end
         return at
     end

@@ -4156,8 +4156,8 @@ do
         return parameter
     end
 
-    -- What one line needs to know of a parameter that a variable stands for; what is alike for several is one table. One
-    -- that is an output with a length asks for more than its size.
+    -- What one line needs to know of a parameter that a variable stands for; parameters that are alike share it. An
+    -- output that is long has its size more than once.
     local demand_of
     do
         local made = {}
@@ -4256,7 +4256,7 @@ do
                 if row[index].element == parameter.name then parameter.tells_type = true end
             end
         end
-        -- Where nothing in an operation says how long something else is, its arguments can be read without a second look.
+        -- Where no argument says how long another is, one line needs little of them.
         local demands = {}
         for index, parameter in ipairs(operation.fixed) do
             if parameter.tells_length or parameter.tells_type or operation.list then return operation end
@@ -4325,11 +4325,12 @@ local instructions = INSTRUCTION_SETS[dialect]
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local new_column, row_of, forget_rows, place_of, number_of, new_notes, new_texts
+local rows, row_of, place_of, number_of, new_notes, new_texts
 do
     -- What was found out of the bodies of the last commands, as a dialogue says the same again and again. Each has a
     -- row, which some of its bytes tell, and takes it from the one before; in each column is what is known of it, or
     -- false. So what comes once costs little, and no table grows for it.
+    rows = {}
     local ROWS = 1024
     local bodies, columns = {}, {}
     local last_body, last_row
@@ -4342,7 +4343,7 @@ do
     end
     clear(bodies)
 
-    function new_column()
+    function rows.new_column()
         local column = clear({})
         columns[#columns + 1] = column
         return column
@@ -4369,7 +4370,7 @@ do
         return row
     end
 
-    function forget_rows()
+    function rows.forget()
         last_body = nil
         clear(bodies)
     end
@@ -4639,15 +4640,16 @@ do
 
     -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset and reason.
     function select_operation(text, at, stop)
-        local entry = instructions[byte(text, at + 1)]
+        local code, second = byte(text, at + 1, at + 2)
+        local entry = instructions[code]
         if not entry then
-            local reason = format("0x%02X is no opcode of the %s firmware", byte(text, at + 1), dialect)
+            local reason = format("0x%02X is no opcode of the %s firmware", code, dialect)
             return nil, at, reason, "unknown_opcode"
         end
         local commands = entry.commands
         if not commands then return entry, at + 1 end
         -- Nearly every CMD is one byte that is its number.
-        local encoding = ENCODINGS[byte(text, at + 2)]
+        local encoding = ENCODINGS[second]
         local operation = encoding and encoding.kind == CONSTANT and commands[encoding.value]
         if operation then return operation, at + 2 end
         local after, offset, reason, kind = measure(text, at + 1, stop, "CMD")
@@ -4743,9 +4745,10 @@ do
         return at
     end
 
-    -- The same with `is_brief` of an operation with `demands`, and `visit` is handed that of the parameter, too. Without
-    -- a tree most arguments are read here: each needs just the size that its first byte tells.
-    function skim_arguments(operation, text, at, stop, visit, context)
+    -- The same of an operation with `demands`, and `visit` is handed that of the parameter instead of offsets; with
+    -- `is_brief` only variables. Without a tree most arguments are read here: each needs just the size that its first
+    -- byte tells.
+    function skim_arguments(operation, text, at, stop, visit, context, is_brief)
         local fixed, demands = operation.fixed, operation.demands
         for index = 1, #demands do
             local first, low, high = byte(text, at + 1, at + 3)
@@ -4757,11 +4760,21 @@ do
                 after, offset, reason, kind = measure(text, at, stop, fixed[index].name)
                 if not after then return at, offset, reason, kind end
             end
-            if IS_VARIABLE[first] then
-                local encoding = ENCODINGS[first]
-                local value = encoding.value or size == 2 and low or size == 3 and low + high * 0x100
-                    or value_of(text, at, after, encoding)
-                visit(context, fixed[index], encoding, value, demands[index])
+            local is_variable = IS_VARIABLE[first]
+            if is_variable or not is_brief then
+                local parameter, encoding = fixed[index], ENCODINGS[first]
+                local value = encoding.value
+                if not value then
+                    if size == 2 then
+                        value = (low < 0x80 or is_variable) and low or low - 0x100
+                    elseif size == 3 then
+                        value = low + high * 0x100
+                        if high >= 0x80 and not is_variable then value = value - 0x10000 end
+                    else
+                        value = value_of(text, at, after, encoding, parameter.is_float)
+                    end
+                end
+                visit(context, parameter, encoding, value, demands[index])
             end
             at = after
         end
@@ -4845,23 +4858,45 @@ do
     MOST_VALUES = 12
     local MOST_TEXT = 60
 
+    -- Numbers up to the size of a frame are written but once: that takes longer than reading them.
+    local MOST_WRITTEN = 0x3FF
+    local counted, written = {}, {}
+    for value = -0x80, 0xFF do
+        written[value] = format("%d", value)
+    end
+
     function plural(count, word)
-        return count .. " " .. word .. (count == 1 and "" or "s")
+        local texts = counted[word]
+        if not texts then
+            texts = {}
+            counted[word] = texts
+        end
+        local text = texts[count]
+        if not text then
+            text = format("%d %s%s", count, word, count == 1 and "" or "s")
+            if count <= MOST_WRITTEN then texts[count] = text end
+        end
+        return text
     end
 
-    -- The symbol of a control character: a line end would cut the line.
-    local function symbol_of(control)
-        local code = byte(control)
-        return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
-    end
-
-    -- For those that have none, U+0080 to U+009F: some terminals obey them.
+    -- What stands in a line for a byte of a text: for a control character its symbol, as a line end would cut the line;
+    -- for those that have none, U+0080 to U+009F, a mark, as some terminals obey them; for others their UTF-8.
     local REPLACEMENT = "\239\191\189"
+    local in_line = {}
+    for code = 0, 0xFF do
+        local character, symbol = string.char(code), string.char(code == 0x7F and 0xA1 or (0x80 + code) % 0x100)
+        if code < 0x20 or code == 0x7F then
+            in_line[character] = "\226\144" .. symbol
+        elseif code >= 0x80 and code < 0xA0 then
+            in_line[character] = REPLACEMENT
+        else
+            in_line[character] = utf8_text(character)
+        end
+    end
 
     function on_one_line(text)
         if not find(text, "[\0-\31\127-\255]") then return text end
-        text = gsub(utf8_text(text), "[\1-\31\127]", symbol_of)
-        return (gsub(text, "\194[\128-\159]", REPLACEMENT))
+        return (gsub(text, "[\0-\31\127-\255]", in_line))
     end
 
     function shortened(text)
@@ -4870,6 +4905,8 @@ do
     end
 
     function number_text(value)
+        local text = written[value]
+        if text then return text end
         -- Not a number is the one value that is not equal to itself.
         if value ~= value then return "NaN" end
         if value % 1 == 0 and value > -1e15 and value < 1e15 then return format("%d", value) end
@@ -4903,8 +4940,10 @@ do
         local parameter = output.parameter
         if type(value) == "string" then return shortened(value) end
         if output.is_handle then return number_text(value) end
-        local enum = parameter.enum
-        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. (parameter.unit_text or "")
+        local enum, unit = parameter.enum, parameter.unit_text
+        local name = enum and not enum.is_flags and enum.names[value]
+        if name then return name end
+        return unit and number_text(value) .. unit or number_text(value)
     end
 
     function output_text(output)
@@ -4918,36 +4957,23 @@ do
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    -- How `format` writes the value of an output, what it is given for it, and the unit after it. One call of `format`
-    -- for a line is much faster than a text for each number.
-    local function value_format(output)
-        local parameter, value = output.parameter, output.value
-        if output.list or type(value) == "string" then return "%s", output_text(output), "" end
-        if output.is_handle then return "%d", value, "" end
-        local enum = parameter.enum
-        local name = enum and not enum.is_flags and enum.names[value]
-        if name then return "%s", name, "" end
-        if value % 1 == 0 and value > -1e15 and value < 1e15 then return "%d", value, parameter.unit_format or "" end
-        return "%s", number_text(value), parameter.unit_format or ""
-    end
-
-    local pieces, values = {}, {}
+    local pieces = {}
 
     -- After a head: 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
     function values_text(head, outputs, count)
+        if count == 1 then return head .. " " .. output_text(outputs[1]) end
         pieces[1] = head
         local stop, shown = 1, math.min(count, MOST_VALUES)
         for index = 1, shown do
             local output = outputs[index]
-            pieces[stop + 1] = count == 1 and " " or output.parameter.value_key
-            pieces[stop + 2], values[index], pieces[stop + 3] = value_format(output)
-            stop = stop + 3
+            pieces[stop + 1], pieces[stop + 2] = output.parameter.value_key, output_text(output)
+            stop = stop + 2
         end
         if count > shown then
             stop = stop + 1
             pieces[stop] = " ..."
         end
-        return format(concat(pieces, "", 1, stop), table.unpack(values, 1, shown))
+        return concat(pieces, "", 1, stop)
     end
 
     function transfer_text(transfer)
@@ -5241,7 +5267,7 @@ do
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
     local requests, bodies = new_notes(3), new_texts()
-    local body_numbers = new_column()
+    local body_numbers = rows.new_column()
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
     -- known.
@@ -5508,10 +5534,10 @@ local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
 
--- Notes what a reply will hold while its command is read: start, note_output, note_operation, keep.
+-- Notes what a reply will hold while its command is read: start, note_output, note_lengths, note_first, keep.
 local layout_notes = {}
 
-local layout_for, read_reply, say_reply
+local read_reply, say_reply
 do
     local unpack = table.unpack
 
@@ -5531,9 +5557,8 @@ do
         draft_size, draft_lengths, draft_first, draft_body = 0, nil, nil, nil
     end
 
-    -- Notes an output, if this argument is one: an output parameter that names a global variable.
+    -- Notes an output: an output parameter that names a global variable.
     function layout_notes.note_output(offset, parameter, encoding, index)
-        if not parameter.is_output or encoding.kind ~= GLOBAL then return end
         local size = draft_size
         draft[size + 1] = offset
         draft[size + 2] = parameter
@@ -5542,13 +5567,14 @@ do
         draft_size = size + OUTPUT
     end
 
-    -- Notes an operation, when all of it has been read, with the constants that say how long its outputs are.
-    function layout_notes.note_operation(offset, operation, lengths)
-        draft_first = draft_first or operation
-        if lengths then
-            draft_lengths = draft_lengths or {}
-            draft_lengths[offset] = lengths
-        end
+    -- Notes the constants of an operation that say how long its outputs are.
+    function layout_notes.note_lengths(offset, lengths)
+        draft_lengths = draft_lengths or {}
+        draft_lengths[offset] = lengths
+    end
+
+    function layout_notes.note_first(operation)
+        draft_first = operation
     end
 
     local function finish_draft()
@@ -5632,7 +5658,9 @@ do
 
     local function note_argument(view, parameter, encoding, value)
         if encoding.scope then
-            layout_notes.note_output(view.offset, parameter, encoding, value)
+            if parameter.is_output and encoding.kind == GLOBAL then
+                layout_notes.note_output(view.offset, parameter, encoding, value)
+            end
         elseif tells_length(parameter, encoding) then
             view.lengths = view.lengths or {}
             view.lengths[parameter.name] = value
@@ -5646,7 +5674,8 @@ do
         while at < #body do
             view.offset, view.lengths = at, nil
             local operation, after, fault = read_operation(body, at, #body, note_argument, view, true)
-            layout_notes.note_operation(at, operation, view.lengths)
+            draft_first = draft_first or operation
+            if view.lengths then layout_notes.note_lengths(at, view.lengths) end
             if fault then break end
             at = after
         end
@@ -5655,7 +5684,7 @@ do
     end
 
     -- Those of commands that came more than once, of so many entries in all; else whether one was noted, or asked for.
-    local layouts, NOTED, ASKED = new_column(), "noted", "asked"
+    local layouts, NOTED, ASKED = rows.new_column(), "noted", "asked"
     local MOST_KEPT = 0x4000 * OUTPUT
     local kept = 0
 
@@ -5670,7 +5699,7 @@ do
     local function keep_draft(row)
         kept = kept + draft_size
         if kept > MOST_KEPT then
-            forget_rows()
+            rows.forget()
             kept = draft_size
         end
         local layout = copy_of_draft()
@@ -5680,7 +5709,7 @@ do
 
     -- The layout of the replies to a command, by what follows its header. One that is not kept lasts until the next
     -- command is read.
-    function layout_for(body)
+    function layout_notes.layout_for(body)
         local row = row_of(body)
         local known = layouts[row]
         if known and known ~= NOTED and known ~= ASKED then return known end
@@ -5764,7 +5793,7 @@ end
 
 local value_of_row, say_operations, show_operations
 do
-    local note_output, note_operation = layout_notes.note_output, layout_notes.note_operation
+    local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
@@ -5825,7 +5854,7 @@ do
             view.is_beyond = view.complaints ~= nil
             local scope = is_global and " of the global memory" or " of the local memory"
             complaints = with_complaint(complaints, "beyond_memory", parameter.name .. " reaches up to byte "
-                .. index + size .. scope .. ", of which the command asks for " .. plural(asked, "byte"))
+                .. number_text(index + size) .. scope .. ", of which the command asks for " .. plural(asked, "byte"))
         end
         return complaints
     end
@@ -5920,30 +5949,6 @@ do
     -- The line on the first operation, piece by piece: SOUND TONE volume=1 frequency=440
     local pieces, piece_count = {}, 0
 
-    local function check_argument(view, parameter, encoding, value)
-        if encoding.scope then
-            variable_complaints(view.complaints, view, parameter, encoding, value)
-            note_output(view.offset, parameter, encoding, value)
-        elseif parameter.tells_length and tells_length(parameter, encoding) then
-            view.lengths[parameter.name] = value
-        end
-    end
-
-    local function say_argument(view, parameter, encoding, value)
-        if encoding.scope or parameter.tells_length then check_argument(view, parameter, encoding, value) end
-        if not parameter.is_said then return end
-        local count = piece_count
-        if count <= 2 * MOST_VALUES then
-            pieces[count + 1] = parameter.key
-            -- Most are short numbers and variables, whose text is made already.
-            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
-            piece_count = count + 2
-        elseif count == 2 * MOST_VALUES + 1 then
-            pieces[count + 1] = " ..."
-            piece_count = count + 1
-        end
-    end
-
     -- Nearly all variables are as they should be.
     local function check_variable(view, parameter, encoding, index, demand)
         local is_global = encoding.kind == GLOBAL
@@ -5955,11 +5960,47 @@ do
         if is_global and demand.is_output then note_output(view.offset, parameter, encoding, index) end
     end
 
+    -- The same of any argument.
+    local function check_argument(view, parameter, encoding, value)
+        if encoding.scope then
+            variable_complaints(view.complaints, view, parameter, encoding, value)
+            if parameter.is_output and encoding.kind == GLOBAL then
+                note_output(view.offset, parameter, encoding, value)
+            end
+        elseif parameter.tells_length and tells_length(parameter, encoding) then
+            view.lengths[parameter.name] = value
+        end
+    end
+
+    local function say_phrase(parameter, encoding, value)
+        local key, count = parameter.key, piece_count
+        if not key or count > 2 * MOST_VALUES + 1 then return end
+        if count <= 2 * MOST_VALUES then
+            pieces[count + 1] = key
+            -- Most are short numbers and variables, whose text is made already.
+            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
+            piece_count = count + 2
+        else
+            pieces[count + 1] = " ..."
+            piece_count = count + 1
+        end
+    end
+
+    local function say_variable(view, parameter, encoding, value, demand)
+        if encoding.scope then check_variable(view, parameter, encoding, value, demand) end
+        say_phrase(parameter, encoding, value)
+    end
+
+    local function say_argument(view, parameter, encoding, value)
+        check_argument(view, parameter, encoding, value)
+        if parameter.is_said then say_phrase(parameter, encoding, value) end
+    end
+
     -- One serves all, as they come one after the other.
     local view = { complaints = {}, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted. Returns the line, nil where there is no operation, the fault, and the complaints.
+    -- What a reply will hold is noted. Returns the line, nil where there is no operation; the fault; the complaints.
     function say_operations(text, at, stop, globals, locals)
         local first, count, lengths, fault = nil, 0, view.lengths, nil
         view.globals, view.locals, view.is_beyond, piece_count = globals, locals, false, 1
@@ -5971,19 +6012,19 @@ do
                 break
             end
             view.offset = at
-            if not first then
-                first = operation
-                after, offset, reason, kind = read_arguments(operation, text, after, stop, say_argument, view)
-            elseif operation.demands then
-                after, offset, reason, kind = skim_arguments(operation, text, after, stop, check_variable, view)
+            local is_further = first ~= nil
+            first = first or operation
+            if operation.demands then
+                after, offset, reason, kind = skim_arguments(operation, text, after, stop,
+                    is_further and check_variable or say_variable, view, is_further)
             else
-                after, offset, reason, kind = read_arguments(operation, text, after, stop, check_argument, view, true)
-            end
-            local has_lengths = not operation.demands and next(lengths) ~= nil
-            note_operation(at, operation, has_lengths and lengths)
-            if has_lengths then
-                lengths = {}
-                view.lengths = lengths
+                after, offset, reason, kind = read_arguments(operation, text, after, stop,
+                    is_further and check_argument or say_argument, view, is_further)
+                if next(lengths) then
+                    note_lengths(at, lengths)
+                    lengths = {}
+                    view.lengths = lengths
+                end
             end
             count = count + 1
             if reason then
@@ -5994,6 +6035,7 @@ do
         end
         local complaints, line = view.complaints, nil
         if first then
+            layout_notes.note_first(first)
             pieces[1], pieces[piece_count + 1] = first.title, further[count]
             line = concat(pieces, "", 1, piece_count + 1)
         end
@@ -6035,7 +6077,7 @@ do
 
     -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
     -- was there once, as it may be the only time.
-    local lines, troubles = new_column(), new_column()
+    local lines, troubles = rows.new_column(), rows.new_column()
 
     local function line_of(message, line, fault)
         return line or fault and message.type.name or "no operations"
@@ -6111,7 +6153,7 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
-        local layout = layout_for(request.body)
+        local layout = layout_notes.layout_for(request.body)
         local line = not is_shown and say_reply(layout, message)
         if line then return line end
         local outputs, count, first = read_reply(layout, message, is_shown)
@@ -8237,7 +8279,7 @@ do
 
     function ev3.init()
         forget_dialogues()
-        forget_rows()
+        rows.forget()
         statistics.forget()
         statistics.print_at_end()
         each_carrier("forget")
@@ -8261,6 +8303,6 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        forget_rows()
+        rows.forget()
     end
 end

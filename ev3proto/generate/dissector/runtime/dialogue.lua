@@ -21,7 +21,7 @@ do
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
     local requests, bodies = new_notes(3), new_texts()
-    local body_numbers = new_column()
+    local body_numbers = rows.new_column()
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
     -- known.

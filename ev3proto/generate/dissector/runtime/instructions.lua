@@ -91,8 +91,8 @@ do
         return parameter
     end
 
-    -- What one line needs to know of a parameter that a variable stands for; what is alike for several is one table. One
-    -- that is an output with a length asks for more than its size.
+    -- What one line needs to know of a parameter that a variable stands for; parameters that are alike share it. An
+    -- output that is long has its size more than once.
     local demand_of
     do
         local made = {}
@@ -191,7 +191,7 @@ do
                 if row[index].element == parameter.name then parameter.tells_type = true end
             end
         end
-        -- Where nothing in an operation says how long something else is, its arguments can be read without a second look.
+        -- Where no argument says how long another is, one line needs little of them.
         local demands = {}
         for index, parameter in ipairs(operation.fixed) do
             if parameter.tells_length or parameter.tells_type or operation.list then return operation end

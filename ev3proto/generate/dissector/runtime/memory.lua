@@ -2,11 +2,12 @@
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local new_column, row_of, forget_rows, place_of, number_of, new_notes, new_texts
+local rows, row_of, place_of, number_of, new_notes, new_texts
 do
     -- What was found out of the bodies of the last commands, as a dialogue says the same again and again. Each has a
     -- row, which some of its bytes tell, and takes it from the one before; in each column is what is known of it, or
     -- false. So what comes once costs little, and no table grows for it.
+    rows = {}
     local ROWS = 1024
     local bodies, columns = {}, {}
     local last_body, last_row
@@ -19,7 +20,7 @@ do
     end
     clear(bodies)
 
-    function new_column()
+    function rows.new_column()
         local column = clear({})
         columns[#columns + 1] = column
         return column
@@ -46,7 +47,7 @@ do
         return row
     end
 
-    function forget_rows()
+    function rows.forget()
         last_body = nil
         clear(bodies)
     end

@@ -30,7 +30,7 @@ do
 
     -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
     -- was there once, as it may be the only time.
-    local lines, troubles = new_column(), new_column()
+    local lines, troubles = rows.new_column(), rows.new_column()
 
     local function line_of(message, line, fault)
         return line or fault and message.type.name or "no operations"
@@ -106,7 +106,7 @@ do
         if not request then
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
-        local layout = layout_for(request.body)
+        local layout = layout_notes.layout_for(request.body)
         local line = not is_shown and say_reply(layout, message)
         if line then return line end
         local outputs, count, first = read_reply(layout, message, is_shown)

@@ -5,7 +5,7 @@
 
 local value_of_row, say_operations, show_operations
 do
-    local note_output, note_operation = layout_notes.note_output, layout_notes.note_operation
+    local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
@@ -66,7 +66,7 @@ do
             view.is_beyond = view.complaints ~= nil
             local scope = is_global and " of the global memory" or " of the local memory"
             complaints = with_complaint(complaints, "beyond_memory", parameter.name .. " reaches up to byte "
-                .. index + size .. scope .. ", of which the command asks for " .. plural(asked, "byte"))
+                .. number_text(index + size) .. scope .. ", of which the command asks for " .. plural(asked, "byte"))
         end
         return complaints
     end
@@ -161,30 +161,6 @@ do
     -- The line on the first operation, piece by piece: SOUND TONE volume=1 frequency=440
     local pieces, piece_count = {}, 0
 
-    local function check_argument(view, parameter, encoding, value)
-        if encoding.scope then
-            variable_complaints(view.complaints, view, parameter, encoding, value)
-            note_output(view.offset, parameter, encoding, value)
-        elseif parameter.tells_length and tells_length(parameter, encoding) then
-            view.lengths[parameter.name] = value
-        end
-    end
-
-    local function say_argument(view, parameter, encoding, value)
-        if encoding.scope or parameter.tells_length then check_argument(view, parameter, encoding, value) end
-        if not parameter.is_said then return end
-        local count = piece_count
-        if count <= 2 * MOST_VALUES then
-            pieces[count + 1] = parameter.key
-            -- Most are short numbers and variables, whose text is made already.
-            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
-            piece_count = count + 2
-        elseif count == 2 * MOST_VALUES + 1 then
-            pieces[count + 1] = " ..."
-            piece_count = count + 1
-        end
-    end
-
     -- Nearly all variables are as they should be.
     local function check_variable(view, parameter, encoding, index, demand)
         local is_global = encoding.kind == GLOBAL
@@ -196,11 +172,47 @@ do
         if is_global and demand.is_output then note_output(view.offset, parameter, encoding, index) end
     end
 
+    -- The same of any argument.
+    local function check_argument(view, parameter, encoding, value)
+        if encoding.scope then
+            variable_complaints(view.complaints, view, parameter, encoding, value)
+            if parameter.is_output and encoding.kind == GLOBAL then
+                note_output(view.offset, parameter, encoding, value)
+            end
+        elseif parameter.tells_length and tells_length(parameter, encoding) then
+            view.lengths[parameter.name] = value
+        end
+    end
+
+    local function say_phrase(parameter, encoding, value)
+        local key, count = parameter.key, piece_count
+        if not key or count > 2 * MOST_VALUES + 1 then return end
+        if count <= 2 * MOST_VALUES then
+            pieces[count + 1] = key
+            -- Most are short numbers and variables, whose text is made already.
+            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
+            piece_count = count + 2
+        else
+            pieces[count + 1] = " ..."
+            piece_count = count + 1
+        end
+    end
+
+    local function say_variable(view, parameter, encoding, value, demand)
+        if encoding.scope then check_variable(view, parameter, encoding, value, demand) end
+        say_phrase(parameter, encoding, value)
+    end
+
+    local function say_argument(view, parameter, encoding, value)
+        check_argument(view, parameter, encoding, value)
+        if parameter.is_said then say_phrase(parameter, encoding, value) end
+    end
+
     -- One serves all, as they come one after the other.
     local view = { complaints = {}, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted. Returns the line, nil where there is no operation, the fault, and the complaints.
+    -- What a reply will hold is noted. Returns the line, nil where there is no operation; the fault; the complaints.
     function say_operations(text, at, stop, globals, locals)
         local first, count, lengths, fault = nil, 0, view.lengths, nil
         view.globals, view.locals, view.is_beyond, piece_count = globals, locals, false, 1
@@ -212,19 +224,19 @@ do
                 break
             end
             view.offset = at
-            if not first then
-                first = operation
-                after, offset, reason, kind = read_arguments(operation, text, after, stop, say_argument, view)
-            elseif operation.demands then
-                after, offset, reason, kind = skim_arguments(operation, text, after, stop, check_variable, view)
+            local is_further = first ~= nil
+            first = first or operation
+            if operation.demands then
+                after, offset, reason, kind = skim_arguments(operation, text, after, stop,
+                    is_further and check_variable or say_variable, view, is_further)
             else
-                after, offset, reason, kind = read_arguments(operation, text, after, stop, check_argument, view, true)
-            end
-            local has_lengths = not operation.demands and next(lengths) ~= nil
-            note_operation(at, operation, has_lengths and lengths)
-            if has_lengths then
-                lengths = {}
-                view.lengths = lengths
+                after, offset, reason, kind = read_arguments(operation, text, after, stop,
+                    is_further and check_argument or say_argument, view, is_further)
+                if next(lengths) then
+                    note_lengths(at, lengths)
+                    lengths = {}
+                    view.lengths = lengths
+                end
             end
             count = count + 1
             if reason then
@@ -235,6 +247,7 @@ do
         end
         local complaints, line = view.complaints, nil
         if first then
+            layout_notes.note_first(first)
             pieces[1], pieces[piece_count + 1] = first.title, further[count]
             line = concat(pieces, "", 1, piece_count + 1)
         end

@@ -9,23 +9,45 @@ do
     MOST_VALUES = 12
     local MOST_TEXT = 60
 
+    -- Numbers up to the size of a frame are written but once: that takes longer than reading them.
+    local MOST_WRITTEN = 0x3FF
+    local counted, written = {}, {}
+    for value = -0x80, 0xFF do
+        written[value] = format("%d", value)
+    end
+
     function plural(count, word)
-        return count .. " " .. word .. (count == 1 and "" or "s")
+        local texts = counted[word]
+        if not texts then
+            texts = {}
+            counted[word] = texts
+        end
+        local text = texts[count]
+        if not text then
+            text = format("%d %s%s", count, word, count == 1 and "" or "s")
+            if count <= MOST_WRITTEN then texts[count] = text end
+        end
+        return text
     end
 
-    -- The symbol of a control character: a line end would cut the line.
-    local function symbol_of(control)
-        local code = byte(control)
-        return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
-    end
-
-    -- For those that have none, U+0080 to U+009F: some terminals obey them.
+    -- What stands in a line for a byte of a text: for a control character its symbol, as a line end would cut the line;
+    -- for those that have none, U+0080 to U+009F, a mark, as some terminals obey them; for others their UTF-8.
     local REPLACEMENT = "\239\191\189"
+    local in_line = {}
+    for code = 0, 0xFF do
+        local character, symbol = string.char(code), string.char(code == 0x7F and 0xA1 or (0x80 + code) % 0x100)
+        if code < 0x20 or code == 0x7F then
+            in_line[character] = "\226\144" .. symbol
+        elseif code >= 0x80 and code < 0xA0 then
+            in_line[character] = REPLACEMENT
+        else
+            in_line[character] = utf8_text(character)
+        end
+    end
 
     function on_one_line(text)
         if not find(text, "[\0-\31\127-\255]") then return text end
-        text = gsub(utf8_text(text), "[\1-\31\127]", symbol_of)
-        return (gsub(text, "\194[\128-\159]", REPLACEMENT))
+        return (gsub(text, "[\0-\31\127-\255]", in_line))
     end
 
     function shortened(text)
@@ -34,6 +56,8 @@ do
     end
 
     function number_text(value)
+        local text = written[value]
+        if text then return text end
         -- Not a number is the one value that is not equal to itself.
         if value ~= value then return "NaN" end
         if value % 1 == 0 and value > -1e15 and value < 1e15 then return format("%d", value) end
@@ -67,8 +91,10 @@ do
         local parameter = output.parameter
         if type(value) == "string" then return shortened(value) end
         if output.is_handle then return number_text(value) end
-        local enum = parameter.enum
-        return enum and not enum.is_flags and enum.names[value] or number_text(value) .. (parameter.unit_text or "")
+        local enum, unit = parameter.enum, parameter.unit_text
+        local name = enum and not enum.is_flags and enum.names[value]
+        if name then return name end
+        return unit and number_text(value) .. unit or number_text(value)
     end
 
     function output_text(output)
@@ -82,36 +108,23 @@ do
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    -- How `format` writes the value of an output, what it is given for it, and the unit after it. One call of `format`
-    -- for a line is much faster than a text for each number.
-    local function value_format(output)
-        local parameter, value = output.parameter, output.value
-        if output.list or type(value) == "string" then return "%s", output_text(output), "" end
-        if output.is_handle then return "%d", value, "" end
-        local enum = parameter.enum
-        local name = enum and not enum.is_flags and enum.names[value]
-        if name then return "%s", name, "" end
-        if value % 1 == 0 and value > -1e15 and value < 1e15 then return "%d", value, parameter.unit_format or "" end
-        return "%s", number_text(value), parameter.unit_format or ""
-    end
-
-    local pieces, values = {}, {}
+    local pieces = {}
 
     -- After a head: 7.92 V; of several values VBATT=7.92 V IBATT=0.21 A
     function values_text(head, outputs, count)
+        if count == 1 then return head .. " " .. output_text(outputs[1]) end
         pieces[1] = head
         local stop, shown = 1, math.min(count, MOST_VALUES)
         for index = 1, shown do
             local output = outputs[index]
-            pieces[stop + 1] = count == 1 and " " or output.parameter.value_key
-            pieces[stop + 2], values[index], pieces[stop + 3] = value_format(output)
-            stop = stop + 3
+            pieces[stop + 1], pieces[stop + 2] = output.parameter.value_key, output_text(output)
+            stop = stop + 2
         end
         if count > shown then
             stop = stop + 1
             pieces[stop] = " ..."
         end
-        return format(concat(pieces, "", 1, stop), table.unpack(values, 1, shown))
+        return concat(pieces, "", 1, stop)
     end
 
     function transfer_text(transfer)

@@ -134,15 +134,16 @@ do
 
     -- The operation that an opcode and its CMD select, and the offset after the two; else nil, offset and reason.
     function select_operation(text, at, stop)
-        local entry = instructions[byte(text, at + 1)]
+        local code, second = byte(text, at + 1, at + 2)
+        local entry = instructions[code]
         if not entry then
-            local reason = format("0x%02X is no opcode of the %s firmware", byte(text, at + 1), dialect)
+            local reason = format("0x%02X is no opcode of the %s firmware", code, dialect)
             return nil, at, reason, "unknown_opcode"
         end
         local commands = entry.commands
         if not commands then return entry, at + 1 end
         -- Nearly every CMD is one byte that is its number.
-        local encoding = ENCODINGS[byte(text, at + 2)]
+        local encoding = ENCODINGS[second]
         local operation = encoding and encoding.kind == CONSTANT and commands[encoding.value]
         if operation then return operation, at + 2 end
         local after, offset, reason, kind = measure(text, at + 1, stop, "CMD")
@@ -238,9 +239,10 @@ do
         return at
     end
 
-    -- The same with `is_brief` of an operation with `demands`, and `visit` is handed that of the parameter, too. Without
-    -- a tree most arguments are read here: each needs just the size that its first byte tells.
-    function skim_arguments(operation, text, at, stop, visit, context)
+    -- The same of an operation with `demands`, and `visit` is handed that of the parameter instead of offsets; with
+    -- `is_brief` only variables. Without a tree most arguments are read here: each needs just the size that its first
+    -- byte tells.
+    function skim_arguments(operation, text, at, stop, visit, context, is_brief)
         local fixed, demands = operation.fixed, operation.demands
         for index = 1, #demands do
             local first, low, high = byte(text, at + 1, at + 3)
@@ -252,11 +254,21 @@ do
                 after, offset, reason, kind = measure(text, at, stop, fixed[index].name)
                 if not after then return at, offset, reason, kind end
             end
-            if IS_VARIABLE[first] then
-                local encoding = ENCODINGS[first]
-                local value = encoding.value or size == 2 and low or size == 3 and low + high * 0x100
-                    or value_of(text, at, after, encoding)
-                visit(context, fixed[index], encoding, value, demands[index])
+            local is_variable = IS_VARIABLE[first]
+            if is_variable or not is_brief then
+                local parameter, encoding = fixed[index], ENCODINGS[first]
+                local value = encoding.value
+                if not value then
+                    if size == 2 then
+                        value = (low < 0x80 or is_variable) and low or low - 0x100
+                    elseif size == 3 then
+                        value = low + high * 0x100
+                        if high >= 0x80 and not is_variable then value = value - 0x10000 end
+                    else
+                        value = value_of(text, at, after, encoding, parameter.is_float)
+                    end
+                end
+                visit(context, parameter, encoding, value, demands[index])
             end
             at = after
         end

@@ -19,10 +19,10 @@ local function tells_length(parameter, encoding)
     return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
 end
 
--- Notes what a reply will hold while its command is read: start, note_output, note_operation, keep.
+-- Notes what a reply will hold while its command is read: start, note_output, note_lengths, note_first, keep.
 local layout_notes = {}
 
-local layout_for, read_reply, say_reply
+local read_reply, say_reply
 do
     local unpack = table.unpack
 
@@ -42,9 +42,8 @@ do
         draft_size, draft_lengths, draft_first, draft_body = 0, nil, nil, nil
     end
 
-    -- Notes an output, if this argument is one: an output parameter that names a global variable.
+    -- Notes an output: an output parameter that names a global variable.
     function layout_notes.note_output(offset, parameter, encoding, index)
-        if not parameter.is_output or encoding.kind ~= GLOBAL then return end
         local size = draft_size
         draft[size + 1] = offset
         draft[size + 2] = parameter
@@ -53,13 +52,14 @@ do
         draft_size = size + OUTPUT
     end
 
-    -- Notes an operation, when all of it has been read, with the constants that say how long its outputs are.
-    function layout_notes.note_operation(offset, operation, lengths)
-        draft_first = draft_first or operation
-        if lengths then
-            draft_lengths = draft_lengths or {}
-            draft_lengths[offset] = lengths
-        end
+    -- Notes the constants of an operation that say how long its outputs are.
+    function layout_notes.note_lengths(offset, lengths)
+        draft_lengths = draft_lengths or {}
+        draft_lengths[offset] = lengths
+    end
+
+    function layout_notes.note_first(operation)
+        draft_first = operation
     end
 
     local function finish_draft()
@@ -143,7 +143,9 @@ do
 
     local function note_argument(view, parameter, encoding, value)
         if encoding.scope then
-            layout_notes.note_output(view.offset, parameter, encoding, value)
+            if parameter.is_output and encoding.kind == GLOBAL then
+                layout_notes.note_output(view.offset, parameter, encoding, value)
+            end
         elseif tells_length(parameter, encoding) then
             view.lengths = view.lengths or {}
             view.lengths[parameter.name] = value
@@ -157,7 +159,8 @@ do
         while at < #body do
             view.offset, view.lengths = at, nil
             local operation, after, fault = read_operation(body, at, #body, note_argument, view, true)
-            layout_notes.note_operation(at, operation, view.lengths)
+            draft_first = draft_first or operation
+            if view.lengths then layout_notes.note_lengths(at, view.lengths) end
             if fault then break end
             at = after
         end
@@ -166,7 +169,7 @@ do
     end
 
     -- Those of commands that came more than once, of so many entries in all; else whether one was noted, or asked for.
-    local layouts, NOTED, ASKED = new_column(), "noted", "asked"
+    local layouts, NOTED, ASKED = rows.new_column(), "noted", "asked"
     local MOST_KEPT = 0x4000 * OUTPUT
     local kept = 0
 
@@ -181,7 +184,7 @@ do
     local function keep_draft(row)
         kept = kept + draft_size
         if kept > MOST_KEPT then
-            forget_rows()
+            rows.forget()
             kept = draft_size
         end
         local layout = copy_of_draft()
@@ -191,7 +194,7 @@ do
 
     -- The layout of the replies to a command, by what follows its header. One that is not kept lasts until the next
     -- command is read.
-    function layout_for(body)
+    function layout_notes.layout_for(body)
         local row = row_of(body)
         local known = layouts[row]
         if known and known ~= NOTED and known ~= ASKED then return known end

@@ -4325,12 +4325,13 @@ local instructions = INSTRUCTION_SETS[dialect]
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local rows, row_of, place_of, number_of, new_notes, new_texts
+local memory, row_of, place_of, number_of
 do
+    memory = {}
+
     -- What was found out of the bodies of the last commands, as a dialogue says the same again and again. Each has a
     -- row, which some of its bytes tell, and takes it from the one before; in each column is what is known of it, or
     -- false. So what comes once costs little, and no table grows for it.
-    rows = {}
     local ROWS = 1024
     local bodies, columns = {}, {}
     local last_body, last_row
@@ -4343,7 +4344,7 @@ do
     end
     clear(bodies)
 
-    function rows.new_column()
+    function memory.new_column()
         local column = clear({})
         columns[#columns + 1] = column
         return column
@@ -4370,7 +4371,7 @@ do
         return row
     end
 
-    function rows.forget()
+    function memory.forget_rows()
         last_body = nil
         clear(bodies)
     end
@@ -4393,7 +4394,7 @@ do
 
     -- Keeps what is known of messages, by place: 1 or 3 numbers each. What is known of some packets in a row is packed
     -- as soon as a later packet has something; what is added to them afterwards is little, and kept beside it.
-    function new_notes(width)
+    function memory.new_notes(width)
         local PAGE = 256 * OFFSETS
         local step = width + 1
         -- Numbers that are packed at once.
@@ -4471,7 +4472,7 @@ do
     end
 
     -- Keeps texts, each by a number that tells where it is.
-    function new_texts()
+    function memory.new_texts()
         local PAGE, MOST_LENGTH = 0x10000, 0x10000
         local pages, pieces, count, size
         local texts = {}
@@ -5262,16 +5263,16 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- Of a command that has a reply: the number of the packet with it.
-    local replies = new_notes(1)
+    local replies = memory.new_notes(1)
 
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
-    local requests, bodies = new_notes(3), new_texts()
-    local body_numbers = rows.new_column()
+    local requests, bodies = memory.new_notes(3), memory.new_texts()
+    local body_numbers = memory.new_column()
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
     -- known.
-    local transfers = new_notes(3)
+    local transfers = memory.new_notes(3)
     local paths
 
     -- The command that the message before this one answered, and the place of that message.
@@ -5684,7 +5685,7 @@ do
     end
 
     -- Those of commands that came more than once, of so many entries in all; else whether one was noted, or asked for.
-    local layouts, NOTED, ASKED = rows.new_column(), "noted", "asked"
+    local layouts, NOTED, ASKED = memory.new_column(), "noted", "asked"
     local MOST_KEPT = 0x4000 * OUTPUT
     local kept = 0
 
@@ -5699,7 +5700,7 @@ do
     local function keep_draft(row)
         kept = kept + draft_size
         if kept > MOST_KEPT then
-            rows.forget()
+            memory.forget_rows()
             kept = draft_size
         end
         local layout = copy_of_draft()
@@ -6077,7 +6078,7 @@ do
 
     -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
     -- was there once, as it may be the only time.
-    local lines, troubles = rows.new_column(), rows.new_column()
+    local lines, troubles = memory.new_column(), memory.new_column()
 
     local function line_of(message, line, fault)
         return line or fault and message.type.name or "no operations"
@@ -6601,13 +6602,6 @@ local function may_start(text, at)
     local low, high, _, _, type = byte(text, at + 1, at + HEADER_SIZE)
     if not high then return low ~= nil end
     return is_length(low, high) and (not type or MESSAGE_TYPES[type] ~= nil)
-end
-
--- Both ends of a connection, whichever sends, have one key.
-local function conversation_key(pinfo)
-    local from = tostring(pinfo.src) .. " " .. pinfo.src_port
-    local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
-    return from < to and from .. " " .. to or to .. " " .. from
 end
 
 -- Claims ------------------------------------------------------------------------------------------------------------
@@ -7804,6 +7798,13 @@ do
             connections, owners, owned = {}, {}, {}
         end
 
+        -- Both ends of a connection, whichever sends, have one key.
+        local function conversation_key(pinfo)
+            local from = tostring(pinfo.src) .. " " .. pinfo.src_port
+            local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
+            return from < to and from .. " " .. to or to .. " " .. from
+        end
+
         -- By its ends: first by its ports, which are plain numbers.
         local function connection_by_ends(numbers, pinfo)
             local from, to = pinfo.src, pinfo.dst
@@ -8279,7 +8280,7 @@ do
 
     function ev3.init()
         forget_dialogues()
-        rows.forget()
+        memory.forget_rows()
         statistics.forget()
         statistics.print_at_end()
         each_carrier("forget")
@@ -8303,6 +8304,6 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        rows.forget()
+        memory.forget_rows()
     end
 end

@@ -16,16 +16,16 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
     -- Of a command that has a reply: the number of the packet with it.
-    local replies = new_notes(1)
+    local replies = memory.new_notes(1)
 
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
-    local requests, bodies = new_notes(3), new_texts()
-    local body_numbers = rows.new_column()
+    local requests, bodies = memory.new_notes(3), memory.new_texts()
+    local body_numbers = memory.new_column()
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
     -- known.
-    local transfers = new_notes(3)
+    local transfers = memory.new_notes(3)
     local paths
 
     -- The command that the message before this one answered, and the place of that message.

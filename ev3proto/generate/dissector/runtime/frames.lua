@@ -88,10 +88,3 @@ local function may_start(text, at)
     if not high then return low ~= nil end
     return is_length(low, high) and (not type or MESSAGE_TYPES[type] ~= nil)
 end
-
--- Both ends of a connection, whichever sends, have one key.
-local function conversation_key(pinfo)
-    local from = tostring(pinfo.src) .. " " .. pinfo.src_port
-    local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
-    return from < to and from .. " " .. to or to .. " " .. from
-end

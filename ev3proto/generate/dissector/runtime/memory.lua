@@ -2,12 +2,13 @@
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local rows, row_of, place_of, number_of, new_notes, new_texts
+local memory, row_of, place_of, number_of
 do
+    memory = {}
+
     -- What was found out of the bodies of the last commands, as a dialogue says the same again and again. Each has a
     -- row, which some of its bytes tell, and takes it from the one before; in each column is what is known of it, or
     -- false. So what comes once costs little, and no table grows for it.
-    rows = {}
     local ROWS = 1024
     local bodies, columns = {}, {}
     local last_body, last_row
@@ -20,7 +21,7 @@ do
     end
     clear(bodies)
 
-    function rows.new_column()
+    function memory.new_column()
         local column = clear({})
         columns[#columns + 1] = column
         return column
@@ -47,7 +48,7 @@ do
         return row
     end
 
-    function rows.forget()
+    function memory.forget_rows()
         last_body = nil
         clear(bodies)
     end
@@ -70,7 +71,7 @@ do
 
     -- Keeps what is known of messages, by place: 1 or 3 numbers each. What is known of some packets in a row is packed
     -- as soon as a later packet has something; what is added to them afterwards is little, and kept beside it.
-    function new_notes(width)
+    function memory.new_notes(width)
         local PAGE = 256 * OFFSETS
         local step = width + 1
         -- Numbers that are packed at once.
@@ -148,7 +149,7 @@ do
     end
 
     -- Keeps texts, each by a number that tells where it is.
-    function new_texts()
+    function memory.new_texts()
         local PAGE, MOST_LENGTH = 0x10000, 0x10000
         local pages, pieces, count, size
         local texts = {}

@@ -30,7 +30,7 @@ do
 
     -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
     -- was there once, as it may be the only time.
-    local lines, troubles = rows.new_column(), rows.new_column()
+    local lines, troubles = memory.new_column(), memory.new_column()
 
     local function line_of(message, line, fault)
         return line or fault and message.type.name or "no operations"

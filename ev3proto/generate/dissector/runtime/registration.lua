@@ -17,7 +17,7 @@ do
 
     function ev3.init()
         forget_dialogues()
-        rows.forget()
+        memory.forget_rows()
         statistics.forget()
         statistics.print_at_end()
         each_carrier("forget")
@@ -41,6 +41,6 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        rows.forget()
+        memory.forget_rows()
     end
 end

@@ -169,7 +169,7 @@ do
     end
 
     -- Those of commands that came more than once, of so many entries in all; else whether one was noted, or asked for.
-    local layouts, NOTED, ASKED = rows.new_column(), "noted", "asked"
+    local layouts, NOTED, ASKED = memory.new_column(), "noted", "asked"
     local MOST_KEPT = 0x4000 * OUTPUT
     local kept = 0
 
@@ -184,7 +184,7 @@ do
     local function keep_draft(row)
         kept = kept + draft_size
         if kept > MOST_KEPT then
-            rows.forget()
+            memory.forget_rows()
             kept = draft_size
         end
         local layout = copy_of_draft()

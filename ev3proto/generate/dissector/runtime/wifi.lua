@@ -61,6 +61,13 @@ do
             connections, owners, owned = {}, {}, {}
         end
 
+        -- Both ends of a connection, whichever sends, have one key.
+        local function conversation_key(pinfo)
+            local from = tostring(pinfo.src) .. " " .. pinfo.src_port
+            local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
+            return from < to and from .. " " .. to or to .. " " .. from
+        end
+
         -- By its ends: first by its ports, which are plain numbers.
         local function connection_by_ends(numbers, pinfo)
             local from, to = pinfo.src, pinfo.dst

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -46,6 +47,16 @@ def test_every_part_has_a_floor() -> None:
     placed = [part for floor in FLOORS for part in floor]
     assert len(placed) == len(set(placed))
     assert {part for part, _ in _modules()} <= set(placed)
+
+
+def test_the_floors_are_those_of_the_table() -> None:
+    table = re.findall(r"^\| (\d?) ?\| (`.*?) \|", (PACKAGE.parent / "CONTRIBUTING.md").read_text(), re.MULTILINE)
+    listed: dict[int, set[str]] = {}
+    height = -1
+    for number, parts in table:
+        height = int(number) if number else height
+        listed.setdefault(height, set()).update(re.findall(r"`(\w+)`", parts))
+    assert listed == dict(enumerate(FLOORS))
 
 
 def test_nothing_leans_upwards() -> None:

@@ -134,7 +134,6 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
         Outcome,
         Tshark,
         install_dissector,
-        install_profile,
     )
 
     asked = None
@@ -150,14 +149,8 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     if outcome is Outcome.KEPT:
         raise InstallError(f"{plugin} is another program's: move it away, or overwrite it with --force")
     say(f"{plugin}: {outcome.value}")
-    kept = []
     if with_profile:
-        for path, became in install_profile(folders.profiles, force=force):
-            say(f"{path}: {became.value}")
-            if became is Outcome.KEPT:
-                kept.append(path)
-    if kept:
-        say("To overwrite what was changed, add --force.")
+        _install_profile(folders.profiles, force=force)
     trouble = asked.trouble(plugin) if asked else None
     if asked and trouble:
         raise InstallError(f"{asked.path} does not load it: {trouble}")
@@ -170,3 +163,13 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
         say("For the profile, choose EV3 under Edit, Configuration Profiles.")
     elif with_profile:
         say("The profile belongs in the folder profiles of the personal configuration: Help, About, Folders.")
+
+
+def _install_profile(folder: Path, *, force: bool) -> None:
+    from ev3proto.generate.dissector.install import Outcome, install_profile
+
+    outcomes = list(install_profile(folder, force=force))
+    for path, outcome in outcomes:
+        say(f"{path}: {outcome.value}")
+    if any(outcome is Outcome.KEPT for _, outcome in outcomes):
+        say("To overwrite what was changed, add --force.")

@@ -13,9 +13,7 @@ from ev3proto.schema.constructors import EMPTY_COMMAND
 from ev3proto.schema.frame import new_direct_command
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
 from ev3proto.tables.encoding import GLOBAL, LOCAL
-from ev3proto.tables.frame import MessageType
-
-_WITH_REPLY, _WITHOUT_REPLY = MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY
+from ev3proto.tables.frame import DIRECT_COMMAND_TYPES
 
 
 def command(
@@ -54,7 +52,7 @@ def command(
         encoded = with_jumps(encoded, jumps, _places(operations))
     if reply is None:
         reply = writes_globals or bool(global_size)
-    kind = _WITH_REPLY if reply else _WITHOUT_REPLY
+    kind = DIRECT_COMMAND_TYPES[bool(reply)]
     global_size = _size(GLOBAL, globals_used, global_size)
     local_size = _size(LOCAL, locals_used, local_size)
     frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(encoded))

@@ -17,7 +17,7 @@ from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, 
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, write_memory
 from ev3proto.semantics.replies import Value, values_of
-from ev3proto.tables.frame import LENGTH_FIELD, MessageType
+from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, LENGTH_FIELD, SYSTEM_COMMAND_TYPES, MessageType
 from ev3proto.tables.system import SystemStatus
 
 Operations = bytes | bytearray | Draft | Operation | DirectCommand | Iterable[Draft | Operation | Label]
@@ -121,7 +121,7 @@ def _direct(body: bytes, has_globals: bool, mode: SyncMode, *, is_named: bool, d
     if len(body) == COMMAND_HEADER_SIZE - HEADER_SIZE:
         raise BuildError("a command needs an operation: the brick refuses an empty one")
     asks, waits = plan(mode, has_globals)
-    kind = MessageType.DIRECT_COMMAND_REPLY if asks else MessageType.DIRECT_COMMAND_NO_REPLY
+    kind = DIRECT_COMMAND_TYPES[bool(asks)]
     return Prepared(kind, body, waits, is_named, dialect)
 
 
@@ -153,5 +153,5 @@ def system(given: bytes | bytearray | SystemCommand, reply: bool) -> Prepared:
             f"{given!r:.60} is no system command: it must be bytes, the command's number first, or such as"
             " ev3proto.system.list_files('.')"
         )
-    kind = MessageType.SYSTEM_COMMAND_REPLY if wants_reply else MessageType.SYSTEM_COMMAND_NO_REPLY
+    kind = SYSTEM_COMMAND_TYPES[bool(wants_reply)]
     return Prepared(kind, body, wants_reply, isinstance(given, SystemCommand))

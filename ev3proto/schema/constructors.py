@@ -8,9 +8,7 @@ from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import new_direct_command
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
 from ev3proto.tables import system
-from ev3proto.tables.frame import MessageType
-
-_WITH_REPLY, _WITHOUT_REPLY = MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY
+from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, SYSTEM_COMMAND_TYPES, MessageType
 
 EMPTY_COMMAND = "a command needs an operation: the brick refuses an empty one"
 """What is said to who makes a direct command of nothing."""
@@ -55,7 +53,7 @@ def any_direct_command(
                 f"{operation!r} is no operation: ev3proto.operation makes one; what ev3proto.ops makes, and labels, are"
                 " for ev3proto.command"
             )
-    kind = _WITH_REPLY if reply else _WITHOUT_REPLY
+    kind = DIRECT_COMMAND_TYPES[bool(reply)]
     pieces = [one[1][one[2] : one[3]] for one in operations]
     frame = build_frame(kind, counter, write_memory(global_size, local_size) + b"".join(pieces))
     at = COMMAND_HEADER_SIZE
@@ -129,7 +127,7 @@ def system_command(command: int | str, *, counter: int = 0, reply: bool = True, 
     schema = REQUESTS[entry.number]
     values = _checked(schema, schema.write(fields), complete=True)
     message = SystemCommand(
-        type=MessageType.SYSTEM_COMMAND_REPLY if reply else MessageType.SYSTEM_COMMAND_NO_REPLY,
+        type=SYSTEM_COMMAND_TYPES[bool(reply)],
         counter=counter,
         number=entry.number,
         command=entry.name,

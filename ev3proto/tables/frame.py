@@ -78,3 +78,10 @@ class MessageType(IntEnum):
     def is_error(self) -> bool:
         """True for replies that say the command failed."""
         return self.name.endswith("_ERROR")
+
+
+DIRECT_COMMAND_TYPES = {True: MessageType.DIRECT_COMMAND_REPLY, False: MessageType.DIRECT_COMMAND_NO_REPLY}
+"""The type of a direct command, by whether the brick is to answer it."""
+
+SYSTEM_COMMAND_TYPES = {True: MessageType.SYSTEM_COMMAND_REPLY, False: MessageType.SYSTEM_COMMAND_NO_REPLY}
+"""The type of a system command, by whether the brick is to answer it."""

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ev3proto.messages import Message
 from ev3proto.tables import check_dialect
 from ev3proto.tables.encoding import GLOBAL, LOCAL
-from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MessageType
+from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, SYSTEM_COMMAND_TYPES
 from ev3proto.text.assembly.errors import MOST_ERRORS, MOST_SAID, AssemblyError
 from ev3proto.text.assembly.lexing import Token
 from ev3proto.text.assembly.messages import PendingMessage, begun_by
@@ -131,7 +131,7 @@ class _Work:
         entry = find_command(call.token.text)
         assert entry is not None
         wants_reply = entry.answered if self._reply is None else self._reply
-        kind = MessageType.SYSTEM_COMMAND_REPLY if wants_reply else MessageType.SYSTEM_COMMAND_NO_REPLY
+        kind = SYSTEM_COMMAND_TYPES[bool(wants_reply)]
         return PendingMessage(call.token, kind)
 
     def _add(self, statement: Statement) -> None:

@@ -16,6 +16,7 @@ from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import (
     COUNTERS,
+    DIRECT_COMMAND_TYPES,
     MAX_FRAME,
     MAX_GLOBALS,
     MAX_LOCALS,
@@ -114,7 +115,7 @@ class PendingMessage:
             sizes = self._memory(body, names, dialect)
             kind = self.type
             if kind is None:
-                kind = _command_type(bool(sizes[GLOBAL]) if reply is None else reply)
+                kind = DIRECT_COMMAND_TYPES[bool(bool(sizes[GLOBAL]) if reply is None else reply)]
             return DirectCommand(
                 type=kind, counter=counter, global_size=sizes[GLOBAL], local_size=sizes[LOCAL], flaw=flaw
             )
@@ -192,10 +193,6 @@ def _daisy_command(token: Token) -> int:
         hint = suggestion(token.text, names) or f": it is one of {', '.join(names)}, or a number"
         raise error_at(token, f"there is no daisy command {token.text}{hint}")
     return int(DaisyCommand[token.text])
-
-
-def _command_type(wants_reply: bool) -> MessageType:
-    return MessageType.DIRECT_COMMAND_REPLY if wants_reply else MessageType.DIRECT_COMMAND_NO_REPLY
 
 
 def _used(operations: Iterable[Operation]) -> dict[str, int]:

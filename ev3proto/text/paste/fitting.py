@@ -23,7 +23,7 @@ from ev3proto.schema.header import (
 )
 from ev3proto.semantics.footprint import footprints
 from ev3proto.tables.encoding import GLOBAL, LOCAL
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_GLOBALS, MAX_LOCALS, MessageType
+from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, LENGTH_FIELD, MAX_GLOBALS, MAX_LOCALS, MessageType
 
 _TYPES = frozenset(int(member) for member in MessageType)
 _COMMANDS = frozenset(int(member) for member in MessageType if member.is_command)
@@ -203,7 +203,7 @@ def with_header(data: bytes) -> bytes | None:
             used[scope] = max(used[scope], found.start + (found.room or found.size))
     if not any(used.values()) or used[GLOBAL] > MAX_GLOBALS or used[LOCAL] > MAX_LOCALS:
         return plain
-    code = MessageType.DIRECT_COMMAND_REPLY if used[GLOBAL] else MessageType.DIRECT_COMMAND_NO_REPLY
+    code = DIRECT_COMMAND_TYPES[bool(used[GLOBAL])]
     return build_frame(code, 0, MEMORY.build({"globals": used[GLOBAL], "locals": used[LOCAL]}) + data)
 
 

@@ -8103,7 +8103,12 @@ do
         local size = #UNLOCK.request
         if tvb:len() <= size or tvb:raw(0, size) ~= UNLOCK.request then return false end
         local text = tvb:raw()
-        if judge_text(text) ~= OURS then return false end
+        local verdict = judge_text(text)
+        if verdict == PART and pinfo.can_desegment > 0 then
+            pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
+            return true
+        end
+        if verdict ~= OURS then return false end
         local talk, known = find_connection(pinfo)
         claiming.prove(talk)
         talk.is_found, talk.claimed_in = true, pinfo.number

@@ -176,6 +176,29 @@ def test_the_unlock_text_is_known_on_any_port(shown: Callable[..., list[str]]) -
     assert shown(capture, "-2") == [str(number) for number in packets]
 
 
+def test_the_unlock_text_on_any_port_may_come_in_two_segments(shown: Callable[..., list[str]]) -> None:
+    """Cut at each place after which it tells enough; the same beginning of another text is left alone."""
+    capture = Capture(RAW_IP)
+    ours = []
+    for at in range(17, len(UNLOCK), 5):
+        connection = Connection(capture, 10_000 + at, brick_port=7001)
+        connection.send(UNLOCK[:at])
+        ours += [connection.send(UNLOCK[at:]), connection.send(voltage(1)), connection.receive(volts(1))]
+    other = Connection(capture, brick_port=7001)
+    for piece in (b"GET /target?sn=1", b" HTTP/1.1\r\nHost: a\r\n\r\n", voltage(1)):
+        other.send(piece)
+    assert set(map(str, ours)) <= set(shown(capture))
+    assert int(shown(capture)[-1]) == ours[-1]
+
+
+def test_the_unlock_text_on_a_port_of_another_dissector(shown: Callable[..., list[str]]) -> None:
+    """Wireshark asks that one first, unless a preference of TCP says otherwise."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture, brick_port=8080)
+    packets = [connection.send(UNLOCK), connection.send(voltage(1)), connection.receive(volts(1))]
+    assert shown(capture, "-o", "tcp.try_heuristic_first:TRUE") == [str(number) for number in packets]
+
+
 def test_a_beacon_names_a_port(shown: Callable[..., list[str]]) -> None:
     capture = Capture(RAW_IP)
     Connection(capture, 10_000, brick_port=6000).send(tone(1))

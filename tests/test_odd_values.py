@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import ev3proto
-from ev3proto import capture, program, testing
+from ev3proto import GV, LV, capture, ops, program, testing
 from ev3proto.brick import Brick
 from ev3proto.capture.filter import compile_filter
 from ev3proto.dialogue import reply_values
@@ -106,3 +106,36 @@ def test_a_program_of_odd_parts() -> None:
 
 def test_a_path_is_still_a_capture() -> None:
     assert len(list(capture.read(Path(__file__).parents[1] / "captures" / "wifi.pcapng"))) > 0
+
+
+@pytest.mark.parametrize("timeout", ["", -1, float("nan"), b"1", [1]])
+def test_a_timeout_that_is_none_is_refused_before_anything_is_sent(timeout: Any) -> None:
+    with pytest.raises(ValueError, match=r"^timeout must be seconds, 0 or more, or None, not "):
+        ev3proto.EV3(target="virtual", timeout=timeout)
+    with ev3proto.EV3(target="virtual") as ev3:
+        for send in (lambda: ev3.send_direct_cmd(ops.nop(), timeout=timeout), lambda: ev3.list_dir("/")):
+            ev3.timeout = timeout
+            with pytest.raises(ValueError, match=r"^timeout must be seconds, 0 or more, or None, not "):
+                send()
+        ev3.timeout = 30
+        assert ev3.send_direct_cmd(ops.info.get_volume(), sync_mode=ev3proto.ASYNC) == b"\x2a\x00"
+
+
+@pytest.mark.parametrize("timeout", [None, 1 << 70, float("inf"), 1e30])
+def test_a_timeout_may_be_as_long_as_it_likes(timeout: float | None) -> None:
+    with ev3proto.EV3(target="virtual", timeout=timeout) as ev3:
+        assert ev3.send_direct_cmd(ev3proto.opInfo + ev3proto.GET_VOLUME + ev3proto.GVX(0), global_mem=1) == b"\x64"
+
+
+@pytest.mark.parametrize("number", [10**400, -(10**400)], ids=["above", "below"])
+def test_an_argument_of_400_digits(number: int) -> None:
+    calls: list[Callable[[], Any]] = [
+        lambda: ops.info.set_volume(number),
+        lambda: ops.sound.tone(1, number, 1000),
+        lambda: ops.movef_f(number, LV(0)),
+        lambda: ops.input_device.setup(0, 0, number, 0, 0, b"\x80", 0, GV(0)),
+        lambda: ops.output_start(0, number),
+    ]
+    for call in calls:
+        with pytest.raises(BuildError, match="0000"):
+            call()

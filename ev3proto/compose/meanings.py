@@ -130,7 +130,7 @@ def _wrong_arrays(arguments: Sequence[Argument]) -> Iterator[tuple[int, BuildErr
 def _can_be(parameter: Parameter, value: float) -> bool:
     """Whether there is an encoding for it."""
     limits = RANGES.get(parameter.type)
-    if limits is None or math.isnan(value) or value == limits.nan:
+    if limits is None or value == limits.nan or (isinstance(value, float) and math.isnan(value)):
         return True
     return limits.low <= value <= limits.high and value == int(value)
 

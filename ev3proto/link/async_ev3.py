@@ -15,7 +15,7 @@ from typing import Any, TypeVar, overload
 
 from ev3proto.compose import Draft, Label
 from ev3proto.link import file_moves, questions
-from ev3proto.link.channel import Ticket
+from ev3proto.link.channel import Ticket, known_timeout
 from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
 from ev3proto.link.ev3 import EV3, system_reply
 from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
@@ -153,14 +153,15 @@ class AsyncEV3:
     ) -> Any:
         """Waits for the reply to a command sent with ASYNC; see `EV3.wait_for_reply`."""
         ticket = self.connected.channel.ticket(counter_of(msg_cnt))
-        frame = await self._reply(ticket, verbosity, timeout, keep=True)
+        frame = await self._reply(ticket, verbosity, self._patience(timeout), keep=True)
         return ticket.result(frame)
 
     async def _send(self, prepared: Prepared, verbosity: int | None, timeout: float | None) -> Result:
+        patience = self._patience(timeout)
         ticket = await self._sent(prepared, verbosity)
         if not prepared.waits:
             return counter_bytes(ticket.request.frame)
-        frame = await self._reply(ticket, verbosity, timeout, keep=False)
+        frame = await self._reply(ticket, verbosity, patience, keep=False)
         return ticket.result(frame)
 
     async def _sent(self, prepared: Prepared, verbosity: int | None) -> Ticket:
@@ -168,9 +169,11 @@ class AsyncEV3:
         printer = ev3.printer(SENT, verbosity)
         return await self._in_thread(lambda: ev3.channel.send(prepared, printer))
 
-    async def _reply(self, ticket: Ticket, verbosity: int | None, timeout: float | None, *, keep: bool) -> bytes:
+    def _patience(self, timeout: float | None) -> float | None:
+        return known_timeout(self.connected.timeout if timeout is None else timeout)
+
+    async def _reply(self, ticket: Ticket, verbosity: int | None, patience: float | None, *, keep: bool) -> bytes:
         ev3 = self.connected
-        patience = ev3.timeout if timeout is None else timeout
         # Shielded: whoever gives up waiting must not cancel what the reading thread will fill in.
         waiting = asyncio.wrap_future(ticket.reply)
         waiting.add_done_callback(_looked_at)
@@ -287,7 +290,7 @@ class AsyncEV3:
                     result: T = end.value
                     return result
                 ticket = await self._sent(system(command, True), None)
-                reply = system_reply(await self._reply(ticket, None, None, keep=False))
+                reply = system_reply(await self._reply(ticket, None, self._patience(None), keep=False))
 
 
 def _looked_at(reply: asyncio.Future[bytes]) -> None:

@@ -32,6 +32,15 @@ _MOST_SHOWN = 24
 _JOIN = 5.0
 
 
+def known_timeout(seconds: float | None) -> float | None:
+    """Seconds to wait, as many as Python can wait at most; None for as long as it takes. ValueError for odd ones."""
+    if seconds is None:
+        return None
+    if not isinstance(seconds, int | float) or not seconds >= 0:
+        raise ValueError(f"timeout must be seconds, 0 or more, or None, not {seconds!r}")
+    return min(seconds, threading.TIMEOUT_MAX)
+
+
 class Ticket:
     """A command on its way, and the place where its reply will be.
 

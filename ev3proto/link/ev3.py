@@ -12,7 +12,7 @@ from ev3proto.compose import Draft, Label
 from ev3proto.link import file_moves, questions
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.carriers.opening import CONNECT_TIMEOUT
-from ev3proto.link.channel import Channel, Ticket
+from ev3proto.link.channel import Channel, Ticket, known_timeout
 from ev3proto.link.commands import Operations, Prepared, Result, counter_bytes, counter_of, direct, system
 from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
 from ev3proto.link.modes import SyncMode
@@ -67,10 +67,10 @@ class EV3:
             dialect: "official", "xtended" or "compat": the firmware whose instruction set to read by.
 
         Raises:
-            ValueError: The arguments do not say which brick is meant.
+            ValueError: The arguments do not say which brick is meant, or one of them is odd.
             LinkError: It cannot be reached; the sentence says what to do.
         """
-        self.timeout = timeout
+        self.timeout = known_timeout(timeout)
         self.dialect = dialect
         self._verbosity = _known_verbosity(verbosity)
         if ev3_obj is None:
@@ -196,7 +196,7 @@ class EV3:
             global_mem: Bytes of global memory, which the reply brings, 0 to 1019.
             sync_mode: STD, ASYNC or SYNC for this command.
             verbosity: 0, 1 or 2 for this command.
-            timeout: Seconds to wait for the reply to this command.
+            timeout: Seconds to wait for the reply to this command; when omitted, those of this object.
 
         Returns:
             Where a reply was waited for: the memory in it for joined bytes, its named values for operations. Else the
@@ -245,7 +245,7 @@ class EV3:
             cmd: Its number and its fields as joined bytes; or a message of `ev3proto.system`.
             reply: Whether the brick is to answer.
             verbosity: 0, 1 or 2 for this command.
-            timeout: Seconds to wait for the reply to this command.
+            timeout: Seconds to wait for the reply to this command; when omitted, those of this object.
 
         Returns:
             The reply: status and fields for joined bytes, named values for a message. The message counter, as two
@@ -267,7 +267,7 @@ class EV3:
         Args:
             msg_cnt: What sending it gave.
             verbosity: 0, 1 or 2 for this reply.
-            timeout: Seconds to wait.
+            timeout: Seconds to wait; when omitted, those of this object.
 
         Returns:
             What sending it with STD would have given.
@@ -276,16 +276,21 @@ class EV3:
             LinkError: As for `send_direct_cmd`; also where no such command waits for its reply.
         """
         ticket = self.channel.ticket(counter_of(msg_cnt))
-        return self._wait(ticket, verbosity, timeout, keep=True)
+        return self._wait(ticket, verbosity, self._patience(timeout), keep=True)
 
     def _send(self, prepared: Prepared, verbosity: int | None, timeout: float | None) -> Result:
+        patience = self._patience(timeout)
         ticket = self.channel.send(prepared, self.printer(SENT, verbosity))
         if prepared.waits:
-            return self._wait(ticket, verbosity, timeout, keep=False)
+            return self._wait(ticket, verbosity, patience, keep=False)
         return counter_bytes(ticket.request.frame)
 
-    def _wait(self, ticket: Ticket, verbosity: int | None, timeout: float | None, *, keep: bool) -> Result:
-        frame = self.channel.wait(ticket, self.timeout if timeout is None else timeout, keep=keep)
+    def _patience(self, timeout: float | None) -> float | None:
+        """Seconds to wait for a reply: those of one call, or those of the object. Asked before anything is sent."""
+        return known_timeout(self.timeout if timeout is None else timeout)
+
+    def _wait(self, ticket: Ticket, verbosity: int | None, patience: float | None, *, keep: bool) -> Result:
+        frame = self.channel.wait(ticket, patience, keep=keep)
         printer = self.printer(RECEIVED, verbosity, ticket.request.frame)
         if printer is not None:
             printer(frame)
@@ -449,8 +454,9 @@ class EV3:
                 reply = self._exchange(command)
 
     def _exchange(self, command: SystemCommand) -> SystemReply:
+        patience = self._patience(None)
         ticket = self.channel.send(system(command, True), self.printer(SENT, None))
-        frame = self.channel.wait(ticket, self.timeout)
+        frame = self.channel.wait(ticket, patience)
         printer = self.printer(RECEIVED, None, ticket.request.frame)
         if printer is not None:
             printer(frame)

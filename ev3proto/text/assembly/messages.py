@@ -115,7 +115,7 @@ class PendingMessage:
             sizes = self._memory(body, names, dialect)
             kind = self.type
             if kind is None:
-                kind = DIRECT_COMMAND_TYPES[bool(bool(sizes[GLOBAL]) if reply is None else reply)]
+                kind = DIRECT_COMMAND_TYPES[bool(sizes[GLOBAL] if reply is None else reply)]
             return DirectCommand(
                 type=kind, counter=counter, global_size=sizes[GLOBAL], local_size=sizes[LOCAL], flaw=flaw
             )

@@ -63,7 +63,7 @@ do
             size = size * stated_length(parameter, view.lengths, 1)
         end
         if index + size > asked then
-            view.is_beyond = view.complaints ~= nil
+            view.is_beyond = view.is_line
             local scope = is_global and " of the global memory" or " of the local memory"
             complaints = with_complaint(complaints, "beyond_memory", parameter.name .. " reaches up to byte "
                 .. number_text(index + size) .. scope .. ", of which the command asks for " .. plural(asked, "byte"))
@@ -167,7 +167,7 @@ do
         local asked = is_global and view.globals or view.locals
         if demand.is_long or asked and index + demand.size > asked or index % demand.alignment ~= 0
             or encoding.is_special then
-            variable_complaints(view.complaints, view, parameter, encoding, index)
+            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, index)
         end
         if is_global and demand.is_output then note_output(view.offset, parameter, encoding, index) end
     end
@@ -175,7 +175,7 @@ do
     -- The same of any argument.
     local function check_argument(view, parameter, encoding, value)
         if encoding.scope then
-            variable_complaints(view.complaints, view, parameter, encoding, value)
+            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, value)
             if parameter.is_output and encoding.kind == GLOBAL then
                 note_output(view.offset, parameter, encoding, value)
             end
@@ -209,13 +209,13 @@ do
     end
 
     -- One serves all, as they come one after the other.
-    local view = { complaints = {}, lengths = {} }
+    local view = { is_line = true, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
     -- What a reply will hold is noted. Returns the line, nil where there is no operation; the fault; the complaints.
     function say_operations(text, at, stop, globals, locals)
         local first, count, lengths, fault = nil, 0, view.lengths, nil
-        view.globals, view.locals, view.is_beyond, piece_count = globals, locals, false, 1
+        view.globals, view.locals, view.complaints, view.is_beyond, piece_count = globals, locals, nil, false, 1
         layout_notes.start()
         while at < stop do
             local operation, after, offset, reason, kind = select_operation(text, at, stop)
@@ -245,14 +245,12 @@ do
             end
             at = after
         end
-        local complaints, line = view.complaints, nil
+        local line
         if first then
             layout_notes.note_first(first)
             pieces[1], pieces[piece_count + 1] = first.title, further[count]
             line = concat(pieces, "", 1, piece_count + 1)
         end
-        if not complaints[1] then return line, fault, nil end
-        view.complaints = {}
-        return line, fault, complaints
+        return line, fault, view.complaints
     end
 end

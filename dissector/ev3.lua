@@ -6590,6 +6590,12 @@ local function dissect_message(tvb, at, message, talk, place, pinfo, tree, is_sh
     return show_message(message, place, tvb, at, tree, is_shown, said, talk)
 end
 
+-- Bytes of the frame that starts with these two; nil where its length is not here. Where each packet comes by, it is
+-- worked out on the spot: a call takes as long as the rest.
+local function frame_size(low, high)
+    return high and LENGTH_FIELD + low + high * 0x100
+end
+
 local function is_length(low, high)
     local length = low + high * 0x100
     return length >= MIN_LENGTH and length <= MAX_LENGTH
@@ -6626,7 +6632,7 @@ do
     -- The offset after the frame that starts at another one, as its length says; nil where its length is not here.
     local function stop_of(text, at)
         local low, high = byte(text, at + 1, at + 2)
-        return high and at + LENGTH_FIELD + low + high * 0x100
+        return high and at + frame_size(low, high)
     end
 
     -- Whether the operations of a command can be read: all of them, or with `is_part` those that are there.
@@ -6752,8 +6758,7 @@ do
     function judge_frames(text, at, accepts, is_sensible)
         local is_first = true
         while at < #text do
-            local low, high = byte(text, at + 1, at + 2)
-            local size = high and LENGTH_FIELD + low + high * 0x100
+            local size = frame_size(byte(text, at + 1, at + 2))
             if not may_start(text, at) then return nil end
             if not size or at + size > #text then
                 if not is_first then return OURS end
@@ -6885,8 +6890,7 @@ do
         local count = 0
         while at < #text do
             if not may_start(text, at) then return nil end
-            local low, high = byte(text, at + 1, at + 2)
-            local size = high and LENGTH_FIELD + low + high * 0x100
+            local size = frame_size(byte(text, at + 1, at + 2))
             if not size or at + size > #text then return count end
             at, count = at + size, count + 1
         end
@@ -6900,7 +6904,7 @@ do
         for _ = 1, MOST_TRIALS do
             if not hit then return nil end
             local low, high = byte(text, hit - 1, hit)
-            local stop = hit - 2 + LENGTH_FIELD + low + high * 0x100
+            local stop = hit - 2 + frame_size(low, high)
             if is_length(low, high) and stop <= #text and (stop == #text or may_start(text, stop)) then
                 local message = read_message(sub(text, hit - 1, stop))
                 if is_flawless(message) and (not accepts or accepts(message.type)) then
@@ -6940,7 +6944,7 @@ do
         local trials, hit = 0, find(text, STARTS, at + 2)
         while hit and trials < MOST_TRIALS do
             local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
-            local stop = place + LENGTH_FIELD + low + high * 0x100
+            local stop = place + frame_size(low, high)
             if is_length(low, high) and accepts(MESSAGE_TYPES[code]) then
                 trials = trials + 1
                 if stop > #text then
@@ -6984,7 +6988,7 @@ do
         if not following then
             -- The next frame may be of an unknown type: then the one after it must start.
             local next_low, next_high = byte(text, stop + 1, stop + 2)
-            local next_stop = next_high and stop + LENGTH_FIELD + next_low + next_high * 0x100
+            local next_stop = next_high and stop + frame_size(next_low, next_high)
             if not next_stop or not is_length(next_low, next_high) then return nil end
             if next_stop < #text and not may_start(text, next_stop) then return nil end
             following = next_stop < #text and 1 or 0
@@ -7096,7 +7100,7 @@ do
         while next and next < #text do
             local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
             if not type or not is_length(low, high) or not MESSAGE_TYPES[type] then return nil end
-            next = next + LENGTH_FIELD + low + high * 0x100
+            next = next + frame_size(low, high)
         end
         return next == #text and at or nil
     end
@@ -7162,7 +7166,7 @@ do
         if may_start(text, at) then return true end
         local low, high = byte(text, at + 1, at + 2)
         if not is_length(low, high) then return false end
-        local stop = at + LENGTH_FIELD + low + high * 0x100
+        local stop = at + frame_size(low, high)
         return stop >= #text or may_start(text, stop)
     end
 
@@ -7372,7 +7376,7 @@ do
         if not sort or captured < HEADER_SIZE then return nil, false end
         local low, high, _, _, code = byte(tvb:raw(0, HEADER_SIZE), 1, HEADER_SIZE)
         if not is_length(low, high) then return nil, false end
-        local size, type = LENGTH_FIELD + low + high * 0x100, MESSAGE_TYPES[code]
+        local size, type = frame_size(low, high), MESSAGE_TYPES[code]
         local is_odd = not type or (type.carries == "daisy") ~= (sort == "daisy")
         if is_odd then return nil, size <= captured end
         local message = read_message(tvb:raw(0, math.min(size, captured)))
@@ -7505,7 +7509,7 @@ do
     local function weigh_first(text, at, accepts)
         local verdict, telling = claiming.weigh_frames(text, at, accepts)
         local low, high = byte(text, at + 1, at + 2)
-        local stop = high and at + LENGTH_FIELD + low + high * 0x100
+        local stop = high and at + frame_size(low, high)
         if verdict or not stop or stop >= #text then return verdict, telling end
         verdict, telling = claiming.weigh_frames(sub(text, 1, stop), at, accepts)
         return verdict == OURS and verdict or nil, telling
@@ -7516,7 +7520,7 @@ do
         local verdict, telling = weigh_first(text, 0, is_command)
         if not verdict or verdict == PART then return verdict, 0 end
         local low, high = byte(text, 1, 2)
-        if may_be_of_nxt(sub(text, 1, LENGTH_FIELD + low + high * 0x100)) then return nil, 0 end
+        if may_be_of_nxt(sub(text, 1, frame_size(low, high))) then return nil, 0 end
         return verdict, telling
     end
 
@@ -7580,7 +7584,7 @@ do
     -- Whether the frame that begins with this text is not whole with it.
     local function is_part(text)
         local low, high = byte(text, 1, 2)
-        return not high or is_length(low, high) and LENGTH_FIELD + low + high * 0x100 > #text
+        return not high or is_length(low, high) and frame_size(low, high) > #text
     end
 
     -- Whether all of a text waits for more; the newest packet starts at `joint`.

@@ -76,7 +76,7 @@ do
     local function weigh_first(text, at, accepts)
         local verdict, telling = claiming.weigh_frames(text, at, accepts)
         local low, high = byte(text, at + 1, at + 2)
-        local stop = high and at + LENGTH_FIELD + low + high * 0x100
+        local stop = high and at + frame_size(low, high)
         if verdict or not stop or stop >= #text then return verdict, telling end
         verdict, telling = claiming.weigh_frames(sub(text, 1, stop), at, accepts)
         return verdict == OURS and verdict or nil, telling
@@ -87,7 +87,7 @@ do
         local verdict, telling = weigh_first(text, 0, is_command)
         if not verdict or verdict == PART then return verdict, 0 end
         local low, high = byte(text, 1, 2)
-        if may_be_of_nxt(sub(text, 1, LENGTH_FIELD + low + high * 0x100)) then return nil, 0 end
+        if may_be_of_nxt(sub(text, 1, frame_size(low, high))) then return nil, 0 end
         return verdict, telling
     end
 
@@ -151,7 +151,7 @@ do
     -- Whether the frame that begins with this text is not whole with it.
     local function is_part(text)
         local low, high = byte(text, 1, 2)
-        return not high or is_length(low, high) and LENGTH_FIELD + low + high * 0x100 > #text
+        return not high or is_length(low, high) and frame_size(low, high) > #text
     end
 
     -- Whether all of a text waits for more; the newest packet starts at `joint`.

@@ -22,7 +22,7 @@ do
     -- The offset after the frame that starts at another one, as its length says; nil where its length is not here.
     local function stop_of(text, at)
         local low, high = byte(text, at + 1, at + 2)
-        return high and at + LENGTH_FIELD + low + high * 0x100
+        return high and at + frame_size(low, high)
     end
 
     -- Whether the operations of a command can be read: all of them, or with `is_part` those that are there.
@@ -148,8 +148,7 @@ do
     function judge_frames(text, at, accepts, is_sensible)
         local is_first = true
         while at < #text do
-            local low, high = byte(text, at + 1, at + 2)
-            local size = high and LENGTH_FIELD + low + high * 0x100
+            local size = frame_size(byte(text, at + 1, at + 2))
             if not may_start(text, at) then return nil end
             if not size or at + size > #text then
                 if not is_first then return OURS end
@@ -281,8 +280,7 @@ do
         local count = 0
         while at < #text do
             if not may_start(text, at) then return nil end
-            local low, high = byte(text, at + 1, at + 2)
-            local size = high and LENGTH_FIELD + low + high * 0x100
+            local size = frame_size(byte(text, at + 1, at + 2))
             if not size or at + size > #text then return count end
             at, count = at + size, count + 1
         end
@@ -296,7 +294,7 @@ do
         for _ = 1, MOST_TRIALS do
             if not hit then return nil end
             local low, high = byte(text, hit - 1, hit)
-            local stop = hit - 2 + LENGTH_FIELD + low + high * 0x100
+            local stop = hit - 2 + frame_size(low, high)
             if is_length(low, high) and stop <= #text and (stop == #text or may_start(text, stop)) then
                 local message = read_message(sub(text, hit - 1, stop))
                 if is_flawless(message) and (not accepts or accepts(message.type)) then
@@ -336,7 +334,7 @@ do
         local trials, hit = 0, find(text, STARTS, at + 2)
         while hit and trials < MOST_TRIALS do
             local place, low, high, _, _, code = hit - 2, byte(text, hit - 1, hit + 3)
-            local stop = place + LENGTH_FIELD + low + high * 0x100
+            local stop = place + frame_size(low, high)
             if is_length(low, high) and accepts(MESSAGE_TYPES[code]) then
                 trials = trials + 1
                 if stop > #text then
@@ -380,7 +378,7 @@ do
         if not following then
             -- The next frame may be of an unknown type: then the one after it must start.
             local next_low, next_high = byte(text, stop + 1, stop + 2)
-            local next_stop = next_high and stop + LENGTH_FIELD + next_low + next_high * 0x100
+            local next_stop = next_high and stop + frame_size(next_low, next_high)
             if not next_stop or not is_length(next_low, next_high) then return nil end
             if next_stop < #text and not may_start(text, next_stop) then return nil end
             following = next_stop < #text and 1 or 0

@@ -77,6 +77,12 @@ local function dissect_message(tvb, at, message, talk, place, pinfo, tree, is_sh
     return show_message(message, place, tvb, at, tree, is_shown, said, talk)
 end
 
+-- Bytes of the frame that starts with these two; nil where its length is not here. Where each packet comes by, it is
+-- worked out on the spot: a call takes as long as the rest.
+local function frame_size(low, high)
+    return high and LENGTH_FIELD + low + high * 0x100
+end
+
 local function is_length(low, high)
     local length = low + high * 0x100
     return length >= MIN_LENGTH and length <= MAX_LENGTH

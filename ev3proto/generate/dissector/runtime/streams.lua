@@ -75,7 +75,7 @@ do
         while next and next < #text do
             local low, high, _, _, type = byte(text, next + 1, next + HEADER_SIZE)
             if not type or not is_length(low, high) or not MESSAGE_TYPES[type] then return nil end
-            next = next + LENGTH_FIELD + low + high * 0x100
+            next = next + frame_size(low, high)
         end
         return next == #text and at or nil
     end
@@ -141,7 +141,7 @@ do
         if may_start(text, at) then return true end
         local low, high = byte(text, at + 1, at + 2)
         if not is_length(low, high) then return false end
-        local stop = at + LENGTH_FIELD + low + high * 0x100
+        local stop = at + frame_size(low, high)
         return stop >= #text or may_start(text, stop)
     end
 

@@ -100,7 +100,7 @@ do
         if not sort or captured < HEADER_SIZE then return nil, false end
         local low, high, _, _, code = byte(tvb:raw(0, HEADER_SIZE), 1, HEADER_SIZE)
         if not is_length(low, high) then return nil, false end
-        local size, type = LENGTH_FIELD + low + high * 0x100, MESSAGE_TYPES[code]
+        local size, type = frame_size(low, high), MESSAGE_TYPES[code]
         local is_odd = not type or (type.carries == "daisy") ~= (sort == "daisy")
         if is_odd then return nil, size <= captured end
         local message = read_message(tvb:raw(0, math.min(size, captured)))

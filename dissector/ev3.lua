@@ -5880,6 +5880,9 @@ do
                     complain(added, complaints[index], complaints[index + 1])
                 end
             end
+            if parameter.is_output and encoding.kind == GLOBAL then
+                note_output(view.offset, parameter, encoding, value)
+            end
         else
             if parameter.is_plain and encoding.is_number then
                 added = add(heading, parameter.field, range, value)
@@ -5913,11 +5916,12 @@ do
     end })
 
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
-    -- Returns the line, nil where there is no operation, the offset after what could be read, and the fault where there
-    -- is one.
+    -- What a reply will hold is noted. Returns the line, nil where there is no operation; the offset after what could
+    -- be read; the fault, where there is one.
     function show_operations(item, tvb, start, text, at, stop, globals, locals)
         local line, count = nil, 0
         buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
+        layout_notes.start()
         while at < stop do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
             heading = add(item, OPCODE, tvb(start + at, 1))
@@ -5933,14 +5937,20 @@ do
                     add(cmd, ENCODING, range, ENCODINGS[byte(text, at + 2)].label)
                 end
             end
-            said, said_count = "", 0
+            said, said_count, shown.offset = "", 0, at
             local offset
             after, offset, reason, kind = read_arguments(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
             local addition = operation.addition .. said
             if addition ~= "" then append_text(heading, addition) end
-            line = line or operation.title .. said
-            shown.lengths = NO_LENGTHS
+            if not line then
+                line = operation.title .. said
+                layout_notes.note_first(operation)
+            end
+            if shown.lengths ~= NO_LENGTHS then
+                note_lengths(at, shown.lengths)
+                shown.lengths = NO_LENGTHS
+            end
             count, at = count + 1, after
             if reason then return line .. further[count], at, { at = offset, reason = reason, kind = kind } end
         end
@@ -6133,6 +6143,7 @@ do
         add_le(memory, field.locals, range)
         local line, after, fault =
             show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, asked_memory(text))
+        if message.type.wants_reply then layout_notes.keep(message.body) end
         if fault then
             message.fault = fault
             add_rest(item, tvb, base, after, stop)

@@ -87,6 +87,7 @@ do
         add_le(memory, field.locals, range)
         local line, after, fault =
             show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, asked_memory(text))
+        if message.type.wants_reply then layout_notes.keep(message.body) end
         if fault then
             message.fault = fault
             add_rest(item, tvb, base, after, stop)

@@ -242,6 +242,23 @@ def test_texts_are_cut_anywhere(ask: Ask) -> None:
     assert ask(capture, "ev3.expert.no_boundary") == []
 
 
+def test_a_frame_of_three_segments_of_which_the_second_comes_twice(ask: Ask) -> None:
+    """Each command is shown with its last segment, before its reply, which finds it."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(tone(0))
+    for counter in range(1, 10):
+        frame = struct.pack("<HHB", 17, counter, 0x00) + bytes.fromhex("0400 81 01 60 94 01 01 82B801 82E803")
+        connection.send(frame[:7])
+        second = connection.segment(True, frame[7:14])
+        capture.add(second)
+        capture.add(second)
+        connection.send(frame[14:])
+        connection.receive(struct.pack("<HHBf", 7, counter, 0x02, 7.5))
+    assert counters(ask(capture, "ev3.request_in", "ev3.msg_num")) == list(range(1, 10))
+    assert ask(capture, "ev3.cmd_type == 0") == [str(5 * number) for number in range(1, 10)]
+
+
 # UDP
 
 BEACON = ev3proto.Beacon(SERIAL, name="myEV3").build()

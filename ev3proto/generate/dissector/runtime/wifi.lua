@@ -237,6 +237,15 @@ do
             end
         end
 
+        -- How many bytes a frame wants that was asked for segment by segment, where Wireshark gave one byte of a longer
+        -- one. So it does since 4.4, once the one before came twice; the rest it gives when told how much that is.
+        local function rest_of(known, text, joint, pinfo)
+            if joint == 0 or #text ~= joint + 1 or #text < HEADER_SIZE then return nil end
+            if not known.offset or pinfo.len <= known.offset + 1 then return nil end
+            local rest = LENGTH_FIELD + unsigned16(text, 0) - #text
+            return rest > 0 and rest or nil
+        end
+
         function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
             local step, joint, done = step_of(known, text, offset, number, pinfo)
@@ -263,6 +272,9 @@ do
                 local after, wanted, _, step_after =
                     dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
                 if after < captured then
+                    if not wanted and known and after == 0 and step_after == "likely" then
+                        wanted = rest_of(known, text, joint, pinfo)
+                    end
                     pinfo.desegment_offset = after
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
                 end

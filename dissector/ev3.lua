@@ -3890,8 +3890,8 @@ local DAISY = {
 
 local CLAIMS = {
     never_sent = { [0] = true },
-    strange_packets = 8, faults_in_a_row = 3, proofs = 8, strange_in_a_row = 2, first_telling = 16, system_tells = 2,
-    odd_reports = 2,
+    strange_packets = 8, faults_in_a_row = 3, proofs = 8, most_proofs = 4, strange_in_a_row = 2, first_telling = 16,
+    system_tells = 2, odd_reports = 2,
     nxt = {
         lengths = { [0] = 22, [2] = 23, [3] = 6, [4] = 12 },
         counted = { [9] = 4, [15] = 5 },
@@ -6835,7 +6835,7 @@ do
     end
 
     local function add_proof(talk, verdict, telling)
-        talk.strange, talk.unread, talk.proofs = 0, 0, talk.proofs + 1 + telling
+        talk.strange, talk.unread, talk.proofs = 0, 0, talk.proofs + math.min(1 + telling, CLAIMS.most_proofs)
         if telling > 0 then talk.faulty = 0 end
         talk.is_weak = talk.is_weak and verdict == claiming.PERHAPS
         if talk.proofs >= CLAIMS.proofs then claiming.prove(talk) end
@@ -7516,22 +7516,30 @@ do
         end
     end
 
-    -- What a text tells from an offset on, whatever follows its first frame, if that one tells it.
+    -- Whether the frame that begins with this text is not whole with it.
+    local function is_part(text)
+        local low, high = byte(text, 1, 2)
+        return not high or is_length(low, high) and frame_size(low, high) > #text
+    end
+
+    -- What a text tells from an offset on. If its first frame tells it, a few bytes after that may be anything.
     local function weigh_first(text, at, accepts)
         local verdict, telling = claiming.weigh_frames(text, at, accepts)
         local low, high = byte(text, at + 1, at + 2)
         local stop = high and at + frame_size(low, high)
-        if verdict or not stop or stop >= #text then return verdict, telling end
+        if verdict or not stop or stop >= #text or #text - stop >= HEADER_SIZE then return verdict, telling end
         verdict, telling = claiming.weigh_frames(sub(text, 1, stop), at, accepts)
         return verdict == OURS and verdict or nil, telling
     end
 
-    -- What a text tells that should begin with a command: nobody answers what was not asked.
-    local function weigh_commands(text)
+    -- What a text tells that should begin with a command: nobody answers what was not asked. With `is_joined` it came
+    -- in several packets: then a system command does not tell, as any bytes may follow its header.
+    local function weigh_commands(text, is_joined)
         local verdict, telling = weigh_first(text, 0, is_command)
         if not verdict or verdict == PART then return verdict, 0 end
         local low, high = byte(text, 1, 2)
         if may_be_of_nxt(sub(text, 1, frame_size(low, high))) then return nil, 0 end
+        if is_joined and MESSAGE_TYPES[byte(text, HEADER_SIZE)].carries == "system" then return claiming.PERHAPS, 0 end
         return verdict, telling
     end
 
@@ -7551,7 +7559,7 @@ do
         if talk.waiting and talk.waiting ~= stream then clear(talk.waiting) end
         talk.waiting = stream
         local verdict, telling = nil, 0
-        if stream.left ~= "" then verdict, telling = weigh_commands(stream.left .. piece) end
+        if stream.left ~= "" then verdict, telling = weigh_commands(stream.left .. piece, true) end
         if not verdict then
             clear(stream)
             verdict, telling = weigh_commands(piece)
@@ -7582,20 +7590,26 @@ do
         return (not at or verdict == OURS) and verdict or nil, telling
     end
 
-    -- Whether a packet belongs to the claim on its channel, which may end with it. With `is_part` it ends no frame.
-    local function belongs(talk, stream, text, size, is_part)
-        if talk.is_proven or is_part and may_become_flawless(text, 0, stream.accepts) then return true end
-        local verdict, telling = weigh(text, #text - size, stream.accepts)
-        if verdict == PART or not verdict and claiming.meet_faulty(talk, text, 0) then return true end
-        local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, size)
-        if not is_claimed then clear_sides(talk) end
-        return is_claimed
+    -- The size with which a packet of a claimed channel counts: small ones that are strange count together.
+    local function size_together(talk, verdict, size)
+        local together = verdict and 0 or (talk.small or 0) + size
+        local is_enough = together > CLAIMS.strange_packets * HEADER_SIZE
+        talk.small = is_enough and 0 or together
+        return is_enough and together or size
     end
 
-    -- Whether the frame that begins with this text is not whole with it.
-    local function is_part(text)
-        local low, high = byte(text, 1, 2)
-        return not high or is_length(low, high) and frame_size(low, high) > #text
+    -- Whether a packet belongs to the claim on its channel, which may end with it. In a stream that is out of step no
+    -- packet is the part of a frame: anything may look like that.
+    local function belongs(talk, stream, text, size)
+        if talk.is_proven then return true end
+        local is_in_step = stream.step ~= "lost"
+        if is_in_step and is_part(text) and may_become_flawless(text, 0, stream.accepts) then return true end
+        local verdict, telling = weigh(text, #text - size, stream.accepts)
+        if verdict == PART then verdict = nil end
+        if not verdict and claiming.meet_faulty(talk, text, 0) then return true end
+        local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, size_together(talk, verdict, size))
+        if not is_claimed then clear_sides(talk) end
+        return is_claimed
     end
 
     -- Whether all of a text waits for more; the newest packet starts at `joint`.
@@ -7689,7 +7703,7 @@ do
             end
             stream.accepts = stream == talk.to_brick and is_command or is_from_brick
             text, may_be_whole = join(stream, piece, number)
-            if not is_begun and not belongs(talk, stream, text, #piece, not may_be_whole) then
+            if not is_begun and not belongs(talk, stream, text, #piece) then
                 forget_packet(number)
                 return 0
             end

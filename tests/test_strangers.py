@@ -22,10 +22,12 @@ from support.packets import (
 )
 from support.strangers import (
     Said,
+    cards,
     database,
     debug_bridge,
     encrypted,
     modbus,
+    moves,
     numbered,
     nxt,
     object_exchange,
@@ -103,6 +105,8 @@ STRANGERS: dict[str, tuple[Callable[[], bytes], int]] = {
     "obex": (lambda: over_bluetooth(object_exchange), 0),
     "nxt": (lambda: over_bluetooth(nxt), 0),
     "modbus": (lambda: over_bluetooth(modbus), 0),
+    "cards": (lambda: over_bluetooth(cards), 0),
+    "moves": (lambda: over_bluetooth(moves), 12),
     "opcodes": (lambda: over_bluetooth(opcodes), 5),
     "usb": (over_usb, REPORTS // 100),
 }

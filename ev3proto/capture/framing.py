@@ -118,6 +118,11 @@ class Cutter:
         return self._is_claimed
 
     @property
+    def is_in_step(self) -> bool:
+        """Whether the next frame begins where the one before ended."""
+        return self._in_step
+
+    @property
     def left(self) -> bytes:
         """The bytes that wait for more."""
         return self._buffer

@@ -77,7 +77,7 @@ class Weigher:
         return (Verdict.PERHAPS if is_clean else Verdict.NOTHING), 0
 
     def weigh_first(self, text: bytes, at: int, accepts: Accepts) -> tuple[Verdict, int]:
-        """Says the same, but whatever follows, if the first frame tells it.
+        """Says the same, but fewer bytes than a header has may follow, whatever they are, if the first frame tells it.
 
         Args:
             text: The bytes.
@@ -89,9 +89,12 @@ class Weigher:
 
         """
         found = self.weigh(text, at, accepts)
-        if found[0] is not Verdict.NOTHING or len(text) - at < LENGTH_FIELD or at + frame_size(text, at) >= len(text):
+        if found[0] is not Verdict.NOTHING or len(text) - at < LENGTH_FIELD:
             return found
-        first = self.weigh(text[: at + frame_size(text, at)], at, accepts)
+        end = at + frame_size(text, at)
+        if not 0 < len(text) - end < HEADER_SIZE:
+            return found
+        first = self.weigh(text[:end], at, accepts)
         return first if first[0] is Verdict.OURS else found
 
     def weigh_anywhere(self, text: bytes, joint: int, accepts: Accepts) -> tuple[Verdict, int]:
@@ -118,6 +121,11 @@ class Weigher:
     def may_become(self, text: bytes, at: int, accepts: Accepts) -> bool:
         """Whether the frame of which only the start is here may be a flawless one that goes this way."""
         return self._finder.may_become(text, at) and (len(text) - at < HEADER_SIZE or _is_accepted(text, at, accepts))
+
+    def is_part(self, text: bytes, accepts: Accepts) -> bool:
+        """Whether a flawless frame that goes this way may begin here, and is not whole."""
+        is_whole = len(text) >= LENGTH_FIELD and frame_size(text) <= len(text)
+        return not is_whole and self.may_become(text, 0, accepts)
 
     def holds_frames(self, text: bytes) -> bool:
         """Whether there are frames and nothing else, whatever is wrong with them."""

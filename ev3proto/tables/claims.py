@@ -14,15 +14,17 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   command with an operation from `FIRST_TELLING` on, and with variables, numbers and texts in their places. A frame that
   does not tell claims a TCP connection where it and other flawless frames are all that there is in the packet.
 - Such a claim is *proven* by one of the texts, by a reply just as a command asked for it, or by flawless frames: each
-  packet with some counts one, each telling operation one more, and `PROOFS` are enough. A claim that nothing has proven
-  ends after `STRANGE_IN_A_ROW` packets in a row without a flawless frame, and then it takes two telling operations to
-  claim the connection again. Where no frame told, the first strange packet ends it, but as many as that may be at the
-  beginning of each side: what is left of a frame. Then one telling operation is enough.
+  packet with some counts one, each telling operation one more, up to `MOST_PROOFS`, and `PROOFS` are enough. A claim
+  that nothing has proven ends after `STRANGE_IN_A_ROW` packets in a row without a flawless frame, and then it takes two
+  telling operations to claim the connection again. Where no frame told, the first strange packet ends it, but as many
+  as that may be at the beginning of each side: what is left of a frame. Then one telling operation is enough.
 - Not strange are up to `STRANGE_PACKETS` packets, counted anew after a frame that tells, that hold nothing but frames,
   with faults or in the wrong direction. Where no frame told, those before such a packet prove nothing.
 - Bluetooth's channel is claimed like a TCP connection, but by a command alone, which may come in several packets, as
-  long as the other side says nothing in between; and what may be a telegram of LEGO's NXT claims nothing. What follows
-  a command that tells does not matter. Such claims are proven and end as on TCP. The channel is never left alone: after
+  long as the other side says nothing in between. What may be a telegram of LEGO's NXT claims nothing, and a system
+  command in several packets does not tell: it may have any bytes. After a command that tells there may be others, fewer
+  than a header has. Such claims are proven and end as on TCP, but of packets too small to count there as many count as
+  one as have more bytes than `STRANGE_PACKETS` headers together. The channel is never left alone: after
   `STRANGE_PACKETS` packets it takes two telling operations. A proven claim ends, too: after `FAULTS_IN_A_ROW` packets
   without anything that can be a frame, if they have more bytes than as many frames. What is left of a frame of which
   something is missing may come in many packets.
@@ -48,6 +50,9 @@ FAULTS_IN_A_ROW = 3
 
 PROOFS = 8
 """How much of what flawless frames tell proves a claim."""
+
+MOST_PROOFS = PROOFS // 2
+"""How much of that a packet tells at most: in texts of others each letter may be an operation."""
 
 STRANGE_IN_A_ROW = 2
 """Strange packets in a row after which a claim of TCP or Bluetooth ends that nothing has proven."""

@@ -148,3 +148,20 @@ def opcodes(rng: random.Random) -> Iterator[Said]:
     for _ in range(400):
         body = bytes((rng.randrange(20), *(rng.randrange(16) for _ in range(rng.randrange(25)))))
         yield rng.random() < 0.5, struct.pack("<H", len(body)) + body
+
+
+def cards(_rng: random.Random) -> Iterator[Said]:
+    """Business cards: their beginning says by chance that it is a command, and their letters are operations."""
+    for number in range(20):
+        yield number % 2 == 0, bytes.fromhex("9000 DBC3 00 006C 8E 4800D3") + b"BEGIN:VCARD\r\n" * 17
+
+
+def moves(rng: random.Random) -> Iterator[Said]:
+    """What a joystick does, in small packets: the first ones say by chance that they begin a system command."""
+    data = bytes.fromhex("6D00 0001 01 93 0000")
+    for number in range(100):
+        data += struct.pack(
+            "<IhBB", 0x0100_0100 + number, rng.randrange(-32768, 32768), rng.randrange(1, 3), number % 4
+        )
+    for at in range(0, len(data), 5):
+        yield True, data[at : at + 5]

@@ -11,7 +11,7 @@ from ev3proto.capture.finding import Finder, count_telling, makes_sense
 from ev3proto.capture.record import Announcement, Direction, Event, Record, Skipped
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, DirectReply
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.tables.claims import PROOFS, STRANGE_IN_A_ROW, STRANGE_PACKETS
+from ev3proto.tables.claims import MOST_PROOFS, PROOFS, STRANGE_IN_A_ROW, STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME
 
 _HELD_SIZE = 700
@@ -114,7 +114,7 @@ class Claim:
         elif self._is_left:
             return
         self._is_weak = not telling and (self._is_weak or not self.is_claimed)
-        self._proofs = (self._proofs if self.is_claimed else 0) + 1 + telling
+        self._proofs = (self._proofs if self.is_claimed else 0) + min(1 + telling, MOST_PROOFS)
         self.is_claimed = True
         self._strange = self._unread = 0
         if telling:

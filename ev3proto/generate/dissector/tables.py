@@ -314,6 +314,7 @@ def _claims() -> Iterator[str]:
         "strange_packets": claims.STRANGE_PACKETS,
         "faults_in_a_row": claims.FAULTS_IN_A_ROW,
         "proofs": claims.PROOFS,
+        "most_proofs": claims.MOST_PROOFS,
         "strange_in_a_row": claims.STRANGE_IN_A_ROW,
         "first_telling": operations()[claims.FIRST_TELLING].opcode.number,
         "system_tells": claims.SYSTEM_TELLS,

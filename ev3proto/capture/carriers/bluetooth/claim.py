@@ -8,8 +8,8 @@ from ev3proto.capture.carriers.claims import Claim, is_proof
 from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.record import Direction, Event, Skipped
 from ev3proto.capture.weighing import Verdict, Weigher
-from ev3proto.schema.header import frame_size
-from ev3proto.tables.claims import FAULTS_IN_A_ROW, may_be_of_nxt
+from ev3proto.schema.header import HEADER_SIZE, frame_size
+from ev3proto.tables.claims import FAULTS_IN_A_ROW, STRANGE_PACKETS, may_be_of_nxt
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 
 _PIECE_SIZE = 200
@@ -32,7 +32,7 @@ class Piece(NamedTuple):
 class PortClaim(Claim):
     """What is known of a serial port. It may become ours at any time, and cease to be."""
 
-    __slots__ = ("_budget", "_faults", "_speaker", "_to_brick", "_waiting", "_weigher")
+    __slots__ = ("_budget", "_faults", "_small", "_speaker", "_to_brick", "_waiting", "_weigher")
 
     def __init__(self, context: Context) -> None:
         """Makes the claim of a new port.
@@ -48,6 +48,7 @@ class PortClaim(Claim):
         self._speaker: Direction | None = None
         self._waiting: list[Piece] = []  # of a command that is not whole yet, before the port is claimed
         self._faults = 0
+        self._small = 0  # bytes of strange packets that are no larger than a header
 
     def begin(self, side: Direction, piece: Piece) -> list[Piece]:
         """Takes a packet of a port that is not known to be ours.
@@ -66,7 +67,8 @@ class PortClaim(Claim):
             self._speaker = side
         verdict, telling = Verdict.NOTHING, 0
         if self._waiting:
-            verdict, telling = self._weigh_commands(b"".join(before.data for before in self._waiting) + piece.data)
+            text = b"".join(before.data for before in self._waiting) + piece.data
+            verdict, telling = self._weigh_commands(text, is_joined=True)
         if verdict is Verdict.NOTHING:
             self.forget()
             verdict, telling = self._weigh_commands(piece.data)
@@ -82,7 +84,7 @@ class PortClaim(Claim):
         self._account.other += len(piece.data)
         return []
 
-    def take(self, side: Direction, events: list[Event], text: bytes, size: int) -> bool:
+    def take(self, side: Direction, events: list[Event], text: bytes, size: int, *, is_in_step: bool) -> bool:
         """Takes a packet of a port that is known to be ours.
 
         Args:
@@ -90,13 +92,14 @@ class PortClaim(Claim):
             events: What is complete with it.
             text: What it carries, after the bytes that waited for it.
             size: How many bytes it carries.
+            is_in_step: A frame began with the text, if the one before ended where its length said.
 
         Returns:
             False where the claim ends before it, so that it is none of ours.
 
         """
         if not self.is_proven:
-            if not self._belongs(side, text, size, is_part=not events):
+            if not self._belongs(side, text, size, is_in_step=is_in_step):
                 self._decline(events)
                 return False
             self.is_proven = self.is_proven or any(map(is_proof, events))
@@ -122,11 +125,16 @@ class PortClaim(Claim):
             self._budget.remove(self)
         return waiting
 
-    def _weigh_commands(self, text: bytes) -> tuple[Verdict, int]:
+    def _weigh_commands(self, text: bytes, *, is_joined: bool = False) -> tuple[Verdict, int]:
         """What a text tells that should begin with a command: nobody answers what was not asked."""
         verdict, telling = self._weigher.weigh_first(text, 0, _is_command)
-        if verdict in (Verdict.PERHAPS, Verdict.OURS) and may_be_of_nxt(text[: frame_size(text)]):
+        if verdict not in (Verdict.PERHAPS, Verdict.OURS):
+            return verdict, telling
+        if may_be_of_nxt(text[: frame_size(text)]):
             return Verdict.NOTHING, 0
+        if is_joined and MessageType(text[HEADER_SIZE - 1]).carries == "system":
+            # Any bytes may follow its header.
+            return Verdict.PERHAPS, 0
         return verdict, telling
 
     def _count(self, side: Direction, verdict: Verdict, telling: int, size: int) -> None:
@@ -139,15 +147,20 @@ class PortClaim(Claim):
         else:
             self._meet_ours(side, telling)
 
-    def _belongs(self, side: Direction, text: bytes, size: int, *, is_part: bool) -> bool:
+    def _belongs(self, side: Direction, text: bytes, size: int, *, is_in_step: bool) -> bool:
         accepts = _is_command if side is self._to_brick else _is_from_brick
-        if is_part and self._weigher.may_become(text, 0, accepts):
+        if is_in_step and self._weigher.is_part(text, accepts):
             return True
         verdict, telling = self._weigher.weigh_anywhere(text, len(text) - size, accepts)
         if verdict is Verdict.PART:
-            return True
+            # In a stream that is out of step anything may look like a part of a frame.
+            verdict = Verdict.NOTHING
         if verdict is Verdict.NOTHING and self._weigher.holds_frames(text) and self._count_faulty():
             return True
+        self._small = self._small + size if verdict is Verdict.NOTHING else 0
+        if self._small > STRANGE_PACKETS * HEADER_SIZE:
+            # Small packets count together.
+            size, self._small = self._small, 0
         self._count(side, verdict, telling, size)
         return self.is_claimed
 

@@ -89,8 +89,9 @@ class SerialPorts:
         """What is complete with a packet of a port that is ours."""
         stream = self._stream(packet, found)
         text = piece.data if claim.is_proven else stream.cutter.left + piece.data
+        is_in_step = stream.cutter.is_in_step or not stream.cutter.is_claimed
         events = stream.feed(*piece)
-        if claim.take(_side(found), events, text, len(piece.data)):
+        if claim.take(_side(found), events, text, len(piece.data), is_in_step=is_in_step):
             if not claim.is_claimed:
                 events += self._end(found.key)
             return events

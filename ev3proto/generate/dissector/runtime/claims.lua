@@ -214,7 +214,7 @@ do
     end
 
     local function add_proof(talk, verdict, telling)
-        talk.strange, talk.unread, talk.proofs = 0, 0, talk.proofs + 1 + telling
+        talk.strange, talk.unread, talk.proofs = 0, 0, talk.proofs + math.min(1 + telling, CLAIMS.most_proofs)
         if telling > 0 then talk.faulty = 0 end
         talk.is_weak = talk.is_weak and verdict == claiming.PERHAPS
         if talk.proofs >= CLAIMS.proofs then claiming.prove(talk) end

@@ -29,9 +29,9 @@ COMMANDS = 15_000
 ROUNDS = 5
 OUTPUTS: dict[str, list[str]] = {"one line": [], "-V": ["-V"]}
 MOST = {
-    ("usual", "one line"): 2.3,
+    ("usual", "one line"): 2.0,
     ("usual", "-V"): 3.5,
-    ("random", "one line"): 3.0,
+    ("random", "one line"): 2.5,
     ("random", "-V"): 5.0,
 }
 """How many times tshark's own time each kind of output may take."""

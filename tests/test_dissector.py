@@ -260,6 +260,25 @@ def test_every_piece_of_a_file_tells_which_file_and_how_far_it_is(ask: Ask) -> N
     ]
 
 
+def test_commands_that_differ_in_few_bytes_keep_their_own_lines_and_replies(tshark: Tshark) -> None:
+    """What is known of a command is looked up by some of its bytes: here just those are the same."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for counter in range(1, 9):
+        # SOUND TONE, UI_READ GET_VBATT into GV(0) or GV(4), SOUND BREAK.
+        frequency, index = (440, 0) if counter % 2 else (441, 4)
+        tone = bytes.fromhex("9401 8105 82") + struct.pack("<H", frequency) + bytes.fromhex("82FA00")
+        body = struct.pack("<H", 8) + tone + bytes([0x81, 0x01, 0x60 + index, 0x94, 0x00])
+        connection.send(struct.pack("<HHB", 3 + len(body), counter, 0x00) + body)
+        connection.receive(struct.pack("<HHBff", 11, counter, 0x02, 1.5, 7.25))
+    path = tshark.place(capture.data(), "alike.pcap")
+    first = ["SOUND TONE volume=5 frequency=440 duration=250 (+2 operations)", "reply to SOUND TONE: 1.5 V"]
+    second = ["SOUND TONE volume=5 frequency=441 duration=250 (+2 operations)", "reply to SOUND TONE: 7.25 V"]
+    for words in ([], ["-2"]):
+        found = tshark.run(path, *words, "-T", "fields", "-e", "_ws.col.Info").splitlines()
+        assert found == 4 * (first + second)
+
+
 def test_error_replies_and_failures_are_expert_information(ask: Ask) -> None:
     assert ask("ev3.expert.error_reply", "frame.number") == ["29"]
     assert ask("ev3.expert.failed", "frame.number", "_ws.expert.message") == ["51\tthe command failed: ILLEGAL_PATH"]

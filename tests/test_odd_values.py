@@ -17,6 +17,7 @@ from ev3proto.brick import Brick
 from ev3proto.capture.filter import compile_filter
 from ev3proto.dialogue import reply_values
 from ev3proto.errors import BuildError
+from ev3proto.generate.captures import write_pcapng
 from ev3proto.link.targets import Target
 from ev3proto.messages import Argument, Flaw, Operation, PartialOperation
 from ev3proto.sampling import samples
@@ -48,6 +49,15 @@ ODD = "odd"
         (lambda: testing.choice(types=[5]), TypeError, "a type of message is a text, not 5"),  # type: ignore[list-item]
         (lambda: any_direct_command([], counter=0, reply=True, global_size=0, local_size=0), BuildError, "[] is no op"),  # type: ignore[arg-type]
         (lambda: instruction_set().write([b"\x01"]), BuildError, r"b'\x01' is no operation"),
+        (lambda: testing.frames(chosen="tone"), TypeError, "chosen is what ev3proto.testing.choice makes, not 'tone'"),  # type: ignore[arg-type]
+        (lambda: testing.direct_replies(None), TypeError, "chosen is what ev3proto.testing.choice makes, not None"),  # type: ignore[arg-type]
+        (lambda: testing.values_for("FREQUENCY"), TypeError, "a parameter is a Parameter of the tables, not str"),
+        (lambda: testing.encoded_arguments(5), TypeError, "a parameter is a Parameter of the tables, not int"),
+        (lambda: write_pcapng([], "x"), TypeError, "a capture is written to a binary stream, not str"),  # type: ignore[arg-type]
+        (lambda: Brick(stretch=-1), ValueError, "stretch must be seconds, 0 or more, or None, not -1"),
+        (lambda: Brick(stretch="1"), ValueError, "stretch must be seconds, 0 or more, or None, not '1'"),  # type: ignore[arg-type]
+        (lambda: Brick().plug(1, 16, b"x"), ValueError, "readings are numbers by mode, such as {0: (1900,)}, not b'x'"),  # type: ignore[arg-type]
+        (lambda: Brick().plug(1, 16, {0: 5}), ValueError, "readings are numbers by mode, such as {0: (1900,)}, not {0"),  # type: ignore[dict-item]
         (lambda: UNLOCK.write(b"001653"), BuildError, "an unlock text is made of an Unlock, not of bytes"),
         (lambda: Unlock("001653", endings=1 << 70).build(), BuildError, "has 0 to 2 line ends after its last line"),
         (lambda: Unlock("001653", endings="2").build(), BuildError, "has 0 to 2 line ends after its last line"),  # type: ignore[arg-type]

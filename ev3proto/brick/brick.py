@@ -103,6 +103,8 @@ class Brick:
         self, root: str | Path | None = None, *, dialect: str = "official", stretch: float | None = None
     ) -> None:
         self.dialect = check_dialect(dialect)
+        if stretch is not None and (not isinstance(stretch, int | float) or not stretch >= 0):
+            raise ValueError(f"stretch must be seconds, 0 or more, or None, not {stretch!r}")
         self.microseconds = 0
         self.is_dead = self.is_computing = False
         self.tests_until = 0
@@ -127,7 +129,7 @@ class Brick:
         self._waiting_bytes = 0
         self._replies: list[Outgoing] = []
         self._command: _Command | None = None
-        self._stretch = math.inf if stretch is None else stretch
+        self._stretch = math.inf if stretch is None else min(stretch, _MOST_SECONDS)
         self._deadline = math.inf
         self._system = SystemCommands(self)
 
@@ -161,14 +163,14 @@ class Brick:
 
         Args:
             port: 1 to 4 for sensors, "A" to "D" for motors.
-            type: type of the device; TYPE_NONE unplugs what is there.
-            readings: raw readings of a sensor by mode, one for each dataset.
-            tacho: degrees that OUTPUT_READ returns. With any of these three the motor is held until a command moves it.
-            count: degrees that OUTPUT_GET_COUNT returns.
-            speed: percent.
+            type: Type of the device; TYPE_NONE unplugs what is there.
+            readings: Raw readings of a sensor by mode, one for each dataset.
+            tacho: Degrees that OUTPUT_READ returns. With any of these three the motor is held until a command moves it.
+            count: Degrees that OUTPUT_GET_COUNT returns.
+            speed: Percent.
 
         Raises:
-            ValueError: there is no such port, or the type has no such mode.
+            ValueError: There is no such port, the type has no such mode, or the readings are no numbers by mode.
         """
         self.inputs.plug(port, type, readings)
         if isinstance(port, str):

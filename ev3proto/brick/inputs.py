@@ -134,6 +134,15 @@ class Calibration:
     is_used: bool = False
 
 
+def _are_readings(readings: object) -> bool:
+    return isinstance(readings, Mapping) and all(
+        isinstance(mode, int)
+        and isinstance(values, Sequence)
+        and all(isinstance(value, int | float) for value in values)
+        for mode, values in readings.items()
+    )
+
+
 class Inputs(Part):
     """The inputs of a brick to which nothing is plugged in but the motors of its outputs."""
 
@@ -151,12 +160,14 @@ class Inputs(Part):
 
         Args:
             port: 1 to 4, or "A" to "D".
-            type: the type's number; one that the tables do not have counts as unknown.
-            readings: raw readings by mode; what is not given is 0.
+            type: The type's number; one that the tables do not have counts as unknown.
+            readings: Raw readings by mode; what is not given is 0.
 
         Raises:
-            ValueError: there is no such port, or the type has no such mode.
+            ValueError: There is no such port, the type has no such mode, or the readings are no numbers by mode.
         """
+        if not _are_readings(readings or {}):
+            raise ValueError(f"readings are numbers by mode, such as {{0: (1900,)}}, not {readings!r}")
         number = self._port(port)
         device = self._devices[number]
         found = DEVICE_TYPES.get(type, _UNKNOWN)
@@ -217,9 +228,9 @@ class Inputs(Part):
         that the type has not is its last one.
 
         Args:
-            device: which one.
-            type: the type to take it for; TYPE_KEEP: the one it has.
-            mode: the mode; MODE_KEEP: the one it has.
+            device: Which one.
+            type: The type to take it for; TYPE_KEEP: the one it has.
+            mode: The mode; MODE_KEEP: the one it has.
         """
         if device.is_empty or self.is_busy(device):
             return
@@ -294,10 +305,10 @@ class Inputs(Part):
         """Moves one end of a raw range.
 
         Args:
-            type: of the device; an unknown one is ignored.
-            mode: of the type; an unknown one is ignored.
-            value: the raw value; in the mode's unit where a calibration is used already.
-            is_least: which end.
+            type: Of the device; an unknown one is ignored.
+            mode: Of the type; an unknown one is ignored.
+            value: The raw value; in the mode's unit where a calibration is used already.
+            is_least: Which end.
         """
         found = self._calibration(type, mode)
         if found is None:

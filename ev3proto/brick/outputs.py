@@ -132,11 +132,11 @@ class Motor:
         """Another motor on the port, at rest.
 
         Args:
-            type: its type.
-            tacho: degrees in its last move.
-            count: degrees as a sensor.
-            speed: percent.
-            is_held: whether it shows these values until a command moves it.
+            type: Its type.
+            tacho: Degrees in its last move.
+            count: Degrees as a sensor.
+            speed: Percent.
+            is_held: Whether it shows these values until a command moves it.
         """
         self.stop(is_braked=False)
         self.type = type
@@ -216,11 +216,11 @@ class Motor:
         """A move with an end: ramp up, constant, ramp down.
 
         Args:
-            percent: power or speed.
-            amounts: degrees or seconds of the three phases; those of length 0 are omitted.
-            is_time: which of the two.
-            is_braked: whether it brakes at the end.
-            owner: object that began it.
+            percent: Power or speed.
+            amounts: Degrees or seconds of the three phases; those of length 0 are omitted.
+            is_time: Which of the two.
+            is_braked: Whether it brakes at the end.
+            owner: Object that began it.
         """
         goal = max(-_MOST, min(percent, _MOST)) * self.polarity
         self._begin()
@@ -244,11 +244,11 @@ class Motor:
         """A synchronous move: this motor is the master, the other one runs at a share of its speed.
 
         Args:
-            other: the other motor.
-            share: of this one's speed and angle, -1 to 1.
-            percent: speed of this one.
-            phase: how far; None for ever.
-            owner: object that began it.
+            other: The other motor.
+            share: Of this one's speed and angle, -1 to 1.
+            percent: Speed of this one.
+            phase: How far; None for ever.
+            owner: Object that began it.
         """
         goal = max(-_MOST, min(percent, _MOST))
         for motor, part in ((self, 1.0), (other, share)):
@@ -355,11 +355,11 @@ class Outputs(Part):
         """Moves two motors so that one runs at a share of the other's speed; other numbers of motors are ignored.
 
         Args:
-            motors: two, in the order of their ports.
-            percent: speed of the faster one.
+            motors: Two, in the order of their ports.
+            percent: Speed of the faster one.
             turn: -200 to 200; positive: the first is the faster one, beyond 100 the other one runs backward.
-            phase: how far the faster one goes; None for ever.
-            owner: object that began it.
+            phase: How far the faster one goes; None for ever.
+            owner: Object that began it.
         """
         if len(motors) != 2:
             return

@@ -47,10 +47,10 @@ class Sound(Part):
         """Plays a tone instead of what is played.
 
         Args:
-            volume: percent.
-            frequency: hertz; clamped to what the driver can play.
-            duration: milliseconds; 0 for ever.
-            now: the clock in microseconds.
+            volume: Percent.
+            frequency: Hertz; clamped to what the driver can play.
+            duration: Milliseconds; 0 for ever.
+            now: The clock in microseconds.
         """
         frequency = max(LOWEST, min(frequency, HIGHEST))
         self.playing = Playing(_loudness(volume), frequency, b"", now, now + duration * 1000 if duration else None)
@@ -59,10 +59,10 @@ class Sound(Part):
         """Plays a sound file, once or for ever, instead of what is played.
 
         Args:
-            volume: percent.
-            file: contents of an .rsf file; empty for silence that counts as sounding for a moment.
-            is_repeated: whether it begins again at its end.
-            now: the clock in microseconds.
+            volume: Percent.
+            file: Contents of an .rsf file; empty for silence that counts as sounding for a moment.
+            is_repeated: Whether it begins again at its end.
+            now: The clock in microseconds.
         """
         ends = None if is_repeated else now + max(_length(file), _SHORTEST)
         self.playing = Playing(_loudness(volume), 0, file, now, ends)

@@ -43,9 +43,9 @@ def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
     """A line of a text.
 
     Args:
-        text: the lines, each with the delimiter after it.
-        delimiter: what ends a line. An empty one ends every line at once, as in the firmware.
-        number: which line, counted from 1.
+        text: The lines, each with the delimiter after it.
+        delimiter: What ends a line. An empty one ends every line at once, as in the firmware.
+        number: Which line, counted from 1.
 
     Returns:
         The line without delimiter and without the byte before it that names a font; empty where there is no such line.
@@ -65,11 +65,11 @@ def with_line(text: bytes, line: bytes, delimiter: bytes, font: int, size: int) 
     """A text with a line appended to it, as the bytes that the firmware writes.
 
     Args:
-        text: what is there.
-        line: what is added.
-        delimiter: what ends the line.
-        font: the font that the line is shown in; any but 0 is written before it as one byte.
-        size: bytes that there are; what does not fit is omitted.
+        text: What is there.
+        line: What is added.
+        delimiter: What ends the line.
+        font: The font that the line is shown in; any but 0 is written before it as one byte.
+        size: Bytes that there are; what does not fit is omitted.
 
     Returns:
         The whole text, with a zero where there is room for it.

@@ -168,7 +168,7 @@ class UnlockSchema(Bytewise):
             raise BuildError(
                 f"an unlock text has 0 to {UNLOCK_ENDINGS} line ends after its last line, not {value.endings!r}"
             )
-        request = f"{UNLOCK_REQUEST}{value.serial}{' ' * value.space}{UNLOCK_VERSION}{value.newline}"
+        request = f"{UNLOCK_REQUEST}{value.serial}{' ' * bool(value.space)}{UNLOCK_VERSION}{value.newline}"
         text = f"{request}{UNLOCK_PROTOCOL}{value.newline * value.endings}"
         try:
             found = self.FORM.fullmatch(text.encode(STRING_CODING))

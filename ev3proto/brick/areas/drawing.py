@@ -33,8 +33,8 @@ def draws(name: str, *, in_use: bool | None = True) -> Callable[[Drawing], Drawi
     """Registers what an operation does with the display, unless somebody has blocked it.
 
     Args:
-        name: of the operation.
-        in_use: whether the display is in use from then on, until what was drawn is shown; None: as it was.
+        name: Of the operation.
+        in_use: Whether the display is in use from then on, until what was drawn is shown; None: as it was.
     """
 
     def register(function: Drawing) -> Drawing:

@@ -13,8 +13,8 @@ def braille(rows: Sequence[bytes], width: int) -> list[str]:
     """Makes text of the display.
 
     Args:
-        rows: the rows of pixels, whole bytes each, the leftmost pixel the highest bit.
-        width: pixels in a row, an even number.
+        rows: The rows of pixels, whole bytes each, the leftmost pixel the highest bit.
+        width: Pixels in a row, an even number.
 
     Returns:
         Lines of the same length, each for four rows; empty characters are blanks of braille.

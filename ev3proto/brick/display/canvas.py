@@ -91,13 +91,13 @@ class Canvas:
         """A dotted line, horizontal or vertical; an oblique one has no dots.
 
         Args:
-            color: of the dots; the pixels between them get the opposite one.
-            x0: column of the start.
-            y0: row of the start.
-            x1: column of the end.
-            y1: row of the end.
-            on: pixels of a dot.
-            off: pixels between two dots.
+            color: Of the dots; the pixels between them get the opposite one.
+            x0: Column of the start.
+            y0: Row of the start.
+            x1: Column of the end.
+            y1: Row of the end.
+            on: Pixels of a dot.
+            off: Pixels between two dots.
         """
         if x0 != x1 and y0 != y1:
             self.line(color, x0, y0, x1, y1)
@@ -180,8 +180,8 @@ class Canvas:
         Args:
             color: 0 clears, 1 sets; any other is the bit pattern of eight pixels, the lowest bit the leftmost, turned
                 over from row to row.
-            y: first row.
-            height: number of rows, 0: all down to the bottom. With a pattern it is the row after the last.
+            y: First row.
+            height: Number of rows, 0: all down to the bottom. With a pattern it is the row after the last.
         """
         if y + height >= HEIGHT:
             return
@@ -206,10 +206,10 @@ class Canvas:
         """Draws a cell of given pixels over what is there, clipped at the edges.
 
         Args:
-            x: left column.
-            y: top row.
-            width: pixels in a row of the cell.
-            cell_rows: the rows, an integer each, the leftmost pixel the highest of `width` bits.
+            x: Left column.
+            y: Top row.
+            width: Pixels in a row of the cell.
+            cell_rows: The rows, an integer each, the leftmost pixel the highest of `width` bits.
         """
         shift = WIDTH - width - x
         mask = span(x, x + width)
@@ -224,10 +224,10 @@ class Canvas:
         What lies left of the display lands at the right end of the row above, and the other way round.
 
         Args:
-            x: left column, a multiple of 8.
-            y: top row.
-            width: pixels in a row of the cell, a multiple of 8.
-            cell_rows: the rows, an integer each, the leftmost pixel the highest of `width` bits.
+            x: Left column, a multiple of 8.
+            y: Top row.
+            width: Pixels in a row of the cell, a multiple of 8.
+            cell_rows: The rows, an integer each, the leftmost pixel the highest of `width` bits.
         """
         if x >= 0 and x + width <= WIDTH:
             self.cell(x, y, width, cell_rows)

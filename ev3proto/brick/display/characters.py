@@ -14,8 +14,8 @@ def half_blocks(rows: Sequence[bytes], width: int) -> Iterator[str]:
     """The display in lines of `width` characters, two rows of pixels a line.
 
     Args:
-        rows: the rows of pixels, whole bytes each, the leftmost pixel the highest bit.
-        width: pixels in a row.
+        rows: The rows of pixels, whole bytes each, the leftmost pixel the highest bit.
+        width: Pixels in a row.
     """
     pixels = [_bits(row, width) for row in rows]
     for upper, lower in zip(pixels[::2], [*pixels[1::2], "0" * width], strict=False):
@@ -26,8 +26,8 @@ def braille(rows: Sequence[bytes], width: int) -> Iterator[str]:
     """The display in lines of half as many characters as it has columns, four rows of pixels a line.
 
     Args:
-        rows: the rows of pixels, whole bytes each, the leftmost pixel the highest bit; their number a multiple of 4.
-        width: pixels in a row, an even number.
+        rows: The rows of pixels, whole bytes each, the leftmost pixel the highest bit; their number a multiple of 4.
+        width: Pixels in a row, an even number.
     """
     pixels = [_bits(row, width) for row in rows]
     for top in range(0, len(pixels), 4):

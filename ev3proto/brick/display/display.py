@@ -145,10 +145,10 @@ class Display(Part):
 
         Args:
             color: 0 draws clear letters on set cells, any other set letters on clear cells.
-            x: left column of the first cell.
-            y: top row of the cells.
-            text: the characters; those without a glyph leave a gap.
-            font: the font's number; the selected one by default.
+            x: Left column of the first cell.
+            y: Top row of the cells.
+            text: The characters; those without a glyph leave a gap.
+            font: The font's number; the selected one by default.
         """
         letters = FONTS[self.font if font is None else font]
         for character in text:
@@ -172,12 +172,12 @@ class Display(Part):
         """Draws a number at most `figures` characters long, a minus sign not counted; NaN as dashes.
 
         Args:
-            color: as for text.
-            x: left column.
-            y: top row.
-            number: what to draw.
-            figures: the width in characters, right-justified; negative: left-justified.
-            decimals: digits after the point.
+            color: As for text.
+            x: Left column.
+            y: Top row.
+            number: What to draw.
+            figures: The width in characters, right-justified; negative: left-justified.
+            decimals: Digits after the point.
         """
         if math.isnan(number):
             self.text(color, x, y, b"-" * abs(figures))

@@ -70,8 +70,8 @@ class Graph:
         """Draws one item, or all of them.
 
         Args:
-            canvas: to draw on, in colour 1.
-            view: the item's number; one that there is not means all, drawn one pixel further right, and samples that
+            canvas: To draw on, in colour 1.
+            view: The item's number; one that there is not means all, drawn one pixel further right, and samples that
                 are no numbers at the bottom.
 
         Returns:

@@ -24,7 +24,7 @@ def read_picture(data: bytes) -> Picture:
     """Reads an .rgf file.
 
     Args:
-        data: the file's bytes; what is missing at the end counts as clear pixels, what is left over is ignored.
+        data: The file's bytes; what is missing at the end counts as clear pixels, what is left over is ignored.
 
     Returns:
         The picture; one without pixels where even the size is missing.
@@ -46,14 +46,14 @@ def write_picture(rows: list[bytes], width: int) -> bytes:
     """Makes an .rgf file.
 
     Args:
-        rows: the rows as `Display.rows` has them, the leftmost pixel the highest bit, at most 255.
-        width: pixels in a row, at most 255.
+        rows: The rows as `Display.rows` has them, the leftmost pixel the highest bit, at most 255.
+        width: Pixels in a row, at most 255.
 
     Returns:
         The file's bytes.
 
     Raises:
-        ValueError: the picture is too wide or too high for the format.
+        ValueError: The picture is too wide or too high for the format.
     """
     if width > 255 or len(rows) > 255:
         raise ValueError(f"a picture file holds at most 255 x 255 pixels, not {width} x {len(rows)}")

@@ -15,9 +15,9 @@ def write_png(rows: Sequence[bytes], width: int, scale: int = 1) -> bytes:
     """Makes a PNG file.
 
     Args:
-        rows: the rows of pixels, whole bytes each, the leftmost pixel the highest bit; set pixels become black.
-        width: pixels in a row.
-        scale: size of a pixel in the file, in pixels.
+        rows: The rows of pixels, whole bytes each, the leftmost pixel the highest bit; set pixels become black.
+        width: Pixels in a row.
+        scale: Size of a pixel in the file, in pixels.
 
     Returns:
         The file's bytes.

@@ -145,9 +145,9 @@ class Host:
         """Must be made in the event loop that is to run it.
 
         Args:
-            brick: the brick.
-            say: is called with what the user of the server should know.
-            faults: what happens to replies.
+            brick: The brick.
+            say: Is called with what the user of the server should know.
+            faults: What happens to replies.
         """
         self.brick = brick
         self.say = say

@@ -31,8 +31,8 @@ class SerialPort:
         """Makes both.
 
         Args:
-            host: what drives the brick.
-            path: where the link is to be; nothing may be there.
+            host: What drives the brick.
+            path: Where the link is to be; nothing may be there.
 
         Raises:
             SerialError: There is something, or the link cannot be made.

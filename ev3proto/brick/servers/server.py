@@ -95,15 +95,15 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
     """Switches a brick on, and off at the end.
 
     Args:
-        options: what is wanted.
-        root: the folder of its files.
-        say: is called with what its user should know, in sentences.
+        options: What is wanted.
+        root: The folder of its files.
+        say: Is called with what its user should know, in sentences.
 
     Yields:
         The brick with everything around it.
 
     Raises:
-        ServerError: a port, a file or a library is not to be had.
+        ServerError: A port, a file or a library is not to be had.
     """
     loop = asyncio.get_running_loop()
     loop.set_exception_handler(lambda _, context: say(f"a defect, please report it: {_told(context)}"))

@@ -40,8 +40,8 @@ class Wifi:
         """Makes it; `listen` opens the port.
 
         Args:
-            host: what drives the brick.
-            clients: how many are served at once; further ones wait until one of them goes.
+            host: What drives the brick.
+            clients: How many are served at once; further ones wait until one of them goes.
         """
         self.address = ""
         self.port = 0
@@ -56,7 +56,7 @@ class Wifi:
         """Opens the port.
 
         Args:
-            address: of this computer, where clients connect.
+            address: Of this computer, where clients connect.
             port: 0 for any that is free.
 
         Raises:

@@ -64,7 +64,7 @@ class Live:
             Events, whose packets are numbered from 1. They end after `stop`.
 
         Raises:
-            EngineError: tshark ended by itself.
+            EngineError: Tshark ended by itself.
 
         """
         making = Events(Account(), self._dialect, self._ports, self._memory)

@@ -64,7 +64,7 @@ class Process:
             The rows as they come, several at a time.
 
         Raises:
-            EngineError: tshark cannot be run.
+            EngineError: Tshark cannot be run.
 
         """
         try:

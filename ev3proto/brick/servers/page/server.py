@@ -62,8 +62,8 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
     """Serves the page for as long as the context lasts.
 
     Args:
-        host: what drives the brick.
-        address: of this computer.
+        host: What drives the brick.
+        address: Of this computer.
         port: 0 for any that is free.
 
     Yields:

@@ -134,8 +134,8 @@ def act(host: Host, action: Any) -> None:
     """Does what a page asks for.
 
     Args:
-        host: what drives the brick.
-        action: an object with `do`: press, release, plug, read.
+        host: What drives the brick.
+        action: An object with `do`: press, release, plug, read.
 
     Raises:
         ActionError: It is none of these, or asks for what cannot be.

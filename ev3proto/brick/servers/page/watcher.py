@@ -88,7 +88,7 @@ class Watcher:
         """Sees nothing yet.
 
         Args:
-            clock: seconds since the brick was switched on.
+            clock: Seconds since the brick was switched on.
         """
         self._clock = clock
         self._count = 0

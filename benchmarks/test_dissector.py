@@ -30,9 +30,9 @@ ROUNDS = 5
 OUTPUTS: dict[str, list[str]] = {"one line": [], "-V": ["-V"]}
 MOST = {
     ("usual", "one line"): 2.0,
-    ("usual", "-V"): 3.5,
+    ("usual", "-V"): 3.0,
     ("random", "one line"): 2.5,
-    ("random", "-V"): 5.0,
+    ("random", "-V"): 4.0,
 }
 """How many times tshark's own time each kind of output may take."""
 MOST_BYTES = 900

@@ -732,6 +732,17 @@ def test_a_capture_may_begin_after_any_of_it(begun: str) -> None:
     }
 
 
+@pytest.mark.parametrize("size", [5, 9])
+def test_a_capture_may_begin_with_a_reply(size: int) -> None:
+    link = Link()
+    for at in range(0, 9, size):
+        link.rfcomm(False, volts(1)[at : at + size])
+    link.rfcomm(True, voltage(2))
+    events, capture = link_events(link)
+    assert [frame for frame, _ in frames(events)] == [volts(1), voltage(2)]
+    assert capture.account.other == capture.account.balance == 0
+
+
 @pytest.mark.parametrize("size", [1, 3, 4, 5, 27, 100])
 def test_acl_fragments_of_both_directions_interleaved(size: int) -> None:
     """Long frames with two bytes of length, cut by ACL; meanwhile the other direction does the same."""

@@ -37,7 +37,7 @@ LIMITS = {
     "Segments of one direction of TCP": f"{tcp.MOST_AHEAD // MIB} MiB, {tcp.MOST_SEGMENTS_AHEAD} segments",
     "TCP connections": f"{connections.MOST_CONNECTIONS}",
     "Packets of a TCP connection before it is known to be a brick's": f"{STRANGE_PACKETS}",
-    "Bytes of a serial port before it is known to be a brick's": f"{MAX_FRAME:,}",
+    "Bytes of each side of a serial port before it is known to be a brick's": f"{MAX_FRAME:,}",
     "Bricks whose beacons are remembered": f"{connections.MOST_BRICKS} addresses and ports",
     "USB devices": f"{reports.MOST_DEVICES}, about 12 MiB",
     "Bluetooth connections, of all adapters": f"{adapters.MOST_CONNECTIONS}, about 12 MiB",

@@ -27,7 +27,8 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   one as have more bytes than `STRANGE_PACKETS` headers together. The channel is never left alone: after
   `STRANGE_PACKETS` packets it takes two telling operations. A proven claim ends, too: after `FAULTS_IN_A_ROW` packets
   without anything that can be a frame, if they have more bytes than as many frames. What is left of a frame of which
-  something is missing may come in many packets.
+  something is missing may come in many packets. The built-in reader, which can look back, takes the replies, too, with
+  which a capture begins.
 - USB devices that nobody knows as bricks are claimed by a flawless command. A reply is taken when it answers a command,
   and what has faults once such a reply was seen. After more than `ODD_REPORTS` reports that have a frame's length and
   not its type, or not the size of its type's reports, no command is taken either until a reply answers one; daisy-chain

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from ev3proto.capture.carriers.bluetooth.adapters import Carried
 from ev3proto.capture.carriers.claims import Claim, is_proof
 from ev3proto.capture.carriers.streams import Context
+from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Direction, Event, Skipped
 from ev3proto.capture.weighing import Verdict, Weigher
 from ev3proto.schema.header import HEADER_SIZE, frame_size
@@ -22,17 +24,31 @@ class Piece(NamedTuple):
     data     the bytes
     number   the packet
     time_ns  when it was captured
+    packet   the packet itself
+    found    what carries the bytes in it
     """
 
     data: bytes
     number: int
     time_ns: int
+    packet: Packet
+    found: Carried
 
 
 class PortClaim(Claim):
     """What is known of a serial port. It may become ours at any time, and cease to be."""
 
-    __slots__ = ("_budget", "_faults", "_small", "_speaker", "_to_brick", "_waiting", "_weigher")
+    __slots__ = (
+        "_budget",
+        "_early",
+        "_early_side",
+        "_faults",
+        "_small",
+        "_speaker",
+        "_to_brick",
+        "_waiting",
+        "_weigher",
+    )
 
     def __init__(self, context: Context) -> None:
         """Makes the claim of a new port.
@@ -47,6 +63,8 @@ class PortClaim(Claim):
         self._to_brick: Direction | None = None
         self._speaker: Direction | None = None
         self._waiting: list[Piece] = []  # of a command that is not whole yet, before the port is claimed
+        self._early: list[Piece] = []  # replies before the first command
+        self._early_side: Direction | None = None
         self._faults = 0
         self._small = 0  # bytes of strange packets that are no larger than a header
 
@@ -63,25 +81,31 @@ class PortClaim(Claim):
         """
         if side is not self._speaker:
             # Nobody answers in the middle of a command.
-            self.forget()
+            self._decline_pieces(self._taken())
             self._speaker = side
         verdict, telling = Verdict.NOTHING, 0
         if self._waiting:
             text = b"".join(before.data for before in self._waiting) + piece.data
             verdict, telling = self._weigh_commands(text, is_joined=True)
         if verdict is Verdict.NOTHING:
-            self.forget()
+            self._decline_pieces(self._taken())
             verdict, telling = self._weigh_commands(piece.data)
         if verdict is Verdict.PART:
-            self._wait(piece)
+            self._wait(self._waiting, piece)
             return []
-        if verdict is not Verdict.NOTHING or self._weigher.weigh(piece.data, 0, _is_from_brick)[0] is Verdict.NOTHING:
+        is_reply = verdict is Verdict.NOTHING and self._may_be_reply(side, piece)
+        if is_reply and not self._strange and not self._has_ended:
+            self._early_side = side
+            self._wait(self._early, piece)
+            return []
+        if not is_reply:
             self._count(side, verdict, telling, len(piece.data))
         if self.is_claimed:
             self._to_brick, self._faults = side, 0
-            return [*self._taken(), piece]
+            early, self._early = self._early, []
+            return [*early, *self._taken(), piece]
         self.forget()
-        self._account.other += len(piece.data)
+        self._decline_pieces([piece])
         return []
 
     def take(self, side: Direction, events: list[Event], text: bytes, size: int, *, is_in_step: bool) -> bool:
@@ -111,19 +135,30 @@ class PortClaim(Claim):
         self._decline(events)
 
     def forget(self, _number: int = 0) -> None:
-        """Waits no longer for the rest of a command."""
-        self._account.other += sum(len(piece.data) for piece in self._taken())
+        """Waits no longer for the rest of a command, or for the first one."""
+        self._decline_pieces(self._early + self._taken())
+        self._early = []
 
-    def _wait(self, piece: Piece) -> None:
-        self._waiting.append(piece)
-        size = sum(len(piece.data) + _PIECE_SIZE for piece in self._waiting)
+    def _decline_pieces(self, pieces: list[Piece]) -> None:
+        self._account.other += sum(len(piece.data) for piece in pieces)
+
+    def _wait(self, waiting: list[Piece], piece: Piece) -> None:
+        waiting.append(piece)
+        size = sum(len(before.data) + _PIECE_SIZE for before in self._early + self._waiting)
         self._budget.update(self, size, self.forget)
 
     def _taken(self) -> list[Piece]:
         waiting, self._waiting = self._waiting, []
-        if waiting:
-            self._budget.remove(self)
+        self._budget.remove(self)
         return waiting
+
+    def _may_be_reply(self, side: Direction, piece: Piece) -> bool:
+        """Whether a packet may be a brick's, with those before it, with which the capture begins."""
+        size = sum(len(before.data) for before in self._early)
+        if self._early and (side is not self._early_side or size + len(piece.data) > MAX_FRAME):
+            self.forget()
+        text = b"".join(before.data for before in self._early) + piece.data
+        return self._weigher.weigh(text, 0, _is_from_brick)[0] is not Verdict.NOTHING
 
     def _weigh_commands(self, text: bytes, *, is_joined: bool = False) -> tuple[Verdict, int]:
         """What a text tells that should begin with a command: nobody answers what was not asked."""

@@ -72,12 +72,12 @@ class SerialPorts:
             claim.forget()
         if not serial.data:
             return
-        piece = Piece(serial.data, packet.number, packet.time_ns)
+        piece = Piece(serial.data, packet.number, packet.time_ns, packet, found)
         if claim.is_claimed:
             yield from self._take(packet, found, claim, piece)
         else:
             for begun in claim.begin(_side(found), piece):
-                yield from self._stream(packet, found).feed(*begun)
+                yield from self._stream(begun.packet, begun.found).feed(begun.data, begun.number, begun.time_ns)
         stream = self._streams.get((found.key, serial.is_from_host))
         if stream is None:
             return
@@ -90,7 +90,7 @@ class SerialPorts:
         stream = self._stream(packet, found)
         text = piece.data if claim.is_proven else stream.cutter.left + piece.data
         is_in_step = stream.cutter.is_in_step or not stream.cutter.is_claimed
-        events = stream.feed(*piece)
+        events = stream.feed(piece.data, piece.number, piece.time_ns)
         if claim.take(_side(found), events, text, len(piece.data), is_in_step=is_in_step):
             if not claim.is_claimed:
                 events += self._end(found.key)

@@ -8103,6 +8103,9 @@ do
         function dissect_first(tvb, text, pinfo, tree, number)
             local talk, known = connection_of(pinfo, true)
             if talk.is_proven then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
+            -- What was left to others comes again, where Wireshark knows which end is the server.
+            local place = place_of(number, offset_of(tvb))
+            if declined[place] then return leave(tvb, pinfo, tree) end
             local port = pinfo.match_uint
             local is_forced = not ports[port] and not is_named[port]
             if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
@@ -8118,7 +8121,7 @@ do
                 pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
                 return #text
             elseif verdict ~= OURS then
-                declined[place_of(number, tvb:offset())] = true
+                declined[place] = true
                 return leave(tvb, pinfo, tree)
             end
             return dissect_claimed(tvb, text, pinfo, tree, number, talk, known)

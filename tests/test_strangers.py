@@ -13,12 +13,14 @@ from support.packets import (
     HCI_WITH_DIRECTION,
     HOST,
     RAW_IP,
+    SYN,
     USBMON,
     Capture,
     Connection,
     Device,
     SerialPort,
     datagram,
+    segment,
 )
 from support.strangers import (
     Said,
@@ -162,6 +164,18 @@ def test_a_connection_is_claimed_by_its_first_flawless_frame_the_right_way(shown
     late.send(tone(3))
     assert shown(capture) == [str(number) for number in ours]
     assert shown(capture, "-2") == [str(number) for number in ours]
+
+
+def test_strange_packets_count_once_where_the_connection_begins(shown: Callable[..., list[str]]) -> None:
+    """Wireshark then knows which end is the server, and hands over twice what is left to others."""
+    capture = Capture(RAW_IP)
+    capture.add(segment(True, 0, flags=SYN))
+    capture.add(segment(False, 0, acknowledged=1, flags=SYN))
+    connection = Connection(capture)
+    for _ in range(7):
+        connection.send(b"something else")
+    ours = connection.send(tone(1))
+    assert shown(capture) == [str(ours)]
 
 
 def test_decode_as_takes_everything(shown: Callable[..., list[str]]) -> None:

@@ -17,7 +17,7 @@ do
     -- much, all is left to Lua: going through that would take long.
     local free_unused
     do
-        local GROWTH, MOST_KILOBYTES = 1.3, 32 * 1024
+        local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
         local limit = 0
 
         function free_unused()

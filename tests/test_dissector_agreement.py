@@ -293,6 +293,9 @@ def _gives(parameter: Parameter) -> bool:
     return parameter.is_output or (parameter.type is Type.COUNT and parameter.elements is not Direction.IN)
 
 
+TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
+
+
 class Conversation:
     """A host and a brick that say what was drawn; the brick answers nearly everything, in its order."""
 
@@ -341,9 +344,12 @@ class Conversation:
 
 
 def agree(tshark: Tshark, dialect: str, drawn_frames: Iterable[bytes], *words: str) -> None:
-    """Has frames said in a connection of their own, and compares what is shown of them and of their replies."""
+    """Has frames said in a connection of their own, and compares what is shown of them and of their replies.
+
+    It begins with a tone: not every frame claims a connection.
+    """
     conversation = Conversation(dialect, seed=1)
-    conversation.say(drawn_frames)
+    conversation.say([TONE, *drawn_frames])
     segments, found = in_segments(conversation.said, conversation.chance)
     words = ("-o", f"ev3.firmware:{dialect}", *words)
     check(tshark, tshark.place(tcp_capture(segments), "drawn.pcap"), found, *words, dialect=dialect)

@@ -3893,7 +3893,7 @@ local CLAIMS = {
     strange_packets = 8, faults_in_a_row = 3, proofs = 8, most_proofs = 4, strange_in_a_row = 2, first_telling = 16,
     system_tells = 2, odd_reports = 2,
     nxt = {
-        lengths = { [0] = 22, [2] = 23, [3] = 6, [4] = 12 },
+        lengths = { [2] = 23, [3] = 6, [4] = 12 },
         counted = { [9] = 4, [15] = 5 },
         answered = {
             [6] = true, [7] = true, [8] = true, [9] = true, [10] = true, [11] = true, [12] = true, [13] = true,
@@ -6701,6 +6701,20 @@ do
         return not message.type.is_command or is_sensible_command(message)
     end
 
+    -- Whether a frame may be a telegram of LEGO's NXT: its kind and command are where the counter would be.
+    local function may_be_of_nxt(text)
+        local nxt = CLAIMS.nxt
+        local low, high, kind, command = byte(text, 1, 4)
+        local count = byte(text, nxt.count_at + 1)
+        if not count then return false end
+        kind = kind % nxt.reply_flag
+        if kind == nxt.system then return command == nxt.any_length end
+        if kind == nxt.reply then return nxt.answered[command] ~= nil end
+        if kind ~= nxt.direct then return false end
+        local fixed = nxt.counted[command]
+        return low + high * 0x100 == (fixed and fixed + count or nxt.lengths[command])
+    end
+
     -- Something that no value is written to, or a number and a text in each other's place.
     local function look_for_misplaced(view, parameter, encoding)
         if encoding.scope then return end
@@ -6788,11 +6802,14 @@ do
     -- What a text tells, from an offset on, that should begin with a frame of a type that `accepts` takes, as it goes
     -- the right way: OURS where one of its frames tells it, PERHAPS where none does. Then all of them must be without a
     -- fault and make sense. Else the first one must, and the others must look like frames. The second result is how
-    -- much they tell.
-    function claiming.weigh_frames(text, at, accepts)
+    -- much they tell. After a frame that tells there may be fewer other bytes than a header has; with `takes_rest` any.
+    function claiming.weigh_frames(text, at, accepts, takes_rest)
         local start, is_clean, telling = at, true, 0
         while at < #text do
-            if not may_start(text, at) then return nil, 0 end
+            if not may_start(text, at) then
+                local is_ours = telling > 0 and (takes_rest or #text - at < HEADER_SIZE)
+                return is_ours and OURS or nil, is_ours and telling or 0
+            end
             local stop = stop_of(text, at)
             if not stop or stop > #text then
                 local is_part = may_become_flawless(text, at, accepts)
@@ -6802,6 +6819,7 @@ do
             end
             local message = read_message(sub(text, at + 1, stop))
             local stands = is_flawless(message, true) and accepts(message.type) and makes_sense(message)
+                and not may_be_of_nxt(message.text)
             if at == start and not stands then return nil, 0 end
             is_clean = is_clean and stands
             if is_clean then telling = telling + count_telling(message) end
@@ -6810,20 +6828,23 @@ do
         return telling > 0 and OURS or is_clean and claiming.PERHAPS or nil, telling
     end
 
-    -- Whether a text is frames of ours from an offset on and nothing else, whatever is wrong with them.
-    local function holds_frames(text, at)
+    -- Whether a text is frames of ours from an offset on and nothing else, whatever is wrong with them: OURS; PART
+    -- where the last one has its header and is not whole, nil where there is anything else.
+    local function hold_frames(text, at)
         while at < #text do
-            local stop = may_start(text, at) and stop_of(text, at)
-            if not stop then return false end
+            if not may_start(text, at) then return nil end
+            local stop = stop_of(text, at)
+            if not stop or stop > #text then return #text - at >= HEADER_SIZE and PART or nil end
             at = stop
         end
-        return at == #text
+        return OURS
     end
 
     -- Counts a packet of a claimed connection that frames with faults fill, or misdirected ones. False: it is none, or
-    -- one too many.
-    function claiming.meet_faulty(talk, text, at)
-        if not talk.is_claimed or not holds_frames(text, at) then return false end
+    -- one too many. With `may_be_part` the beginning of such a frame is none too many.
+    function claiming.meet_faulty(talk, text, at, may_be_part)
+        local held = talk.is_claimed and hold_frames(text, at)
+        if held ~= OURS then return may_be_part and held == PART end
         talk.faulty = (talk.faulty or 0) + 1
         if talk.is_weak then talk.proofs = 0 end
         return talk.faulty <= CLAIMS.strange_packets
@@ -6869,9 +6890,22 @@ do
         return side.strange <= CLAIMS.strange_in_a_row
     end
 
+    -- Whether a packet is nothing but replies that nobody asked for as far as is known, after strange packets. They are
+    -- a chance, unless the packet before it was one as well.
+    local function is_chance(side, verdict, is_from_brick)
+        local was_reply = side.is_reply
+        side.is_reply = verdict == claiming.PERHAPS and is_from_brick
+        return side.is_reply and not was_reply and side.is_odd
+    end
+
+    -- Whether so much of a connection was strange that only a text would make it ours.
+    function claiming.is_left_alone(talk)
+        return not talk.is_claimed and not talk.has_ended and (talk.strange or 0) >= CLAIMS.strange_packets
+    end
+
     -- Takes a packet of a connection that is not proven to be ours, by what it tells: OURS, PERHAPS, or nil. `side` is
     -- what is known of its direction. Returns whether it is taken.
-    function claiming.weigh_packet(talk, side, verdict, telling, size)
+    function claiming.weigh_packet(talk, side, verdict, telling, size, is_from_brick)
         talk.strange = talk.strange or 0
         if verdict and talk.is_claimed then
             add_proof(talk, verdict, telling)
@@ -6882,8 +6916,11 @@ do
         elseif talk.has_ended then
             talk.telling = verdict and talk.telling + telling or 0
             if talk.telling >= talk.has_ended then begin_claim(talk, verdict, telling) end
-        elseif talk.strange < CLAIMS.strange_packets then
-            if verdict then begin_claim(talk, verdict, telling) else count_strange(talk, size) end
+        elseif not verdict then
+            side.is_odd, side.is_reply = side.is_odd or size > HEADER_SIZE, false
+            count_strange(talk, size)
+        elseif not is_chance(side, verdict, is_from_brick) then
+            begin_claim(talk, verdict, telling)
         end
         if verdict then side.strange = CLAIMS.strange_in_a_row end
         return talk.is_claimed
@@ -7490,20 +7527,6 @@ do
         return not type.is_command or type.carries == "system" and not type.wants_reply
     end
 
-    -- Whether a frame may be a telegram of LEGO's NXT: its kind and command are where the counter would be.
-    local function may_be_of_nxt(text)
-        local nxt = CLAIMS.nxt
-        local low, high, kind, command = byte(text, 1, 4)
-        local count = byte(text, nxt.count_at + 1)
-        if not count then return false end
-        kind = kind % nxt.reply_flag
-        if kind == nxt.system then return command == nxt.any_length end
-        if kind == nxt.reply then return nxt.answered[command] ~= nil end
-        if kind ~= nxt.direct then return false end
-        local fixed = nxt.counted[command]
-        return low + high * 0x100 == (fixed and fixed + count or nxt.lengths[command])
-    end
-
     local function clear(stream)
         stream.left, stream.list, stream.look_at = "", nil, 0
     end
@@ -7522,23 +7545,11 @@ do
         return not high or is_length(low, high) and frame_size(low, high) > #text
     end
 
-    -- What a text tells from an offset on. If its first frame tells it, a few bytes after that may be anything.
-    local function weigh_first(text, at, accepts)
-        local verdict, telling = claiming.weigh_frames(text, at, accepts)
-        local low, high = byte(text, at + 1, at + 2)
-        local stop = high and at + frame_size(low, high)
-        if verdict or not stop or stop >= #text or #text - stop >= HEADER_SIZE then return verdict, telling end
-        verdict, telling = claiming.weigh_frames(sub(text, 1, stop), at, accepts)
-        return verdict == OURS and verdict or nil, telling
-    end
-
     -- What a text tells that should begin with a command: nobody answers what was not asked. With `is_joined` it came
     -- in several packets: then a system command does not tell, as any bytes may follow its header.
     local function weigh_commands(text, is_joined)
-        local verdict, telling = weigh_first(text, 0, is_command)
+        local verdict, telling = claiming.weigh_frames(text, 0, is_command)
         if not verdict or verdict == PART then return verdict, 0 end
-        local low, high = byte(text, 1, 2)
-        if may_be_of_nxt(sub(text, 1, frame_size(low, high))) then return nil, 0 end
         if is_joined and MESSAGE_TYPES[byte(text, HEADER_SIZE)].carries == "system" then return claiming.PERHAPS, 0 end
         return verdict, telling
     end
@@ -7583,8 +7594,8 @@ do
     -- What a packet of a claimed channel tells that is not proven to be ours, with all that waited for it; the packet
     -- itself begins at `joint`.
     local function weigh(text, joint, accepts)
-        local verdict, telling = weigh_first(text, 0, accepts)
-        if not verdict and joint > 0 then verdict, telling = weigh_first(text, joint, accepts) end
+        local verdict, telling = claiming.weigh_frames(text, 0, accepts)
+        if not verdict and joint > 0 then verdict, telling = claiming.weigh_frames(text, joint, accepts) end
         local at = not verdict and find_frame(text, 1, accepts)
         if at then verdict, telling = claiming.weigh_frames(text, at, accepts) end
         return (not at or verdict == OURS) and verdict or nil, telling
@@ -7924,11 +7935,11 @@ do
 
         -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames.
         function claiming.judge_segment(text, at, to_brick)
-            local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply)
+            local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply, true)
             if verdict or not to_brick then return verdict, telling end
             -- The capture may have begun inside a frame.
             at = find_frame(text, at + 1, is_command)
-            if at then verdict, telling = claiming.weigh_frames(text, at, is_command) end
+            if at then verdict, telling = claiming.weigh_frames(text, at, is_command, true) end
             return verdict == OURS and OURS or nil, telling
         end
 
@@ -8081,14 +8092,17 @@ do
             local verdict = judge_text(text)
             if verdict == OURS then
                 claiming.prove(talk)
+            elseif claiming.is_left_alone(talk) then
+                return nil
             elseif not verdict then
                 local at, waited = begin_of(known, text)
                 local telling
                 verdict, telling = claiming.judge_segment(text, at, to_brick)
-                if not verdict and claiming.meet_faulty(talk, text, at) then
+                if not verdict and claiming.meet_faulty(talk, text, at, true) then
                     verdict = OURS
                 elseif verdict ~= PART then
-                    verdict = claiming.weigh_packet(talk, known, verdict, telling, #text - at - waited) and OURS or nil
+                    local size = #text - at - waited
+                    verdict = claiming.weigh_packet(talk, known, verdict, telling, size, not to_brick) and OURS or nil
                 end
             end
             if not was_claimed and talk.is_claimed then

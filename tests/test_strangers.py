@@ -101,6 +101,7 @@ STRANGERS: dict[str, tuple[Callable[[], bytes], int]] = {
     "tls": (lambda: over_tcp(encrypted), 0),
     "numbered": (lambda: over_tcp(numbered), 5),
     "padded": (lambda: over_tcp(padded), 0),
+    "nxt over tcp": (lambda: over_tcp(nxt), 0),
     "mysql": (lambda: over_tcp(database), 0),
     "bittorrent": (lambda: over_udp(torrent), 0),
     "similar beacons": (lambda: over_udp(similar_beacons), 0),
@@ -137,6 +138,58 @@ def test_wireshark_shows_strangers_on_port_5555_as_without_us(tshark: Tshark, st
     alone = tshark.run(path, *words, dissector=False)
     assert f"tcp:{expected}\t" in alone
     assert tshark.run(path, *words) == alone
+
+
+def swapped(stranger: Callable[[random.Random], Iterator[Said]], rng: random.Random) -> Iterator[Said]:
+    """The same with each side in the other's place."""
+    return ((not from_host, data) for from_host, data in stranger(rng))
+
+
+def cut(said: Iterator[Said], rng: random.Random, size: int) -> Iterator[Said]:
+    """The same in small pieces, from somewhere on."""
+    for from_host, data in list(said)[rng.randrange(8) :]:
+        at = 0
+        while at < len(data):
+            stop = at + rng.randint(1, size)
+            yield from_host, data[at:stop]
+            at = stop
+
+
+def ours(rng: random.Random) -> Iterator[Said]:
+    for number in range(rng.randrange(30), 40):
+        if rng.random() < 0.5:
+            yield True, tone(number)
+        else:
+            yield True, voltage(number)
+            yield False, volts(number)
+
+
+def everybody() -> bytes:
+    """Others and we, each in connections of their own, whole and in pieces."""
+    capture, port = Capture(RAW_IP), 20_000
+    for who in (debug_bridge, encrypted, numbered, padded, database, nxt, modbus, object_exchange, torrent, ours):
+        for seed in range(9):
+            rng = random.Random(seed)
+            said = who(rng) if seed % 3 else swapped(who, rng)
+            port += 1
+            connection = Connection(capture, port)
+            if seed % 2:
+                capture.add(segment(True, 0, flags=SYN, port=port))
+                capture.add(segment(False, 0, acknowledged=1, flags=SYN, port=port))
+            over(capture, connection, said if seed % 4 else cut(said, rng, 40))
+    return capture.data()
+
+
+def test_the_dissector_and_the_built_in_reader_take_the_same_messages(tshark: Tshark) -> None:
+    data = everybody()
+    path = tshark.place(data, "everybody.pcap")
+    words = ("-Y", "ev3.msg_num", "-T", "fields", "-e", "frame.number", "-e", "ev3.msg_num")
+    shown = []
+    for line in tshark.run(path, *words).splitlines():
+        number, counters = line.split("\t")
+        shown += [(int(number), int(counter)) for counter in counters.split(",")]
+    records = [event for event in read(io.BytesIO(data)).events() if isinstance(event, Record)]
+    assert sorted((record.numbers[-1], record.message.counter) for record in records) == sorted(shown)
 
 
 # What is ours is found all the same
@@ -176,6 +229,36 @@ def test_strange_packets_count_once_where_the_connection_begins(shown: Callable[
         connection.send(b"something else")
     ours = connection.send(tone(1))
     assert shown(capture) == [str(ours)]
+
+
+def test_replies_alone_after_something_strange_are_believed_when_they_go_on(shown: Callable[..., list[str]]) -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.receive(b"something else")
+    connection.receive(volts(1))
+    connection.receive(b"something else")
+    connection.receive(volts(2))
+    ours = [connection.receive(volts(3)), connection.receive(volts(4))]
+    assert shown(capture) == [str(number) for number in ours]
+    taken = [event.numbers[0] for event in read(io.BytesIO(capture.data())).events() if isinstance(event, Record)]
+    assert taken == ours
+
+
+def test_what_is_left_of_a_frame_and_looks_like_another_hides_nothing() -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(bytes.fromhex("0002 68b3 00 036c"))
+    ours = [connection.receive(volts(1)), connection.send(tone(2)), connection.receive(volts(3))]
+    taken = [event.numbers[0] for event in read(io.BytesIO(capture.data())).events() if isinstance(event, Record)]
+    assert taken == ours
+
+
+def test_what_follows_a_telling_frame_does_not_hide_it(shown: Callable[..., list[str]]) -> None:
+    capture = Capture(RAW_IP)
+    ours = Connection(capture).send(tone(1) + b"something else")
+    assert shown(capture) == [str(ours)]
+    taken = [event.numbers[0] for event in read(io.BytesIO(capture.data())).events() if isinstance(event, Record)]
+    assert taken == [ours]
 
 
 def test_decode_as_takes_everything(shown: Callable[..., list[str]]) -> None:

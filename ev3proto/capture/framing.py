@@ -137,6 +137,18 @@ class Cutter:
         """Bytes of memory that what waits takes, about."""
         return len(self._buffer) + MARK_SIZE * len(self._marks)
 
+    def begin(self, *, in_step: bool) -> None:
+        """Starts anew with the next bytes, where nothing waits: a frame starts with them, or it is looked for."""
+        self._in_step, self._trials, self._next_try, self._rest = in_step, 0, 0, 0
+        self._reason = "" if in_step else _BEGUN_INSIDE
+
+    def begins_with_text(self, data: bytes) -> bool | None:
+        """Whether one of the texts stands at the start of data; None where it may, and needs more."""
+        text = None if data[0] not in _TEXT_STARTS or self._finder.may_start(data, 0) else self._text_at(data, 0)
+        if text is None:
+            return False
+        return True if text[1] <= len(data) else None
+
     def give_up(self, reason: str) -> list[StreamPart]:
         """Waits no longer for the rest of what is there: the next frame is looked for."""
         waiting = self._give_up()
@@ -370,6 +382,9 @@ class Cutter:
                 return rest
         if buffer[at] not in _TEXT_STARTS or self._finder.may_start(buffer, at):
             return None
+        return self._text_at(buffer, at)
+
+    def _text_at(self, buffer: bytes, at: int) -> tuple[PartKind, int] | None:
         whole = self._whole_text(buffer, at)
         if whole is not None:
             return whole

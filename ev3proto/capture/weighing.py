@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum, auto
+from typing import NamedTuple
 
-from ev3proto.capture.finding import Finder, count_telling
-from ev3proto.schema.frame import FrameSchema
+from ev3proto.capture.finding import Finder, count_telling, makes_sense
+from ev3proto.messages import Message
+from ev3proto.schema.frame import FrameSchema, frame_schema
 from ev3proto.schema.header import HEADER_SIZE, frame_size
+from ev3proto.tables.claims import may_be_of_nxt
+from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.frame import LENGTH_FIELD, MessageType
 
 Accepts = Callable[[MessageType], bool]
@@ -29,19 +33,34 @@ class Verdict(Enum):
     OURS = auto()
 
 
+class Weight(NamedTuple):
+    """What some bytes tell of a connection.
+
+    verdict  whether it is ours
+    telling  how much tells that others' data hardly ever do
+    at       the offset where frames begin
+    """
+
+    verdict: Verdict
+    telling: int = 0
+    at: int = 0
+
+
 class Weigher:
     """Weighs bytes that may be frames.
 
-    schema  reads frames
+    schema      reads frames; direct commands that it cannot read are tried with the instructions of other firmware
+    takes_rest  any other bytes may follow a frame that tells; else fewer than a header has
     """
 
-    __slots__ = ("_finder", "_schema")
+    __slots__ = ("_finder", "_schema", "_takes_rest")
 
-    def __init__(self, schema: FrameSchema) -> None:
+    def __init__(self, schema: FrameSchema, *, takes_rest: bool) -> None:
         self._schema = schema
+        self._takes_rest = takes_rest
         self._finder = Finder(schema)
 
-    def weigh(self, text: bytes, at: int, accepts: Accepts) -> tuple[Verdict, int]:
+    def weigh(self, text: bytes, at: int, accepts: Accepts) -> Weight:
         """Says what some bytes tell that should begin with a frame.
 
         Args:
@@ -50,54 +69,32 @@ class Weigher:
             accepts: Says which types go this way.
 
         Returns:
-            OURS where a frame tells that it is; PERHAPS where all are without a fault, and none tells it; else the
-            first one must be, and the others must look like frames. Also how much they tell.
+            OURS where a frame tells that it is; PERHAPS where all are without a fault, and none tells it. The first one
+            must be without, and the others must look like frames, up to one that tells.
 
         """
         start, is_clean, telling = at, True, 0
         while at < len(text):
             if not self._finder.may_start(text, at):
-                return Verdict.NOTHING, 0
+                is_taken = self._takes_rest or len(text) - at < HEADER_SIZE
+                return _weight(telling if is_taken else 0, start, is_clean=False)
             end = at + frame_size(text, at) if len(text) - at >= LENGTH_FIELD else len(text) + 1
             if end > len(text):
                 is_part = self.may_become(text, at, accepts)
                 if at == start:
-                    return (Verdict.PART if is_part else Verdict.NOTHING), 0
+                    return Weight(Verdict.PART if is_part else Verdict.NOTHING)
                 is_clean &= is_part
                 break
-            stands = self._finder.stands(text, at, end) and _is_accepted(text, at, accepts)
-            if at == start and not stands:
-                return Verdict.NOTHING, 0
-            is_clean &= stands
-            if is_clean:
-                telling += count_telling(self._schema.read_for_later(text[at:end]))
+            message = self._read(text[at:end], accepts)
+            if at == start and message is None:
+                return Weight(Verdict.NOTHING)
+            is_clean &= message is not None
+            if is_clean and message is not None:
+                telling += count_telling(message)
             at = end
-        if telling:
-            return Verdict.OURS, telling
-        return (Verdict.PERHAPS if is_clean else Verdict.NOTHING), 0
+        return _weight(telling, start, is_clean=is_clean)
 
-    def weigh_first(self, text: bytes, at: int, accepts: Accepts) -> tuple[Verdict, int]:
-        """Says the same, but fewer bytes than a header has may follow, whatever they are, if the first frame tells it.
-
-        Args:
-            text: The bytes.
-            at: Where the frame should begin.
-            accepts: Says which types go this way.
-
-        Returns:
-            What `weigh` does, of the first frame where it is nothing with what follows.
-
-        """
-        found = self.weigh(text, at, accepts)
-        if found[0] is not Verdict.NOTHING or len(text) - at < LENGTH_FIELD:
-            return found
-        end = at + frame_size(text, at)
-        if not 0 < len(text) - end < HEADER_SIZE:
-            return found
-        first = self.weigh(text[:end], at, accepts)
-        return first if first[0] is Verdict.OURS else found
-
-    def weigh_anywhere(self, text: bytes, joint: int, accepts: Accepts) -> tuple[Verdict, int]:
+    def weigh_anywhere(self, text: bytes, joint: int, accepts: Accepts) -> Weight:
         """Says the same of bytes that may begin inside a frame.
 
         Args:
@@ -109,14 +106,14 @@ class Weigher:
             What is told where a frame begins. Elsewhere than at both beginnings it is believed where it tells itself.
 
         """
-        verdict, telling = self.weigh_first(text, 0, accepts)
-        if verdict is Verdict.NOTHING and joint:
-            verdict, telling = self.weigh_first(text, joint, accepts)
-        if verdict is not Verdict.NOTHING:
-            return verdict, telling
+        weight = self.weigh(text, 0, accepts)
+        if weight.verdict is Verdict.NOTHING and joint:
+            weight = self.weigh(text, joint, accepts)
+        if weight.verdict is not Verdict.NOTHING:
+            return weight
         place = self._finder.first_place(text, 1, accepts)
-        found = self.weigh(text, place, accepts) if place is not None else (verdict, 0)
-        return found if found[0] is Verdict.OURS else (Verdict.NOTHING, 0)
+        found = self.weigh(text, place, accepts) if place is not None else weight
+        return found if found.verdict is Verdict.OURS else Weight(Verdict.NOTHING)
 
     def may_become(self, text: bytes, at: int, accepts: Accepts) -> bool:
         """Whether the frame of which only the start is here may be a flawless one that goes this way."""
@@ -127,15 +124,46 @@ class Weigher:
         is_whole = len(text) >= LENGTH_FIELD and frame_size(text) <= len(text)
         return not is_whole and self.may_become(text, 0, accepts)
 
-    def holds_frames(self, text: bytes) -> bool:
-        """Whether there are frames and nothing else, whatever is wrong with them."""
+    def hold_frames(self, text: bytes) -> Verdict:
+        """Says whether there are frames and nothing else, whatever is wrong with them.
+
+        Args:
+            text: The bytes.
+
+        Returns:
+            PART where the last one has its header and is not whole, NOTHING where there is anything else.
+
+        """
         at = 0
         while at < len(text):
             if len(text) - at < HEADER_SIZE or not self._finder.may_start(text, at):
-                return False
+                return Verdict.NOTHING
             at += frame_size(text, at)
-        return at == len(text)
+        return Verdict.OURS if at == len(text) else Verdict.PART
+
+    def _read(self, frame: bytes, accepts: Accepts) -> Message | None:
+        """What a frame says; None where it has a fault, goes the wrong way, makes no sense, or may be the NXT's."""
+        if not _is_accepted(frame, 0, accepts) or may_be_of_nxt(frame):
+            return None
+        schema = self._schema if self._schema.is_flawless(frame, 0, len(frame)) else _other_schema(frame)
+        message = None if schema is None else schema.read_for_later(frame)
+        return message if message is not None and makes_sense(message) else None
+
+
+def _weight(telling: int, start: int, *, is_clean: bool) -> Weight:
+    if telling:
+        return Weight(Verdict.OURS, telling, start)
+    return Weight(Verdict.PERHAPS, 0, start) if is_clean else Weight(Verdict.NOTHING)
 
 
 def _is_accepted(text: bytes, at: int, accepts: Accepts) -> bool:
     return accepts(MessageType(text[at + HEADER_SIZE - 1]))
+
+
+def _other_schema(frame: bytes) -> FrameSchema | None:
+    """What reads a direct command by the instructions of another firmware, without a fault."""
+    member = MessageType(frame[HEADER_SIZE - 1])
+    if member.carries != "direct" or not member.is_command:
+        return None
+    schemas = map(frame_schema, DIALECTS)
+    return next((schema for schema in schemas if schema.is_flawless(frame, 0, len(frame))), None)

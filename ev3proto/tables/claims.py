@@ -5,30 +5,34 @@ RFCOMM channel 1, any other device on USB. So traffic is claimed by what it says
 dissector and the built-in reader of captures follow the same rule, and this module is where it stands:
 
 - A frame is *flawless* when all of it can be read, by the instructions of some firmware, and it goes the right way: a
-  command to the brick, a reply from it. It must make sense, too, where it is to claim anything: zeros in others' data
-  are direct commands without an operation, or with one that nobody sends (`NEVER_SENT`).
+  command to the brick, a reply from it. Where it is to claim anything, it must make sense, too: zeros in others' data
+  are direct commands without an operation, or with one that nobody sends (`NEVER_SENT`). And on TCP and Bluetooth it
+  must not be what may be a telegram of LEGO's NXT.
 - A TCP connection is claimed when its data begin with the unlock text, with the answer to it, or with a flawless
   frame. After `STRANGE_PACKETS` packets with data that are none of these it is left alone. Packets that have no more
   bytes than a frame's header do not count until they have more than a frame together: one may be cut into them.
 - A flawless frame *tells* that it is ours when others' data hardly ever are like it: a system command, or a direct
   command with an operation from `FIRST_TELLING` on, and with variables, numbers and texts in their places. A frame that
-  does not tell claims a TCP connection where it and other flawless frames are all that there is in the packet.
+  does not tell claims a TCP connection where it and other flawless frames are all that there is in the packet. Replies
+  alone do not, after a strange packet from the brick's side, unless the packet before was replies as well. After a
+  frame that tells there may be anything. The reader, which can look back, also gives the frames with faults before it.
 - Such a claim is *proven* by one of the texts, by a reply just as a command asked for it, or by flawless frames: each
   packet with some counts one, each telling operation one more, up to `MOST_PROOFS`, and `PROOFS` are enough. A claim
   that nothing has proven ends after `STRANGE_IN_A_ROW` packets in a row without a flawless frame, and then it takes two
   telling operations to claim the connection again. Where no frame told, the first strange packet ends it, but as many
   as that may be at the beginning of each side: what is left of a frame. Then one telling operation is enough.
 - Not strange are up to `STRANGE_PACKETS` packets, counted anew after a frame that tells, that hold nothing but frames,
-  with faults or in the wrong direction. Where no frame told, those before such a packet prove nothing.
+  with faults or in the wrong direction. Where no frame told, those before such a packet prove nothing. On TCP not
+  strange either is the beginning of such a frame, from its header on, and after a gap, where the reader sees one, what
+  may be left of a frame.
 - Bluetooth's channel is claimed like a TCP connection, but by a command alone, which may come in several packets, as
-  long as the other side says nothing in between. What may be a telegram of LEGO's NXT claims nothing, and a system
-  command in several packets does not tell: it may have any bytes. After a command that tells there may be others, fewer
-  than a header has. Such claims are proven and end as on TCP, but of packets too small to count there as many count as
-  one as have more bytes than `STRANGE_PACKETS` headers together. The channel is never left alone: after
-  `STRANGE_PACKETS` packets it takes two telling operations. A proven claim ends, too: after `FAULTS_IN_A_ROW` packets
-  without anything that can be a frame, if they have more bytes than as many frames. What is left of a frame of which
-  something is missing may come in many packets. The built-in reader, which can look back, takes the replies, too, with
-  which a capture begins.
+  long as the other side says nothing in between. A system command in several packets does not tell: it may have any
+  bytes. After a command that tells there may be others, fewer than a header has. Such claims are proven and end as on
+  TCP, but of packets too small to count there as many count as one as have more bytes than `STRANGE_PACKETS` headers
+  together. The channel is never left alone: after `STRANGE_PACKETS` packets it takes two telling operations. A proven
+  claim ends, too: after `FAULTS_IN_A_ROW` packets without anything that can be a frame, if they have more bytes than as
+  many frames. What is left of a frame of which something is missing may come in many packets. The built-in reader,
+  which can look back, takes the replies, too, with which a capture begins.
 - USB devices that nobody knows as bricks are claimed by a flawless command. A reply is taken when it answers a command,
   and what has faults once such a reply was seen. After more than `ODD_REPORTS` reports that have a frame's length and
   not its type, or not the size of its type's reports, no command is taken either until a reply answers one; daisy-chain
@@ -88,8 +92,9 @@ NXT_REPLY = 2
 NXT_ANSWERED = (*range(0x06, 0x14), *range(0x80, 0x9C))
 """The NXT's commands whose replies are long enough to be a command of ours, which they are where they say success."""
 
-NXT_LENGTHS = {0x00: 22, 0x02: 23, 0x03: 6, 0x04: 12}
-"""Length fields of the NXT's direct commands that are long enough to be a command of ours."""
+NXT_LENGTHS = {0x02: 23, 0x03: 6, 0x04: 12}
+"""Length fields of the NXT's direct commands that may be a command of ours, as they are long enough and have no
+letter of a file's name in the place of the type."""
 
 NXT_COUNTED = {0x09: 4, 0x0F: 5}
 """The same of messages and I2C data: this, and as many bytes as the sixth byte of the telegram says."""

@@ -13,6 +13,9 @@ from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
 from ev3proto.errors import counted
 from ev3proto.schema.frame import FrameSchema
 
+TOO_MUCH = "the rest of the frame was no longer waited for: too much waits"
+"""Why bytes are given up where too much waits in the capture."""
+
 
 class Context:
     """What the readers of one capture share.
@@ -77,9 +80,9 @@ class Stream:
         """Bytes of memory that what waits takes, about."""
         return self.cutter.size
 
-    def give_up(self) -> list[Event]:
-        """Waits no longer for the rest of what is there, as too much waits in the capture."""
-        events = self._events(self.cutter.give_up("the rest of the frame was no longer waited for: too much waits"))
+    def give_up(self, reason: str = TOO_MUCH) -> list[Event]:
+        """Waits no longer for the rest of what is there."""
+        events = self._events(self.cutter.give_up(reason))
         self.times.clear()
         return events
 

@@ -10,8 +10,8 @@ from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Direction, Event, Skipped
 from ev3proto.capture.weighing import Verdict, Weigher
-from ev3proto.schema.header import HEADER_SIZE, frame_size
-from ev3proto.tables.claims import FAULTS_IN_A_ROW, STRANGE_PACKETS, may_be_of_nxt
+from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.tables.claims import FAULTS_IN_A_ROW, STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 
 _PIECE_SIZE = 200
@@ -59,7 +59,7 @@ class PortClaim(Claim):
         """
         super().__init__(context)
         self._budget = context.budget
-        self._weigher = Weigher(context.schema)
+        self._weigher = Weigher(context.schema, takes_rest=False)
         self._to_brick: Direction | None = None
         self._speaker: Direction | None = None
         self._waiting: list[Piece] = []  # of a command that is not whole yet, before the port is claimed
@@ -158,15 +158,13 @@ class PortClaim(Claim):
         if self._early and (side is not self._early_side or size + len(piece.data) > MAX_FRAME):
             self.forget()
         text = b"".join(before.data for before in self._early) + piece.data
-        return self._weigher.weigh(text, 0, _is_from_brick)[0] is not Verdict.NOTHING
+        return self._weigher.weigh(text, 0, _is_from_brick).verdict is not Verdict.NOTHING
 
     def _weigh_commands(self, text: bytes, *, is_joined: bool = False) -> tuple[Verdict, int]:
         """What a text tells that should begin with a command: nobody answers what was not asked."""
-        verdict, telling = self._weigher.weigh_first(text, 0, _is_command)
+        verdict, telling, _ = self._weigher.weigh(text, 0, _is_command)
         if verdict not in (Verdict.PERHAPS, Verdict.OURS):
             return verdict, telling
-        if may_be_of_nxt(text[: frame_size(text)]):
-            return Verdict.NOTHING, 0
         if is_joined and MessageType(text[HEADER_SIZE - 1]).carries == "system":
             # Any bytes may follow its header.
             return Verdict.PERHAPS, 0
@@ -186,11 +184,11 @@ class PortClaim(Claim):
         accepts = _is_command if side is self._to_brick else _is_from_brick
         if is_in_step and self._weigher.is_part(text, accepts):
             return True
-        verdict, telling = self._weigher.weigh_anywhere(text, len(text) - size, accepts)
+        verdict, telling, _ = self._weigher.weigh_anywhere(text, len(text) - size, accepts)
         if verdict is Verdict.PART:
             # In a stream that is out of step anything may look like a part of a frame.
             verdict = Verdict.NOTHING
-        if verdict is Verdict.NOTHING and self._weigher.holds_frames(text) and self._count_faulty():
+        if verdict is Verdict.NOTHING and self._weigher.hold_frames(text) is Verdict.OURS and self._count_faulty():
             return True
         self._small = self._small + size if verdict is Verdict.NOTHING else 0
         if self._small > STRANGE_PACKETS * HEADER_SIZE:

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ev3proto.bounded import Bounded
-from ev3proto.capture.carriers.claims import ConnectionClaim
 from ev3proto.capture.carriers.streams import Context, Stream
+from ev3proto.capture.carriers.wifi.claim import ConnectionClaim
 from ev3proto.capture.carriers.wifi.internet import (
     ACK,
     PORT_SIZE,
@@ -221,13 +221,11 @@ class Connections:
         if data:
             stream.packet = packet
             if reassembly.takes_next(sequence, len(data)):
-                events = stream.feed(data, packet.number, packet.time_ns)
-                is_waiting = bool(stream.times)
+                events = half.claim.feed(stream, Segment(0, data, packet.number, packet.time_ns))
+                is_waiting = not half.claim.is_proven or bool(stream.times)
             else:
                 events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns))
                 is_waiting = True
-        if events or data:
-            events = half.claim.take(events, data, half.side)
         if is_waiting or half.size:
             self._weigh(half)
         if flags & ACK and half.back is not None:
@@ -238,41 +236,42 @@ class Connections:
 
     def _weigh(self, half: _Half) -> None:
         """Says how much waits in a direction. Where it is too much in all, those unused for longest wait no longer."""
-        size = half.reassembly.waiting + half.stream.size
+        size = half.reassembly.waiting + half.stream.size + half.claim.waiting(half.side)
         if size != half.size:
             half.size = size
             self._budget.update(half, size, lambda _: self._give_up(half))
 
     def _give_up(self, half: _Half) -> None:
-        events = self._given(half, half.reassembly.end()) + half.stream.give_up()
+        self._context.late += self._given(half, half.reassembly.end()) + half.claim.give_up(half.stream)
         half.size = 0
-        self._context.late.extend(half.claim.take(events, b"", half.side))
 
     def _acknowledge(self, back: _Half | None, acknowledged: int) -> list[Event]:
         """The receiver of what goes that way has what was sent before this number."""
         pieces = [] if back is None else back.reassembly.acknowledge(acknowledged)
         if back is None or not pieces:
             return []
-        events = back.claim.take(self._given(back, pieces), b"", back.side)
+        events = self._given(back, pieces)
         self._weigh(back)
         return events
 
     def _given(self, half: _Half, pieces: list[Segment | Hole | Late]) -> list[Event]:
         """The events in what the reassembly gave; what it found to be repeated meanwhile stands in the account."""
-        stream, repeated = half.stream, half.reassembly.repeated
+        repeated = half.reassembly.repeated
         self._account.repeated += repeated - half.repeated
         half.repeated = repeated
         if len(pieces) == 1:
-            return self._piece(stream, pieces[0])
-        return [event for piece in pieces for event in self._piece(stream, piece)]
+            return self._piece(half, pieces[0])
+        return [event for piece in pieces for event in self._piece(half, piece)]
 
-    def _piece(self, stream: Stream, piece: Segment | Hole | Late) -> list[Event]:
+    def _piece(self, half: _Half, piece: Segment | Hole | Late) -> list[Event]:
+        stream, claim = half.stream, half.claim
         if type(piece) is Segment:
-            return stream.feed(piece.data, piece.number, piece.time_ns)
+            return claim.feed(stream, piece)
         if type(piece) is Hole:
-            return stream.leave_hole(piece.missing)
+            return claim.leave_hole(stream, piece.missing)
         assert type(piece) is Late
-        return [stream.skip(piece.data, f"{counted(len(piece.data), 'byte')} came too late to be put in order")]
+        reason = f"{counted(len(piece.data), 'byte')} came too late to be put in order"
+        return claim.take(stream.skip(piece.data, reason))
 
     def _open(self, packet: Packet, ends: Ends, start: int | None, events: list[Event]) -> _Half:
         back = self._halves.get(reversed_ends(ends))
@@ -304,7 +303,7 @@ class Connections:
     def _end_half(self, half: _Half) -> list[Event]:
         half.size = 0
         self._budget.remove(half)
-        return half.claim.take(self._given(half, half.reassembly.end()) + half.stream.end(), b"", half.side)
+        return self._given(half, half.reassembly.end()) + half.claim.end_side(half.stream)
 
     def _route(self, packet: Packet, ends: Ends, is_from_host: bool) -> Route:
         source, target = shown(source_of(ends)), shown(target_of(ends))

@@ -46,20 +46,6 @@ do
         return not type.is_command or type.carries == "system" and not type.wants_reply
     end
 
-    -- Whether a frame may be a telegram of LEGO's NXT: its kind and command are where the counter would be.
-    local function may_be_of_nxt(text)
-        local nxt = CLAIMS.nxt
-        local low, high, kind, command = byte(text, 1, 4)
-        local count = byte(text, nxt.count_at + 1)
-        if not count then return false end
-        kind = kind % nxt.reply_flag
-        if kind == nxt.system then return command == nxt.any_length end
-        if kind == nxt.reply then return nxt.answered[command] ~= nil end
-        if kind ~= nxt.direct then return false end
-        local fixed = nxt.counted[command]
-        return low + high * 0x100 == (fixed and fixed + count or nxt.lengths[command])
-    end
-
     local function clear(stream)
         stream.left, stream.list, stream.look_at = "", nil, 0
     end
@@ -78,23 +64,11 @@ do
         return not high or is_length(low, high) and frame_size(low, high) > #text
     end
 
-    -- What a text tells from an offset on. If its first frame tells it, a few bytes after that may be anything.
-    local function weigh_first(text, at, accepts)
-        local verdict, telling = claiming.weigh_frames(text, at, accepts)
-        local low, high = byte(text, at + 1, at + 2)
-        local stop = high and at + frame_size(low, high)
-        if verdict or not stop or stop >= #text or #text - stop >= HEADER_SIZE then return verdict, telling end
-        verdict, telling = claiming.weigh_frames(sub(text, 1, stop), at, accepts)
-        return verdict == OURS and verdict or nil, telling
-    end
-
     -- What a text tells that should begin with a command: nobody answers what was not asked. With `is_joined` it came
     -- in several packets: then a system command does not tell, as any bytes may follow its header.
     local function weigh_commands(text, is_joined)
-        local verdict, telling = weigh_first(text, 0, is_command)
+        local verdict, telling = claiming.weigh_frames(text, 0, is_command)
         if not verdict or verdict == PART then return verdict, 0 end
-        local low, high = byte(text, 1, 2)
-        if may_be_of_nxt(sub(text, 1, frame_size(low, high))) then return nil, 0 end
         if is_joined and MESSAGE_TYPES[byte(text, HEADER_SIZE)].carries == "system" then return claiming.PERHAPS, 0 end
         return verdict, telling
     end
@@ -139,8 +113,8 @@ do
     -- What a packet of a claimed channel tells that is not proven to be ours, with all that waited for it; the packet
     -- itself begins at `joint`.
     local function weigh(text, joint, accepts)
-        local verdict, telling = weigh_first(text, 0, accepts)
-        if not verdict and joint > 0 then verdict, telling = weigh_first(text, joint, accepts) end
+        local verdict, telling = claiming.weigh_frames(text, 0, accepts)
+        if not verdict and joint > 0 then verdict, telling = claiming.weigh_frames(text, joint, accepts) end
         local at = not verdict and find_frame(text, 1, accepts)
         if at then verdict, telling = claiming.weigh_frames(text, at, accepts) end
         return (not at or verdict == OURS) and verdict or nil, telling

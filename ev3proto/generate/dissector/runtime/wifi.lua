@@ -160,11 +160,11 @@ do
 
         -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames.
         function claiming.judge_segment(text, at, to_brick)
-            local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply)
+            local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply, true)
             if verdict or not to_brick then return verdict, telling end
             -- The capture may have begun inside a frame.
             at = find_frame(text, at + 1, is_command)
-            if at then verdict, telling = claiming.weigh_frames(text, at, is_command) end
+            if at then verdict, telling = claiming.weigh_frames(text, at, is_command, true) end
             return verdict == OURS and OURS or nil, telling
         end
 
@@ -317,14 +317,17 @@ do
             local verdict = judge_text(text)
             if verdict == OURS then
                 claiming.prove(talk)
+            elseif claiming.is_left_alone(talk) then
+                return nil
             elseif not verdict then
                 local at, waited = begin_of(known, text)
                 local telling
                 verdict, telling = claiming.judge_segment(text, at, to_brick)
-                if not verdict and claiming.meet_faulty(talk, text, at) then
+                if not verdict and claiming.meet_faulty(talk, text, at, true) then
                     verdict = OURS
                 elseif verdict ~= PART then
-                    verdict = claiming.weigh_packet(talk, known, verdict, telling, #text - at - waited) and OURS or nil
+                    local size = #text - at - waited
+                    verdict = claiming.weigh_packet(talk, known, verdict, telling, size, not to_brick) and OURS or nil
                 end
             end
             if not was_claimed and talk.is_claimed then

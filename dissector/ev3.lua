@@ -4999,6 +4999,9 @@ do
 
     -- Rows, files and bytes that are kept at most: names in a capture may be of anybody's making.
     local MOST_ROWS, MOST_FILES, MOST_BYTES = 1000, 256, 64 * 1024 * 1024
+    -- Bytes of the name of a file that is written, and of its extension: file systems take 143, and a number may be
+    -- added.
+    local MOST_NAME, MOST_EXTENSION = 100, 25
     -- Characters to which a column is widened for a long name.
     local MOST_WIDTH = 60
 
@@ -5158,11 +5161,24 @@ do
         }, "\n") .. "\n"
     end
 
+    -- Windows leaves dots and blanks at the end of a name out.
+    local function without_end(name)
+        return (gsub(name, "[%. ]+$", ""))
+    end
+
+    -- A name of at most so many bytes as file systems take, its extension kept where that is a short one.
+    local function shortened(name)
+        if #name <= MOST_NAME then return name end
+        local extension = name:match("[^%.](%.[^%.]+)$") or ""
+        if #extension > MOST_EXTENSION then extension = "" end
+        return without_end(sub(name, 1, MOST_NAME - #extension)) .. extension
+    end
+
     -- The name under which a file is written: nothing of its path leads out of the folder.
     local function safe_name(path, taken)
         local name = gsub(gsub(path:match("[^/\\]*$"), "[^%w%._%- ]", "_"), "^[%. ]+", "_")
-        -- Windows leaves dots and blanks at the end of a name out, and those before its first dot out of a device's.
-        name = gsub(sub(name, 1, 100), "[%. ]+$", "")
+        name = shortened(without_end(name))
+        -- Windows leaves blanks before the first dot of a device's name out, too.
         local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
         if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
             name = "_" .. name

@@ -85,31 +85,11 @@ def test_what_cannot_be_exported_is_said_and_leaves_nothing(tshark: Tshark) -> N
     assert [path.name for path in folder.iterdir()] == ["first.rbf"]
 
 
-def test_exported_files_stay_in_their_folder(tshark: Tshark) -> None:
-    folder = export_folder(tshark, "named")
+def exported(tshark: Tshark, folder: Path, names: list[str]) -> list[str]:
+    """The names under which one file of one byte for each of these names is written into the folder."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
-    names = ["../../a.rbf", "/etc/a.rbf", "..\\..\\b.rbf", "..", ".hidden", "con.txt", "x\x01\n|y", ""]
     for number, name in enumerate(names):
-        begin, more = 2 * number, 2 * number + 1
-        connection.send(ev3proto.system_command("BEGIN_DOWNLOAD", counter=begin, size=1, path=name).build())
-        connection.receive(ev3proto.system_reply("BEGIN_DOWNLOAD", counter=begin, handle=number).build())
-        sent = ev3proto.system_command("CONTINUE_DOWNLOAD", counter=more, handle=number, data=b"x")
-        connection.send(sent.build())
-    path = tshark.place(capture.data(), "names.pcap")
-    before = set(tshark.folder.iterdir())
-    tshark.run(path, "-q", "-o", f"ev3.export:{folder}")
-    assert set(tshark.folder.iterdir()) == before
-    written = sorted(path.name for path in folder.iterdir())
-    assert written == ["2-_", "2-a.rbf", "_", "_con.txt", "_hidden", "a.rbf", "b.rbf", "x___y"]
-
-
-def test_exported_files_have_names_that_windows_keeps(tshark: Tshark) -> None:
-    """There a name is a device's also with blanks before its dot, and loses the dots and blanks at its end."""
-    folder = export_folder(tshark, "windows")
-    capture = Capture(RAW_IP)
-    connection = Connection(capture)
-    for number, name in enumerate(["AUX .txt", "com1  .a.b", "x" * 99 + ".rbf", "y" * 98 + " .rtf"]):
         sent = [
             ev3proto.system_command("BEGIN_DOWNLOAD", counter=2 * number, size=1, path=name),
             ev3proto.system_reply("BEGIN_DOWNLOAD", counter=2 * number, handle=number),
@@ -117,9 +97,37 @@ def test_exported_files_have_names_that_windows_keeps(tshark: Tshark) -> None:
         ]
         for message, say in zip(sent, (connection.send, connection.receive, connection.send), strict=True):
             say(message.build())
-    tshark.run(tshark.place(capture.data(), "windows.pcap"), "-q", "-o", f"ev3.export:{folder}")
-    written = sorted(path.name for path in folder.iterdir())
+    tshark.run(tshark.place(capture.data(), "names.pcap"), "-q", "-o", f"ev3.export:{folder}")
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_exported_files_stay_in_their_folder(tshark: Tshark) -> None:
+    folder = export_folder(tshark, "named")
+    before = {path.name for path in tshark.folder.iterdir()}
+    names = ["../../a.rbf", "/etc/a.rbf", "..\\..\\b.rbf", "..", ".hidden", "con.txt", "x\x01\n|y", ""]
+    written = exported(tshark, folder, names)
+    assert {path.name for path in tshark.folder.iterdir()} == before | {"names.pcap"}
+    assert written == ["2-_", "2-a.rbf", "_", "_con.txt", "_hidden", "a.rbf", "b.rbf", "x___y"]
+
+
+def test_exported_files_have_names_that_windows_keeps(tshark: Tshark) -> None:
+    """There a name is a device's also with blanks before its dot, and loses the dots and blanks at its end."""
+    names = ["AUX .txt", "com1  .a.b", "x" * 99 + ".", "y" * 98 + ". ."]
+    written = exported(tshark, export_folder(tshark, "windows"), names)
     assert written == ["_AUX .txt", "_com1  .a.b", "x" * 99, "y" * 98]
+
+
+def test_long_names_of_exported_files_keep_their_extension(tshark: Tshark) -> None:
+    """100 bytes: the name is cut before a short extension; a letter of two bytes is two underscores, as ever."""
+    cut = ["n" * 120 + ".rbf", "n" * 121 + ".rbf", "m" * 80 + "é" * 20 + ".rtf", "l." + "e" * 120, ".h" + "i" * 120]
+    written = exported(tshark, export_folder(tshark, "long"), cut)
+    assert written == [
+        "2-" + "n" * 96 + ".rbf",
+        "_h" + "i" * 98,
+        "l." + "e" * 98,
+        "m" * 80 + "_" * 16 + ".rtf",
+        "n" * 96 + ".rbf",
+    ]
 
 
 def test_the_info_column_is_bounded(tshark: Tshark) -> None:

@@ -15,12 +15,13 @@ from support.packets import BRICK, EVERYBODY, HOST, SYN, Device, SerialPort, dat
 from support.packets import Capture as Packets
 
 import ev3proto
-from ev3proto.capture import Announcement, Capture, Event, Record, Said, read
+from ev3proto.capture import Announcement, Capture, Direction, Event, Record, Said, read
 
 COMMAND = struct.pack("<HHB", 8, 7, 0x00) + bytes.fromhex("0400 81 01 60")
 """UI_READ.GET_VBATT."""
 
 REPLY = struct.pack("<HHBf", 7, 7, 0x02, 7.5)
+ACCEPT = b"Accept:EV340\r\n\r\n\0"
 IP = segment(True, 1000, COMMAND)
 ANSWER = segment(False, 500, REPLY, acknowledged=1010)
 
@@ -206,6 +207,27 @@ def test_other_things_on_ethernet_are_passed_over(kind: int) -> None:
 def test_other_ports_can_be_named() -> None:
     packet = segment(True, 1, COMMAND, brick_port=4711)
     assert [record.target for record in records(pcap(101, timed([packet])), ports=(5555, 4711))] == ["192.0.2.10:4711"]
+
+
+@pytest.mark.parametrize(
+    "packets",
+    [
+        [segment(True, 1, COMMAND), segment(False, 1, REPLY)],
+        [segment(False, 1, REPLY), segment(True, 1, COMMAND)],
+        [segment(False, 1, ACCEPT + REPLY), segment(True, 1, COMMAND)],
+        [segment(False, 1, flags=SYN, acknowledged=1), segment(False, 2, REPLY), segment(True, 1, COMMAND)],
+        [segment(True, 0, flags=SYN), segment(True, 1, COMMAND), segment(False, 1, REPLY)],
+    ],
+    ids=["command", "reply", "accepted", "from its second packet", "from its first packet"],
+)
+def test_the_ports_of_both_ends_can_be_named(packets: list[bytes]) -> None:
+    """Data tell which end is the brick: commands go to it, replies and the answer to the unlock text come from it."""
+    found, _ = opened(pcap(101, timed(packets)), ports=range(5000, 60_000))
+    said = [event for event in found if isinstance(event, Record)]
+    assert {(type(record.message), record.direction, record.peer) for record in said} == {
+        (ev3proto.DirectCommand, Direction.SENT, "192.0.2.10:5555"),
+        (ev3proto.DirectReply, Direction.RECEIVED, "192.0.2.10:5555"),
+    }
 
 
 # Beacons

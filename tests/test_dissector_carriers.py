@@ -129,6 +129,34 @@ def test_a_preference_names_other_ports(ask: Ask, ports: str, packets: list[str]
     assert ask(capture, "ev3", words=("-o", f"ev3.tcp_ports:{ports}")) == packets
 
 
+@pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
+def test_a_preference_names_the_ports_of_both_ends(ask: Ask, words: tuple[str, ...]) -> None:
+    """Data tell which end is the brick, whichever port is lower: commands and the unlock text go to it, the answer to
+    the text and replies come from it.
+    """
+    capture = Capture(RAW_IP)
+    for number, (host_port, brick_port) in enumerate([(40_000, 5555), (5600, 50_000)]):
+        for begin in range(4):
+            connection = Connection(capture, host_port + begin, brick_port, (HOST, BRICK[:3] + bytes((10 * number,))))
+            if begin == 1:
+                connection.send(UNLOCK)
+            if begin in (1, 2):
+                connection.receive(ACCEPT)
+            if begin == 3:
+                connection.receive(volts(9))
+            connection.send(voltage(1))
+            connection.receive(volts(1))
+            connection.send(voltage(2)[:6])
+            connection.send(voltage(2)[6:] + voltage(3))
+            connection.receive(volts(2)[:6])
+            connection.receive(volts(2)[6:] + volts(3))
+    words = (*words, "-o", "ev3.tcp_ports:5000-60000", "-E", "occurrence=f")
+    bricks = ask(capture, "ev3", "ev3.brick", words=words)
+    assert bricks == ["192.0.2.0:5555"] * 20 + ["192.0.2.10:50000"] * 20
+    assert counters(ask(capture, "ev3.request_in", "ev3.msg_num", words=words)) == [1, 2] * 8
+    assert ask(capture, "ev3.request_in == 0 || ev3.expert.no_boundary", words=words) == []
+
+
 def test_decode_as_on_another_port(ask: Ask) -> None:
     capture = Capture(RAW_IP)
     connection = Connection(capture, brick_port=6000)

@@ -21,7 +21,7 @@ import pytest
 from support.packets import ACK, RAW_IP, SYN, Capture, Connection, SerialPort, cut, datagram, segment
 from support.wireshark import Tshark
 
-from ev3proto.capture import Account, Announcement, CaptureError, Event, Record, Skipped, from_pyshark, read
+from ev3proto.capture import Account, Announcement, CaptureError, Direction, Event, Record, Skipped, from_pyshark, read
 from ev3proto.capture import Capture as Captured
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.wireshark.program import Program
@@ -300,6 +300,19 @@ def test_other_ports(opened: Open) -> None:
     data = capture.data()
     assert [record.target for record in opened(data)] == ["192.0.2.10:5555"]
     assert [record.target for record in opened(data, ports=(5556, 5557))] == ["192.0.2.10:5556", "192.0.2.10:5557"]
+
+
+def test_the_ports_of_both_ends(opened: Open) -> None:
+    capture = Capture(RAW_IP)
+    for port in (40_000, 5500):
+        talk = Connection(capture, port)
+        talk.send(VOLTAGE)
+        talk.receive(ANSWER)
+    found = list(opened(capture.data(), ports=(5555, 40_000, 5500)))
+    assert [(record.direction, record.peer) for record in found] == [
+        (Direction.SENT, "192.0.2.10:5555"),
+        (Direction.RECEIVED, "192.0.2.10:5555"),
+    ] * 2
 
 
 def test_a_segment_that_acknowledges_is_no_frame(opened: Open) -> None:

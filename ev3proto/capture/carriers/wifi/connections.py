@@ -27,6 +27,7 @@ from ev3proto.capture.carriers.wifi.internet import (
     transport,
 )
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
+from ev3proto.capture.carriers.wifi.ways import goes_to_brick
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
@@ -183,9 +184,12 @@ class Connections:
         self._elsewhere.add(both, target)
         return True
 
-    def _is_to_brick(self, ends: Ends) -> bool:
+    def _is_to_brick(self, ends: Ends, data: bytes, flags: int) -> bool:
+        """Whether the first segment that was seen of a connection goes to the brick."""
         if target_port(ends) in self._ports:
-            return True
+            if source_port(ends) not in self._ports:
+                return True
+            return not flags & ACK if flags & SYN else goes_to_brick(data)
         return source_port(ends) not in self._ports and self._elsewhere.get(_both_ways(ends)) == target_of(ends)
 
     def _segment(self, packet: Packet, segment: Transport, half: _Half | None) -> Iterable[Event]:
@@ -206,11 +210,11 @@ class Connections:
                     if not flags & ACK:
                         # What was asked in the last connection is not answered in the new one.
                         half.connection.conversation = self._context.conversation()
-                half = self._open(packet, ends, start, ended)
+                half = self._open(packet, segment, start, ended)
         elif half is None:
             if not data:
                 return self._acknowledge(self._halves.get(reversed_ends(ends)), acknowledged) if flags & ACK else events
-            half = self._open(packet, ends, None, ended)
+            half = self._open(packet, segment, None, ended)
         elif len(self._connections) > _MANY_CONNECTIONS:
             self._connections.move_to_end(half.connection.ends)
         stream, reassembly = half.stream, half.reassembly
@@ -273,9 +277,10 @@ class Connections:
         reason = f"{counted(len(piece.data), 'byte')} came too late to be put in order"
         return claim.take(stream.skip(piece.data, reason))
 
-    def _open(self, packet: Packet, ends: Ends, start: int | None, events: list[Event]) -> _Half:
+    def _open(self, packet: Packet, segment: Transport, start: int | None, events: list[Event]) -> _Half:
+        ends, data, _, _, flags = segment
         back = self._halves.get(reversed_ends(ends))
-        is_from_host = self._is_to_brick(ends) if back is None else not back.is_from_host
+        is_from_host = self._is_to_brick(ends, data, flags or 0) if back is None else not back.is_from_host
         connection = self._connection(ends, events)
         cutter = Cutter(self._context.schema, in_step=start is not None)
         route = self._route(packet, ends, is_from_host)

@@ -6,6 +6,7 @@ from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, field
 
 from ev3proto.bounded import Bounded
+from ev3proto.capture.carriers.wifi.ways import goes_to_brick
 from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
 from ev3proto.capture.wireshark.common import MOST_CONNECTIONS, Common, parsed
 from ev3proto.capture.wireshark.row import Row
@@ -78,6 +79,8 @@ class Rows:
         if not (found or (is_ours and row.number("tcp.len"))):
             return
         is_from_host = target_port in self._common.ports
+        if is_from_host and found and source_port in self._common.ports:
+            is_from_host = goes_to_brick(found[0])
         key = row.number("tcp.stream"), source_port, row.text("ip.src") or row.text("ipv6.src")
         half, oldest = self._halves.use(key, lambda: _Half(self._wifi_route(row, "tcp", is_from_host), key[0]))
         if found:

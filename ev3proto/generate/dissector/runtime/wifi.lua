@@ -128,6 +128,16 @@ do
     end
     forget_wifi()
 
+    -- Whether the preference names the ports of both ends, as a wide range may.
+    local function has_two_named(pinfo)
+        return ports[pinfo.src_port] and ports[pinfo.dst_port]
+    end
+
+    -- Whether a packet goes to the end that its connection is named after.
+    local function is_to_named(talk, pinfo)
+        return talk.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
+    end
+
     -- Whether a packet goes to, or comes from, a port on which a brick listens.
     local function is_to_brick(pinfo)
         local port = pinfo.dst_port
@@ -170,6 +180,7 @@ do
 
         -- Which types go the way of a packet, where the port says which end is the brick.
         local function types_of(pinfo)
+            if has_two_named(pinfo) then return is_to_named(connection_of(pinfo), pinfo) and is_command or is_reply end
             if ports[pinfo.dst_port] then return is_command end
             return ports[pinfo.src_port] and is_reply or nil
         end
@@ -309,12 +320,24 @@ do
             return 0, 0
         end
 
+        -- Whether data go to the brick, where the ports of both ends may be one's.
+        local function tells_brick(talk, text, at, is_text, pinfo)
+            if talk.is_claimed then return is_to_named(talk, pinfo) end
+            if is_text then return byte(text, 1) == byte(UNLOCK.request, 1) end
+            local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
+            if not type or type.carries == "daisy" then return pinfo.match_uint == pinfo.dst_port end
+            return type.is_command
+        end
+
         -- A buffer of a connection that is not proven to be ours, when it is seen for the first time: whether it is, or
         -- whether more is needed to tell.
-        local function claim(talk, known, text, pinfo, to_brick)
-            local was_claimed = talk.is_claimed
+        local function claim(talk, known, text, pinfo)
+            local was_claimed, to_brick = talk.is_claimed, is_to_brick(pinfo)
             if not was_claimed and not to_brick and not is_from_brick(pinfo) then return nil end
             local verdict = judge_text(text)
+            if has_two_named(pinfo) then
+                to_brick = tells_brick(talk, text, begin_of(known, text), verdict ~= nil, pinfo)
+            end
             if verdict == OURS then
                 claiming.prove(talk)
             elseif claiming.is_left_alone(talk) then
@@ -348,7 +371,7 @@ do
             local port = pinfo.match_uint
             local is_forced = not ports[port] and not is_named[port]
             if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
-            local verdict = is_forced and OURS or claim(talk, known, text, pinfo, is_to_brick(pinfo))
+            local verdict = is_forced and OURS or claim(talk, known, text, pinfo)
             local reported = verdict == PART and tvb:reported_len()
             if reported and #text < reported then
                 -- Of a frame that fills its segment the capture has the beginning.

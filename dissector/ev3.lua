@@ -6857,13 +6857,20 @@ do
     end
 
     -- Counts a packet of a claimed connection that frames with faults fill, or misdirected ones. False: it is none, or
-    -- one too many. With `may_be_part` the beginning of such a frame is none too many.
-    function claiming.meet_faulty(talk, text, at, may_be_part)
+    -- one too many. With `may_be_part` the beginning of such a frame is none too many, while there may be another.
+    -- `side` is what is known of its direction.
+    function claiming.meet_faulty(talk, side, text, at, may_be_part)
         local held = talk.is_claimed and hold_frames(text, at)
-        if held ~= OURS then return may_be_part and held == PART end
-        talk.faulty = (talk.faulty or 0) + 1
-        if talk.is_weak then talk.proofs = 0 end
-        return talk.faulty <= CLAIMS.strange_packets
+        local count, most = talk.faulty or 0, talk.has_command and CLAIMS.strange_packets or CLAIMS.strange_in_a_row
+        if held == OURS then
+            talk.faulty = count + 1
+            if talk.is_weak then talk.proofs = 0 end
+        elseif not held or not may_be_part then
+            return false
+        end
+        -- One too many is not what is left of a frame.
+        if count >= most then side.strange = CLAIMS.strange_in_a_row end
+        return count < most
     end
 
     -- The claim on a connection is proven.
@@ -6886,7 +6893,7 @@ do
     end
 
     local function begin_claim(talk, verdict, telling)
-        talk.is_claimed, talk.is_weak, talk.proofs = true, true, 0
+        talk.is_claimed, talk.is_weak, talk.proofs, talk.has_command = true, true, 0, false
         add_proof(talk, verdict, telling)
     end
 
@@ -6938,7 +6945,10 @@ do
         elseif not is_chance(side, verdict, is_from_brick) then
             begin_claim(talk, verdict, telling)
         end
-        if verdict then side.strange = CLAIMS.strange_in_a_row end
+        if verdict then
+            side.strange = CLAIMS.strange_in_a_row
+            talk.has_command = talk.has_command or not is_from_brick
+        end
         return talk.is_claimed
     end
 
@@ -7633,7 +7643,7 @@ do
         if is_in_step and is_part(text) and may_become_flawless(text, 0, stream.accepts) then return true end
         local verdict, telling = weigh(text, #text - size, stream.accepts)
         if verdict == PART then verdict = nil end
-        if not verdict and claiming.meet_faulty(talk, text, 0) then return true end
+        if not verdict and claiming.meet_faulty(talk, stream, text, 0) then return true end
         local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, size_together(talk, verdict, size))
         if not is_claimed then clear_sides(talk) end
         return is_claimed
@@ -8137,7 +8147,7 @@ do
                 local at, waited = begin_of(known, text)
                 local telling
                 verdict, telling = claiming.judge_segment(text, at, to_brick)
-                if not verdict and claiming.meet_faulty(talk, text, at, true) then
+                if not verdict and claiming.meet_faulty(talk, known, text, at, true) then
                     verdict = OURS
                 elseif verdict ~= PART then
                     local size = #text - at - waited

@@ -379,6 +379,21 @@ def claims_without_proof() -> tuple[bytes, list[int]]:
     ours += [alone.send(bytes.fromhex("0600 0100 80 0000 01")), *(alone.send(faulty) for _ in range(8))]
     alone.send(faulty)
     alone.send(bytes.fromhex("0600 0200 80 0000 01"))
+    # Of commands only faulty ones: the claim ends with the third.
+    by_replies = Connection(capture, 10_004)
+    ours += [by_replies.receive(volts(20)), by_replies.send(faulty)]
+    ours += [by_replies.receive(volts(21)), by_replies.send(faulty)]
+    by_replies.send(faulty)
+    by_replies.receive(volts(22))
+    # The same in pieces, the last of which makes a frame whole.
+    cut, longer = Connection(capture, 10_005), bytes.fromhex("1000 0100 80 0000 94 77") + bytes(9)
+    ours.append(cut.receive(volts(30)))
+    for number in (31, 32):
+        cut.send(longer[:8])
+        ours += [cut.send(longer[8:]), cut.receive(volts(number))]
+    cut.send(longer[:8])
+    cut.send(longer[8:])
+    cut.receive(volts(33))
     return capture.data(), ours
 
 
@@ -388,7 +403,7 @@ def test_claims_without_proof_end(tshark: Tshark) -> None:
     words = ("-Y", "ev3.msg_num", "-T", "fields", "-e", "frame.number")
     assert tshark.run(path, *words).split() == list(map(str, ours))
     assert tshark.run(path, "-2", *words).split() == list(map(str, ours))
-    assert [event.numbers[0] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)] == ours
+    assert [event.numbers[-1] for event in read(io.BytesIO(data)).events() if isinstance(event, Record)] == ours
 
 
 def claims_of_serial_ports() -> tuple[bytes, list[int]]:

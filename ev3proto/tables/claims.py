@@ -22,9 +22,9 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   telling operations to claim the connection again. Where no frame told, the first strange packet ends it, but as many
   as that may be at the beginning of each side: what is left of a frame. Then one telling operation is enough.
 - Not strange are up to `STRANGE_PACKETS` packets, counted anew after a frame that tells, that hold nothing but frames,
-  with faults or in the wrong direction. Where no frame told, those before such a packet prove nothing. On TCP not
-  strange either is the beginning of such a frame, from its header on, and after a gap, where the reader sees one, what
-  may be left of a frame.
+  with faults or in the wrong direction; `STRANGE_IN_A_ROW`, where there were only replies without a fault. Where no
+  frame told, those before such a packet prove nothing. On TCP not strange either is the beginning of such a frame, from
+  its header on, while there may be another, and after a gap, where the reader sees one, what may be left of a frame.
 - Bluetooth's channel is claimed like a TCP connection, but by a command alone, which may come in several packets, as
   long as the other side says nothing in between. A system command in several packets does not tell: it may have any
   bytes. After a command that tells there may be others, fewer than a header has. Such claims are proven and end as on

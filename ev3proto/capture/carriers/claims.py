@@ -48,6 +48,7 @@ class Claim:
     __slots__ = (
         "_account",
         "_faulty",
+        "_has_command",
         "_has_ended",
         "_is_left",
         "_is_weak",
@@ -70,6 +71,7 @@ class Claim:
         self._account = context.account
         self.is_claimed = self.is_proven = False
         self._is_weak = False
+        self._has_command = False  # not only replies claimed it
         self._has_ended = 0  # how much must tell that the next claim is none by chance
         self._telling = 0
         self._proofs = 0
@@ -89,16 +91,24 @@ class Claim:
                 account.frames -= len(event.frame)
                 account.other += len(event.frame)
 
-    def _count_faulty(self) -> bool:
-        """Counts a packet that is full of frames, though not of flawless ones. False: it is one too many."""
+    def _count_faulty(self, side: Direction, *, is_whole: bool = True) -> bool:
+        """Counts a packet that is full of frames, though not of flawless ones. False: it is one too many.
+
+        Where the last frame is not whole yet the packet does not count, but it may not be one too many either.
+        """
         if not self.is_claimed:
             return False
-        self._faulty += 1
-        if self._is_weak:
-            self._proofs = 0
-        return self._faulty <= STRANGE_PACKETS
+        is_taken = self._faulty < (STRANGE_PACKETS if self._has_command else STRANGE_IN_A_ROW)
+        if is_whole:
+            self._faulty += 1
+            if self._is_weak:
+                self._proofs = 0
+        if not is_taken:
+            # It is not what is left of a frame.
+            self._sides[side] = STRANGE_IN_A_ROW
+        return is_taken
 
-    def _meet_ours(self, side: Direction, telling: int) -> None:
+    def _meet_ours(self, side: Direction, telling: int, *, is_command: bool) -> None:
         self._sides[side] = STRANGE_IN_A_ROW
         if self._has_ended and not self.is_claimed:
             self._telling += telling
@@ -107,6 +117,7 @@ class Claim:
         elif self._is_left:
             return
         self._is_weak = not telling and (self._is_weak or not self.is_claimed)
+        self._has_command = is_command or (self._has_command and self.is_claimed)
         self._proofs = (self._proofs if self.is_claimed else 0) + min(1 + telling, MOST_PROOFS)
         self.is_claimed = True
         self._strange = self._unread = 0

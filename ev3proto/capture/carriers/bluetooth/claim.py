@@ -178,7 +178,7 @@ class PortClaim(Claim):
         if verdict is Verdict.NOTHING:
             self._meet_strange(side, size)
         else:
-            self._meet_ours(side, telling)
+            self._meet_ours(side, telling, is_command=True)
 
     def _belongs(self, side: Direction, text: bytes, size: int, *, is_in_step: bool) -> bool:
         accepts = _is_command if side is self._to_brick else _is_from_brick
@@ -188,7 +188,7 @@ class PortClaim(Claim):
         if verdict is Verdict.PART:
             # In a stream that is out of step anything may look like a part of a frame.
             verdict = Verdict.NOTHING
-        if verdict is Verdict.NOTHING and self._weigher.hold_frames(text) is Verdict.OURS and self._count_faulty():
+        if verdict is Verdict.NOTHING and self._weigher.hold_frames(text) is Verdict.OURS and self._count_faulty(side):
             return True
         self._small = self._small + size if verdict is Verdict.NOTHING else 0
         if self._small > STRANGE_PACKETS * HEADER_SIZE:

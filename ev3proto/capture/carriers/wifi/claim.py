@@ -231,7 +231,7 @@ class ConnectionClaim(Claim):
         """Takes the next bytes of a connection that is claimed, and not proven to be ours."""
         text = stream.cutter.left + segment.data
         weight = self._weigh(stream, side, text)
-        is_faulty = weight.verdict is Verdict.NOTHING and self._meet_faulty(text)
+        is_faulty = weight.verdict is Verdict.NOTHING and self._meet_faulty(side, text)
         is_rest = weight.verdict is Verdict.NOTHING and side.rest > 0
         side.rest = max(side.rest - len(segment.data), 0) if is_rest else side.rest
         if weight.verdict is not Verdict.PART and not is_faulty and not is_rest and not self.is_proven:
@@ -272,10 +272,10 @@ class ConnectionClaim(Claim):
             return self._weigher.weigh_anywhere(text, 0, side.accepts)
         return self._weigher.weigh(text, 0, side.accepts)
 
-    def _meet_faulty(self, text: bytes) -> bool:
+    def _meet_faulty(self, side: _Side, text: bytes) -> bool:
         """Counts a packet that frames with faults fill, or misdirected ones. False: it is none, or one too many."""
         held = self._weigher.hold_frames(text)
-        return held is Verdict.PART or (held is Verdict.OURS and self._count_faulty())
+        return held is not Verdict.NOTHING and self._count_faulty(side.direction, is_whole=held is Verdict.OURS)
 
     def _decide(self, side: _Side, weight: Weight, size: int) -> None:
         """Decides after a packet of which so many bytes are new, by what it tells."""
@@ -286,7 +286,7 @@ class ConnectionClaim(Claim):
             return
         side.rest = 0
         if not self._is_chance(side, weight):
-            self._meet_ours(side.direction, weight.telling)
+            self._meet_ours(side.direction, weight.telling, is_command=side.to_brick)
 
     def _is_chance(self, side: _Side, weight: Weight) -> bool:
         """Whether there are only replies, before any claim and after strange packets, and not for the second time."""

@@ -136,7 +136,7 @@ do
         if is_in_step and is_part(text) and may_become_flawless(text, 0, stream.accepts) then return true end
         local verdict, telling = weigh(text, #text - size, stream.accepts)
         if verdict == PART then verdict = nil end
-        if not verdict and claiming.meet_faulty(talk, text, 0) then return true end
+        if not verdict and claiming.meet_faulty(talk, stream, text, 0) then return true end
         local is_claimed = claiming.weigh_packet(talk, stream, verdict, telling, size_together(talk, verdict, size))
         if not is_claimed then clear_sides(talk) end
         return is_claimed

@@ -346,7 +346,7 @@ do
                 local at, waited = begin_of(known, text)
                 local telling
                 verdict, telling = claiming.judge_segment(text, at, to_brick)
-                if not verdict and claiming.meet_faulty(talk, text, at, true) then
+                if not verdict and claiming.meet_faulty(talk, known, text, at, true) then
                     verdict = OURS
                 elseif verdict ~= PART then
                     local size = #text - at - waited

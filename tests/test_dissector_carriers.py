@@ -287,6 +287,24 @@ def test_a_frame_of_three_segments_of_which_the_second_comes_twice(ask: Ask) -> 
     assert ask(capture, "ev3.cmd_type == 0") == [str(5 * number) for number in range(1, 10)]
 
 
+@pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
+def test_the_first_frame_of_which_the_segment_before_the_last_comes_twice(ask: Ask, words: tuple[str, ...]) -> None:
+    """Before anything else tells that a connection is ours; however the frame is cut, it is shown with its last one."""
+    capture = Capture(RAW_IP)
+    frame = struct.pack("<HHB", 17, 1, 0x00) + bytes.fromhex("0400 81 01 60 94 01 01 82B801 82E803")
+    last = []
+    for port, cuts in enumerate([(7, 14), (3, 14), (2, 4), (5, 6), (4, 8, 14)], 10_000):
+        connection = Connection(capture, port)
+        pieces = [frame[at:stop] for at, stop in zip((0, *cuts), (*cuts, len(frame)), strict=True)]
+        segments = [connection.segment(True, piece) for piece in pieces]
+        for segment in (*segments[:-1], segments[-2]):
+            capture.add(segment)
+        last.append(str(capture.add(segments[-1])))
+        connection.receive(volts(1))
+    assert ask(capture, "ev3.cmd_type == 0", words=words) == last
+    assert ask(capture, "ev3.request_in", "ev3.request_in", words=words) == last
+
+
 # UDP
 
 BEACON = ev3proto.Beacon(SERIAL, name="myEV3").build()

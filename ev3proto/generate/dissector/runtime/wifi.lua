@@ -149,6 +149,16 @@ do
         return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
     end
 
+    -- How many bytes a frame wants that was asked for segment by segment, where Wireshark gave one byte of the next one
+    -- alone. So it does since 4.4, once the one before came twice; the rest it gives when told how much that is. The
+    -- newest segment starts at `joint`, and data in a packet at `offset`.
+    local function rest_of(text, joint, offset, pinfo)
+        if joint == 0 or #text ~= joint + 1 or #text < HEADER_SIZE then return nil end
+        if not offset or pinfo.len <= offset + 1 then return nil end
+        local rest = LENGTH_FIELD + unsigned16(text, 0) - #text
+        return rest > 0 and rest or nil
+    end
+
     local dissect_claimed
     do
         local function is_command(type)
@@ -248,15 +258,6 @@ do
             end
         end
 
-        -- How many bytes a frame wants that was asked for segment by segment, where Wireshark gave one byte of a longer
-        -- one. So it does since 4.4, once the one before came twice; the rest it gives when told how much that is.
-        local function rest_of(known, text, joint, pinfo)
-            if joint == 0 or #text ~= joint + 1 or #text < HEADER_SIZE then return nil end
-            if not known.offset or pinfo.len <= known.offset + 1 then return nil end
-            local rest = LENGTH_FIELD + unsigned16(text, 0) - #text
-            return rest > 0 and rest or nil
-        end
-
         function dissect_claimed(tvb, text, pinfo, tree, number, talk, known)
             local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
             local step, joint, done = step_of(known, text, offset, number, pinfo)
@@ -284,7 +285,7 @@ do
                     dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
                 if after < captured then
                     if not wanted and known and after == 0 and step_after == "likely" then
-                        wanted = rest_of(known, text, joint, pinfo)
+                        wanted = rest_of(text, joint, known.offset, pinfo)
                     end
                     pinfo.desegment_offset = after
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
@@ -362,6 +363,15 @@ do
             return was_claimed and verdict and OURS or verdict
         end
 
+        -- Asks for more of what may become a frame or a text.
+        local function ask_for_more(known, text, offset, pinfo)
+            local joint = offset == 0 and known.waits or 0
+            local rest = rest_of(text, joint, known.begins, pinfo)
+            pinfo.desegment_offset, pinfo.desegment_len = 0, rest or DESEGMENT_ONE_MORE_SEGMENT
+            known.waits = #text
+            if offset > 0 then known.begins = offset end
+        end
+
         function dissect_first(tvb, text, pinfo, tree, number)
             local talk, known = connection_of(pinfo, true)
             if talk.is_proven then return dissect_claimed(tvb, text, pinfo, tree, number, talk, known) end
@@ -380,7 +390,7 @@ do
                 verdict = claiming.weigh_packet(talk, known, verdict, 0, #text) and OURS or nil
             end
             if verdict == PART and pinfo.can_desegment > 0 then
-                pinfo.desegment_offset, pinfo.desegment_len = 0, DESEGMENT_ONE_MORE_SEGMENT
+                ask_for_more(known, text, offset_of(tvb), pinfo)
                 return #text
             elseif verdict ~= OURS then
                 declined[place] = true

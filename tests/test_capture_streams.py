@@ -304,6 +304,22 @@ def test_a_segment_that_comes_after_it_was_given_up() -> None:
     assert (capture.account.skipped, capture.account.repeated) == (20, 10)
 
 
+def test_a_command_captured_after_its_reply_is_a_message_of_its_own() -> None:
+    """As on two interfaces: that the brick has it already is no reason to take it for a repeated one."""
+    packets = [
+        *connected(voltage(1)),
+        segment(False, 5000, volts(1), acknowledged=1010),
+        segment(False, 5009, volts(2), acknowledged=1020),
+        segment(True, 1010, voltage(2), acknowledged=5009),
+        segment(True, 1020, voltage(3), acknowledged=5018),
+        segment(False, 5018, volts(3), acknowledged=1030),
+    ]
+    events, _ = of(packets)
+    told = [(event.number, event.request is not None) for event in events if isinstance(event, Record)]
+    assert told == [(2, False), (3, True), (4, False), (5, False), (6, False), (7, True)]
+    assert not complaints(events)
+
+
 def test_nobody_acknowledges() -> None:
     """What waits is given at the end; only so much waits."""
     stream = b"".join(voltage(number) for number in range(10_000))

@@ -30,6 +30,7 @@ CUT_OFF = bytes.fromhex("0800 0100 80 0000 94 01 01")
 """A command that ends inside an operation."""
 
 DAISY = bytes.fromhex("0600 0100 0A A2 00 01")
+DAISY_REPLY = bytes.fromhex("0500 0100 08 01 00")
 OVERWRITTEN = bytes.fromhex("0400 0000 01 F6")
 """A bootloader's reply with the request over its first bytes."""
 
@@ -121,13 +122,26 @@ def test_what_is_no_frame_in_every_respect_is_passed_over(report: str) -> None:
         assert len(events) == is_known
 
 
+def test_a_computer_sends_daisy_messages_in_its_own_reports() -> None:
+    packets = Packets(USBMON)
+    device = Device(packets)
+    for _ in range(3):
+        device.send(DAISY)
+        device.receive(DAISY_REPLY)
+    device.send(VOLTAGE)
+    device.receive(VOLTS)
+    found = [(record.number, record.request is not None) for record in records(packets)]
+    assert found == [(1, False), (2, True), (3, False), (4, True), (5, False), (6, True), (7, False), (8, True)]
+
+
 def test_daisy_reports_have_their_own_size() -> None:
     for size, frame, count in (
         (64, DAISY, 1),
-        (1024, DAISY, 0),
+        (1024, DAISY, 1),
         (64, VOLTAGE, 0),
         (1024, VOLTAGE, 1),
         (512, VOLTAGE, 0),
+        (512, DAISY, 0),
     ):
         packets = Packets(USBMON)
         Device(packets, size=size).send(frame)

@@ -453,7 +453,8 @@ UNLIKELY: dict[str, tuple[bool, bytes]] = {
     "bytes behind a system command": (FROM_HOST, bytes.fromhex("0600 0100 01 9D 01 02")),
     "an unknown system command": (FROM_HOST, bytes.fromhex("0400 0100 01 77")),
     "a length that is too large": (FROM_HOST, bytes.fromhex("FF03 0100 80 0000")),
-    "a daisy command to a computer": (FROM_HOST, bytes.fromhex("0600 0100 0A A2 00 01")),
+    "a daisy command to a computer": (FROM_DEVICE, bytes.fromhex("0600 0100 0A A2 00 01")),
+    "a daisy reply that nobody asked for": (FROM_DEVICE, bytes.fromhex("0500 0100 08 01 00")),
 }
 
 
@@ -515,6 +516,20 @@ def test_a_daisy_report_has_padding_too(ask: Ask) -> None:
     command, padding = line.split("\t")
     assert command == "0xa2"
     assert bytes.fromhex(padding) == bytes(64 - 8)
+
+
+def test_a_computer_sends_daisy_messages_in_its_own_reports(ask: Ask) -> None:
+    """Of 1024 bytes: nothing in them tells against what else the computer says."""
+    capture = Capture(USBMON)
+    device = Device(capture)
+    for _ in range(3):
+        device.send(bytes.fromhex("0600 0100 0A A2 00 01"))
+        device.receive(bytes.fromhex("0500 0100 08 01 00"))
+    device.send(bytes.fromhex("0600 0200 8A A3 00 01"))
+    device.send(voltage(3))
+    device.receive(volts(3))
+    found = ask(capture, "ev3", "ev3.cmd_type", "ev3.request_in")
+    assert found == [*["0x0a\t", "0x08\t1", "0x0a\t", "0x08\t3", "0x0a\t", "0x08\t5"], "0x8a\t", "0x00\t", "0x02\t8"]
 
 
 def test_bricks_in_a_chain_are_few(ask: Ask) -> None:

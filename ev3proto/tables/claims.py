@@ -35,9 +35,10 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   which can look back, takes the replies, too, with which a capture begins.
 - USB devices that nobody knows as bricks are claimed by a flawless command. A reply is taken when it answers a command,
   and what has faults once such a reply was seen. After more than `ODD_REPORTS` reports that have a frame's length and
-  not its type, or not the size of its type's reports, no command is taken either until a reply answers one; daisy-chain
-  frames are, and the bootloader's faulty replies. The claim ends after `FAULTS_IN_A_ROW` packets without anything that
-  can be a frame. The next one may begin.
+  not its type, or not the size of its type's reports, no command is taken either until a reply answers one; daisy
+  messages in a computer's reports that are not taken count, too. In reports of a daisy chain, both ways, daisy messages
+  are taken without any of that, and nothing else; so are the bootloader's faulty replies. The claim ends after
+  `FAULTS_IN_A_ROW` packets without anything that can be a frame. The next one may begin.
 - A datagram is a beacon when it begins with the labels of a beacon's first two lines, as far as it was captured, and
   names no other protocol. It is an answer to a beacon when it goes to a brick whose beacon was seen: to the port where
   the beacon came from, the one that it names, or the one for beacons.

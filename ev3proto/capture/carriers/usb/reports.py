@@ -152,7 +152,8 @@ class Reports:
         reported = len(found.data) + packet.size - len(packet.data)
         is_whole = reported in REPORT_SIZES and is_frame_size(size) and len(frame) == size
         member = _TYPES.get(frame[HEADER_SIZE - 1]) if is_whole else None
-        is_right = member is not None and (member.carries == "daisy") == (reported != _BIG_REPORT)
+        is_big = reported == _BIG_REPORT
+        is_right = member is not None and (member.carries == "daisy" or is_big)
         claim = self._claims.get(found.device)
         if is_whole and (not is_right or _is_backwards(member, is_from_host)):
             claim = claim or self._claims.use(found.device, _Claim)[0]
@@ -165,14 +166,17 @@ class Reports:
         if _is_overwritten(frame, is_from_host):
             return message.fault is None
         is_taken = message.fault is None and makes_sense(message)
-        # Bricks in a chain send commands both ways.
-        if member.carries != "daisy":
+        # Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
+        if is_big:
             is_taken = is_taken and member.is_command == is_from_host
             if is_taken and (member.wants_reply or claim is not None):
                 claim = claim or self._claims.use(found.device, _Claim)[0]
                 is_taken = claim.take(member, frame)
             elif not member.is_command:
                 is_taken = False
+        if is_big and member.carries == "daisy" and not is_taken:
+            claim = claim or self._claims.use(found.device, _Claim)[0]
+            claim.meet_odd()
         return is_taken if claim is None else claim.judge(is_taken)
 
 

@@ -81,6 +81,10 @@ do
         return dissect(tvb, text, pinfo, tree)
     end
 
+    local function meet_odd(talk)
+        talk.odd = (talk.odd or 0) + 1
+    end
+
     -- Whether a command is a claim by itself. Of a device whose reports are not like a brick's it is none, until a
     -- reply answers one: so it is remembered.
     local function stands_alone(talk, message)
@@ -101,7 +105,7 @@ do
         local low, high, _, _, code = byte(tvb:raw(0, HEADER_SIZE), 1, HEADER_SIZE)
         if not is_length(low, high) then return nil, false end
         local size, type = frame_size(low, high), MESSAGE_TYPES[code]
-        local is_odd = not type or (type.carries == "daisy") ~= (sort == "daisy")
+        local is_odd = not type or sort == "daisy" and type.carries ~= "daisy"
         if is_odd then return nil, size <= captured end
         local message = read_message(tvb:raw(0, math.min(size, captured)))
         return message, type.carries == "direct" and (type.is_command == true) ~= is_from_host(pinfo)
@@ -115,12 +119,12 @@ do
         local key = device_key(pinfo)
         local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
         if not talk then return false end
-        if is_odd then talk.odd = (talk.odd or 0) + 1 end
-        local is_taken = false
+        if is_odd then meet_odd(talk) end
+        local is_chain, is_taken = REPORT_SIZES[tvb:reported_len()] == "daisy", false
         if message and is_flawless(message) then
             local type = message.type
-            -- Bricks in a chain send commands both ways.
-            if type.carries == "daisy" or is_overwritten(message, pinfo) then
+            -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
+            if is_chain or is_overwritten(message, pinfo) then
                 is_taken = true
             elseif type.is_command then
                 is_taken = is_from_host(pinfo) and is_sensible_command(message) and stands_alone(talk, message)
@@ -129,6 +133,7 @@ do
                 talk.is_claimed = talk.is_claimed or is_taken
             end
         end
+        if message and message.type.carries == "daisy" and not is_chain and not is_taken then meet_odd(talk) end
         if not is_taken and talk.is_claimed then is_taken = message ~= nil end
         talk.faults = is_taken and 0 or (talk.faults or 0) + 1
         if talk.faults >= CLAIMS.faults_in_a_row then talk.is_claimed, talk.faults = false, 0 end

@@ -141,6 +141,19 @@ def test_the_info_column_is_bounded(tshark: Tshark) -> None:
     assert said.endswith(f"; and {4000 - shown} more")
 
 
+def test_only_so_many_commands_wait_for_their_replies(tshark: Tshark) -> None:
+    """4,096 of one connection at least, twice as many at most; the oldest are given up."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for counter in range(9000):
+        connection.send(struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60"))
+    for counter in (0, 9000 - 8192 - 1, 9000 - 4096, 8999):
+        connection.receive(struct.pack("<HHBf", 7, counter, 0x02, 7.5))
+    path = tshark.place(capture.data(), "waiting.pcap")
+    said = tshark.run(path, "-Y", "tcp.srcport == 5555", "-T", "fields", "-e", "ev3.msg_num", "-e", "ev3.request_in")
+    assert said.splitlines() == ["0\t", "807\t", "4904\t4905", "8999\t9000"]
+
+
 def test_pieces_of_frames_cost_little(tshark: Tshark) -> None:
     """A frame of 1000 bytes that comes byte by byte: each packet shows where it began, the last one all of them."""
     capture = Capture(HCI_WITH_DIRECTION)

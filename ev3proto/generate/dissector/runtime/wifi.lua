@@ -3,8 +3,6 @@
 -- The beacon in UDP datagrams, then the byte stream of a TCP connection.
 
 do
-    -- Ports that beacons may name, besides those on which bricks usually listen.
-    local MOST_NAMED = 64
     local MAX_PORT = 65535
 
     local tcp_ports = DissectorTable.get("tcp.port")
@@ -136,17 +134,6 @@ do
     -- Whether a packet goes to the end that its connection is named after.
     local function is_to_named(talk, pinfo)
         return talk.name == tostring(pinfo.dst) .. ":" .. pinfo.dst_port
-    end
-
-    -- Whether a packet goes to, or comes from, a port on which a brick listens.
-    local function is_to_brick(pinfo)
-        local port = pinfo.dst_port
-        return ports[port] or is_named[port] and announced[tostring(pinfo.dst) .. " " .. port]
-    end
-
-    local function is_from_brick(pinfo)
-        local port = pinfo.src_port
-        return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
     end
 
     -- How many bytes a frame wants that was asked for segment by segment, where Wireshark gave one byte of the next one
@@ -311,6 +298,17 @@ do
 
     local dissect_first
     do
+        -- Whether a packet goes to, or comes from, a port on which a brick listens.
+        local function is_to_brick(pinfo)
+            local port = pinfo.dst_port
+            return ports[port] or is_named[port] and announced[tostring(pinfo.dst) .. " " .. port]
+        end
+
+        local function is_from_brick(pinfo)
+            local port = pinfo.src_port
+            return ports[port] or is_named[port] and announced[tostring(pinfo.src) .. " " .. port]
+        end
+
         -- Where in a buffer begins what is not dissected yet, and how many bytes of that were there before: TCP hands
         -- some over again where a frame was not whole.
         local function begin_of(known, text)
@@ -434,6 +432,9 @@ do
 
     local dissect_udp, guess_udp
     do
+        -- Ports that beacons may name, besides those on which bricks usually listen.
+        local MOST_NAMED = 64
+
         -- Whether somebody chose us for a port, by Decode As.
         local function is_decoded_as(port)
             return tostring(tcp_ports:get_dissector(port)) == tostring(Dissector.get("ev3"))

@@ -12,7 +12,7 @@ from ev3proto.brick.display.characters import braille, half_blocks
 from ev3proto.brick.display.fonts import FONTS
 from ev3proto.brick.display.graph import Graph, Scale
 from ev3proto.brick.display.icons import ICONS
-from ev3proto.brick.display.pictures import read_picture, write_picture
+from ev3proto.brick.display.pictures import read_picture
 from ev3proto.brick.display.png import write_png
 
 Pixels = set[tuple[int, int]]
@@ -377,11 +377,6 @@ class TestPictures:
         display = Display()
         display.picture(1, 0, 0, read_picture(bytes.fromhex(data)))
         assert pixels(display.canvas) == set()
-
-    def test_a_picture_is_written(self) -> None:
-        assert write_picture([bytes.fromhex("8040"), bytes.fromhex("ff00")], 10).hex() == "0a020102ff00"
-        with pytest.raises(ValueError, match="255 x 255 pixels, not 256 x 1"):
-            write_picture([bytes(32)], 256)
 
 
 class TestLookingAtIt:

@@ -24,11 +24,6 @@ def wrap16(value: int) -> int:
     return (value + 0x8000 & 0xFFFF) - 0x8000
 
 
-def wrap32(value: int) -> int:
-    """The low 32 bits of a number, with their sign."""
-    return (value + 0x80000000 & 0xFFFFFFFF) - 0x80000000
-
-
 def single(value: float) -> float:
     """The nearest single to a number; infinity beyond their range."""
     try:

@@ -40,22 +40,3 @@ def read_picture(data: bytes) -> Picture:
         row = data[start : start + row_bytes].translate(REVERSED).ljust(row_bytes, b"\0")
         rows.append(int.from_bytes(row, "big") >> padding)
     return Picture(width, tuple(rows))
-
-
-def write_picture(rows: list[bytes], width: int) -> bytes:
-    """Makes an .rgf file.
-
-    Args:
-        rows: The rows as `Display.rows` has them, the leftmost pixel the highest bit, at most 255.
-        width: Pixels in a row, at most 255.
-
-    Returns:
-        The file's bytes.
-
-    Raises:
-        ValueError: The picture is too wide or too high for the format.
-    """
-    if width > 255 or len(rows) > 255:
-        raise ValueError(f"a picture file holds at most 255 x 255 pixels, not {width} x {len(rows)}")
-    row_bytes = (width + 7) // 8
-    return bytes([width, len(rows)]) + b"".join(row[:row_bytes].translate(REVERSED) for row in rows)

@@ -22,7 +22,7 @@ from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Record
 from ev3proto.capture.wireshark.events import Events, fields
 from ev3proto.capture.wireshark.program import Program
-from ev3proto.capture.wireshark.pyshark_packets import row_of
+from ev3proto.capture.wireshark.pyshark_packets import frame_of, row_of
 from ev3proto.tables import check_dialect
 from ev3proto.tables.discovery import TCP_PORT
 
@@ -117,8 +117,11 @@ def messages(packet: Any) -> list[Record]:
 
     Returns:
         A record for each frame: its `message`, for a reply its `values` and `request`, the record of the command.
+
+    Raises:
+        TypeError: It is no packet of pyshark.
     """
     global _default
-    if int(packet.number) <= _default.last_packet:
+    if int(frame_of(packet).number) <= _default.last_packet:
         _default = Messages()
     return _default(packet)

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import ev3proto
-from ev3proto import GV, LV, capture, ops, program, testing
+from ev3proto import GV, LV, capture, ops, program, pyshark, testing
 from ev3proto.brick import Brick
 from ev3proto.capture.filter import compile_filter
 from ev3proto.dialogue import reply_values
@@ -65,6 +65,11 @@ ODD = "odd"
         (lambda: assembly(COMMAND, ODD), TypeError, "an Exchange, not DirectCommand: ev3proto.Dialogue().follow("),  # type: ignore[arg-type]
         (lambda: operation_line(None), TypeError, "a line is made of an Operation, not of NoneType"),  # type: ignore[arg-type]
         (lambda: read_argument(None), TypeError, "what was pasted is a text, not NoneType"),  # type: ignore[arg-type]
+        (lambda: capture.from_pyshark("robot.pcapng").events(), TypeError, "a packet is one that pyshark gives"),
+        (lambda: capture.from_pyshark([None]).events(), TypeError, "such as those of a FileCapture, not None"),
+        (lambda: pyshark.messages(b""), TypeError, "such as those of a FileCapture, not b''"),
+        (lambda: ev3proto.Report(b"", True, None, (ODD,)), TypeError, "is a Finding, not 'odd'"),  # type: ignore[arg-type]
+        (lambda: ev3proto.Fix(b"", (), (), None), TypeError, "a fix has a Report of the fixed frame, not None"),  # type: ignore[arg-type]
         (lambda: read_text([None]), TypeError, "what was pasted is a text, not NoneType"),  # type: ignore[list-item]
         (lambda: read_bare([b"01"], "length"), TypeError, "what was pasted is a text, not bytes"),  # type: ignore[list-item]
     ],

@@ -38,8 +38,11 @@ def row_of(packet: Any, names: Iterable[str]) -> Row:
 
     Returns:
         Those that the packet has.
+
+    Raises:
+        TypeError: It is no packet of pyshark.
     """
-    layers = (packet.frame_info, *packet.layers)
+    layers = (frame_of(packet), *packet.layers)
     is_ek = not hasattr(layers[0], "_all_fields")
     read = _ek_values if is_ek else _xml_values
     values: dict[str, list[str]] = {}
@@ -50,6 +53,24 @@ def row_of(packet: Any, names: Iterable[str]) -> Row:
                 if found:
                     values.setdefault(field.replace(".", "_"), []).extend(found)
     return Row(values)
+
+
+def frame_of(packet: Any) -> Any:
+    """The layer of a packet that says when it came, and which number it has.
+
+    Args:
+        packet: Of pyshark.
+
+    Returns:
+        The layer.
+
+    Raises:
+        TypeError: It is no packet of pyshark.
+    """
+    frame = getattr(packet, "frame_info", None)
+    if frame is None:
+        raise TypeError(f"a packet is one that pyshark gives, such as those of a FileCapture, not {packet!r}")
+    return frame
 
 
 def _xml_values(layer: Any, field: str) -> list[str]:

@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
-from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import Printer, complain
-from ev3proto.cli.send import REPLY_TIMEOUT
 from ev3proto.cli.show import Show
-from ev3proto.cli.targets import TargetType, channel_to
+from ev3proto.cli.targets import TargetType, channel_to, timeout_option
 from ev3proto.errors import counted, near_misses
 from ev3proto.link.harm import Harm
 from ev3proto.text.dialogues import command_spans
@@ -62,14 +60,7 @@ def _allowed(_context: click.Context, _parameter: click.Parameter, given: tuple[
 )
 @click.option("--dry-run", is_flag=True, help="Send nothing; show what would be sent and what omitted.")
 @click.option("--fast", is_flag=True, help="As fast as answers come, not at the pace of the capture.")
-@click.option(
-    "--timeout",
-    type=Between(0, min_open=True),
-    default=REPLY_TIMEOUT,
-    show_default=True,
-    metavar="SECONDS",
-    help="How long to wait for each reply.",
-)
+@timeout_option
 @reading_options
 def replay(
     name: str,

@@ -9,11 +9,10 @@ import click
 
 from ev3proto.cli.captures import CaptureOptions
 from ev3proto.cli.encode import Encoding, Wants
-from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import complain
 from ev3proto.cli.show import Show
 from ev3proto.cli.sources import Source, sources
-from ev3proto.cli.targets import TargetType, channel_to, is_refused
+from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
 from ev3proto.errors import counted
 from ev3proto.messages import Message
 from ev3proto.schema.header import HEADER_SIZE
@@ -24,9 +23,6 @@ from ev3proto.text.split import Piece
 if TYPE_CHECKING:
     from ev3proto.link.channel import Channel
     from ev3proto.link.targets import Target
-
-REPLY_TIMEOUT = 30.0
-"""Seconds to wait for a reply unless something else is asked for."""
 
 
 class Collected:
@@ -66,14 +62,7 @@ class _Commands(Encoding):
 @click.argument("names", nargs=-1, metavar="[FRAME|TEXT|FILE|-]...")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line: a command with its reply.")
 @click.option("--force", is_flag=True, help="Send also what the brick would refuse.")
-@click.option(
-    "--timeout",
-    type=Between(0, min_open=True),
-    default=REPLY_TIMEOUT,
-    show_default=True,
-    metavar="SECONDS",
-    help="How long to wait for each reply.",
-)
+@timeout_option
 @click.option(
     "--reply/--no-reply",
     default=None,

@@ -9,11 +9,24 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import complain
 
 if TYPE_CHECKING:
     from ev3proto.link.channel import Channel
     from ev3proto.link.targets import Target
+
+REPLY_TIMEOUT = 30.0
+"""Seconds to wait for a reply unless something else is asked for."""
+
+timeout_option = click.option(
+    "--timeout",
+    type=Between(0, min_open=True),
+    default=REPLY_TIMEOUT,
+    show_default=True,
+    metavar="SECONDS",
+    help="How long to wait for each reply.",
+)
 
 
 class TargetType(click.ParamType):

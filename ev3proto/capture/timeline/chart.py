@@ -334,10 +334,11 @@ class _Panel:
         return " && ".join((f"datum.p === {self._number}", *conditions))
 
 
-def _latency(picture: Drawing) -> Json:
+def _milliseconds(picture: Drawing) -> Json:
+    """The axis of the latencies, which are there."""
     assert picture.latency_ms is not None
     low, high = picture.latency_ms
-    logarithmic = {"type": "log", "domain": [low / LATENCY_MARGIN, high * LATENCY_MARGIN], "nice": False}
+    scale: Json = {"domain": [0, high * 1.1]}
     axis: Json = {
         "title": None,
         "labelOverlap": False,
@@ -348,9 +349,13 @@ def _latency(picture: Drawing) -> Json:
         "maxExtent": _MARGIN,
     }
     if picture.is_logarithmic:
+        scale = {"type": "log", "domain": [low / LATENCY_MARGIN, high * LATENCY_MARGIN], "nice": False}
         axis["values"] = picture.latency_ticks
-    scale = logarithmic if picture.is_logarithmic else {"domain": [0, high * 1.1]}
-    y = {"field": "ms", "type": "quantitative", "scale": scale, "axis": axis}
+    return {"field": "ms", "type": "quantitative", "scale": scale, "axis": axis}
+
+
+def _latency(picture: Drawing) -> Json:
+    y = _milliseconds(picture)
     x = _time(picture, "t", is_titled=True)
     layers = [
         _layer(

@@ -22,11 +22,31 @@ def text() -> str:
 
 
 def _lines() -> Iterator[str]:
-    yield "## Message types"
+    yield from _section("Message types", _message_types())
+    yield from _section("Opcodes", _opcodes())
+    yield from _section("Operations by their first bytes", _operations())
+    yield from _section("Numbers of system commands", _system_commands())
+    said = "Those of arguments with a byte of their own; the others carry a number in the byte itself."
+    yield from _section("Identification bytes", _identification_bytes(), said)
+    yield from _section("Errors that the firmware logs", _errors(), "`INFO.GET_ERROR` gives the number.")
+    said = "Every name that EV3 programs use for a number, as an attribute of `ev3proto`."
+    yield from _section("Constants", _constants(), said)
+
+
+def _section(title: str, lines: Iterator[str], said: str = "") -> Iterator[str]:
+    yield f"## {title}"
     yield ""
+    if said:
+        yield said
+        yield ""
+    yield from lines
+
+
+def _message_types() -> Iterator[str]:
     yield from table(("byte", "name"), ((f"0x{each.value:02X}", code(each.name)) for each in MessageType))
-    yield "## Opcodes"
-    yield ""
+
+
+def _opcodes() -> Iterator[str]:
     rows = sorted(
         (opcode.number, opcode.name, area, opcode.text) for area, opcodes in AREAS.items() for opcode in opcodes
     )
@@ -37,19 +57,16 @@ def _lines() -> Iterator[str]:
             for number, name, area, said in rows
         ),
     )
-    yield "## Operations by their first bytes"
-    yield ""
-    yield from _operations()
-    yield "## Numbers of system commands"
-    yield ""
+
+
+def _system_commands() -> Iterator[str]:
     yield from table(
         ("number", "name", "what it does"),
         ((f"0x{each.number:02X}", code(each.name), plain(each.text)) for each in SYSTEM),
     )
-    yield "## Identification bytes"
-    yield ""
-    yield "Those of arguments with a byte of their own; the others carry a number in the byte itself."
-    yield ""
+
+
+def _identification_bytes() -> Iterator[str]:
     yield from table(
         ("byte", "encoding", "bytes that follow"),
         (
@@ -58,15 +75,13 @@ def _lines() -> Iterator[str]:
             if form is not None and form.width != 0
         ),
     )
-    yield "## Errors that the firmware logs"
-    yield ""
-    yield "`INFO.GET_ERROR` gives the number."
-    yield ""
+
+
+def _errors() -> Iterator[str]:
     yield from table(("number", "name"), ((str(number), code(name)) for number, name in enumerate(ERRORS)))
-    yield "## Constants"
-    yield ""
-    yield "Every name that EV3 programs use for a number, as an attribute of `ev3proto`."
-    yield ""
+
+
+def _constants() -> Iterator[str]:
     found = dict(CONSTANTS)
     for declared in ENUMERATIONS:
         found |= declared.members

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import subprocess
 import sys
@@ -21,6 +22,7 @@ from ev3proto.capture.formats import pcapng
 from ev3proto.capture.timeline import collecting
 from ev3proto.cli import live, texts, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
+from ev3proto.generate.dissector.build import build
 from ev3proto.program.image import MAX_IMAGE
 from ev3proto.semantics import pairing, transfers
 from ev3proto.tables.claims import STRANGE_PACKETS
@@ -81,6 +83,29 @@ def test_the_limits_are_those_of_the_code() -> None:
     said = {what: limit for what, limit in rows if what != "What" and not what.startswith("---")}
     assert said == LIMITS
     assert f"{bounded.DEFAULT_MEMORY // MIB} MiB (`--memory`)" in (ROOT / "docs" / "limits.md").read_text()
+
+
+def test_the_limits_of_the_dissector_are_those_of_its_code() -> None:
+    script = build()
+
+    def limits(*names: str) -> list[int]:
+        found = re.search(rf"local {', '.join(names)} = ([\d, *]+)$", script, re.MULTILINE)
+        assert found, names
+        return [math.prod(map(int, each.split("*"))) for each in found[1].split(",")]
+
+    (waiting,), (same,), (info,), (ports,) = map(
+        limits, ("MOST_WAITING", "MOST_PER_COUNTER", "MOST_INFO", "MOST_NAMED")
+    )
+    rows, files, size = limits("MOST_ROWS", "MOST_FILES", "MOST_BYTES")
+    said = (ROOT / "dissector" / "README.md").read_text().split("## Limits", 1)[1].split("## ", 1)[0]
+    assert re.findall(r"^\| [^|]+ \| (.*\d.*?) \|", said, re.MULTILINE) == [
+        f"{waiting:,} to {2 * waiting:,}",
+        f"{same}",
+        f"{info:,} bytes",
+        f"{ports}",
+        f"{rows:,} each",
+        f"{files}, and {size // MIB} MiB of all",
+    ]
 
 
 WATCHED = """

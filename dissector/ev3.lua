@@ -3890,6 +3890,7 @@ local DAISY = {
 
 local CLAIMS = {
     never_sent = { [0] = true },
+    not_telling = { [64] = true },
     strange_packets = 8, faults_in_a_row = 3, proofs = 8, most_proofs = 4, strange_in_a_row = 2, first_telling = 16,
     system_tells = 2, odd_reports = 2,
     nxt = {
@@ -6745,7 +6746,7 @@ do
             if CLAIMS.never_sent[code] then return nil end
             local _, after, _, reason = read_operation(text, at, stop, look_for_misplaced, view)
             if reason or view.is_misplaced then return nil end
-            if code >= CLAIMS.first_telling then count = count + 1 end
+            if code >= CLAIMS.first_telling and not CLAIMS.not_telling[code] then count = count + 1 end
             at = after
         end
         return count
@@ -7971,13 +7972,14 @@ do
         -- Bricks in a chain send commands both ways.
         is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
 
-        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames.
-        function claiming.judge_segment(text, at, to_brick)
+        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames. Until
+        -- it is claimed nothing but frames may follow one that begins inside of them.
+        function claiming.judge_segment(text, at, to_brick, is_claimed)
             local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply, true)
             if verdict or not to_brick then return verdict, telling end
             -- The capture may have begun inside a frame.
             at = find_frame(text, at + 1, is_command)
-            if at then verdict, telling = claiming.weigh_frames(text, at, is_command, true) end
+            if at then verdict, telling = claiming.weigh_frames(text, at, is_command, is_claimed) end
             return verdict == OURS and OURS or nil, telling
         end
 
@@ -8150,7 +8152,7 @@ do
             elseif not verdict then
                 local at, waited = begin_of(known, text)
                 local telling
-                verdict, telling = claiming.judge_segment(text, at, to_brick)
+                verdict, telling = claiming.judge_segment(text, at, to_brick, was_claimed)
                 if not verdict and claiming.meet_faulty(talk, known, text, at, true) then
                     verdict = OURS
                 elseif verdict ~= PART then

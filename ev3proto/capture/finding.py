@@ -15,7 +15,7 @@ from ev3proto.messages import Argument, DaisyCommand, DaisyReply, DirectCommand,
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
 from ev3proto.tables import OPCODES, system
-from ev3proto.tables.claims import FIRST_TELLING, NEVER_SENT, SYSTEM_TELLS
+from ev3proto.tables.claims import FIRST_TELLING, NEVER_SENT, NOT_TELLING, SYSTEM_TELLS
 from ev3proto.tables.daisy import MOST_LAYERS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import TEXT
@@ -36,6 +36,7 @@ _STARTS = re.compile(
 )
 _FIRST_TELLING = next(opcode.number for opcode in OPCODES if opcode.name == FIRST_TELLING)
 _NEVER_SENT = frozenset(opcode.number for opcode in OPCODES if opcode.name in NEVER_SENT)
+_NOT_TELLING = frozenset(opcode.number for opcode in OPCODES if opcode.name in NOT_TELLING)
 
 
 def makes_sense(message: Message) -> bool:
@@ -73,7 +74,8 @@ def count_telling(message: Message) -> int:
     arguments = (argument for operation in message.operations for argument in operation.arguments)
     if any(map(_is_misplaced, arguments)):
         return 0
-    return sum(operation.opcode >= _FIRST_TELLING for operation in message.operations)
+    opcodes = [operation.opcode for operation in message.operations]
+    return sum(opcode >= _FIRST_TELLING and opcode not in _NOT_TELLING for opcode in opcodes)
 
 
 def _is_misplaced(argument: Argument) -> bool:

@@ -60,13 +60,14 @@ class Weigher:
         self._takes_rest = takes_rest
         self._finder = Finder(schema)
 
-    def weigh(self, text: bytes, at: int, accepts: Accepts) -> Weight:
+    def weigh(self, text: bytes, at: int, accepts: Accepts, *, is_inside: bool = False) -> Weight:
         """Says what some bytes tell that should begin with a frame.
 
         Args:
             text: The bytes.
             at: Where the frame should begin.
             accepts: Says which types go this way.
+            is_inside: It begins inside a packet of a connection that is not claimed: nothing but frames may follow.
 
         Returns:
             OURS where a frame tells that it is; PERHAPS where all are without a fault, and none tells it. The first one
@@ -76,7 +77,7 @@ class Weigher:
         start, is_clean, telling = at, True, 0
         while at < len(text):
             if not self._finder.may_start(text, at):
-                is_taken = self._takes_rest or len(text) - at < HEADER_SIZE
+                is_taken = (self._takes_rest and not is_inside) or len(text) - at < HEADER_SIZE
                 return _weight(telling if is_taken else 0, start, is_clean=False)
             end = at + frame_size(text, at) if len(text) - at >= LENGTH_FIELD else len(text) + 1
             if end > len(text):
@@ -94,13 +95,14 @@ class Weigher:
             at = end
         return _weight(telling, start, is_clean=is_clean)
 
-    def weigh_anywhere(self, text: bytes, joint: int, accepts: Accepts) -> Weight:
+    def weigh_anywhere(self, text: bytes, joint: int, accepts: Accepts, *, is_claimed: bool = True) -> Weight:
         """Says the same of bytes that may begin inside a frame.
 
         Args:
             text: The bytes.
             joint: Where the newest packet begins: a frame may begin with it.
             accepts: Says which types go this way.
+            is_claimed: The connection is claimed.
 
         Returns:
             What is told where a frame begins. Elsewhere than at both beginnings it is believed where it tells itself.
@@ -112,7 +114,7 @@ class Weigher:
         if weight.verdict is not Verdict.NOTHING:
             return weight
         place = self._finder.first_place(text, 1, accepts)
-        found = self.weigh(text, place, accepts) if place is not None else weight
+        found = weight if place is None else self.weigh(text, place, accepts, is_inside=not is_claimed)
         return found if found.verdict is Verdict.OURS else Weight(Verdict.NOTHING)
 
     def may_become(self, text: bytes, at: int, accepts: Accepts) -> bool:

@@ -12,10 +12,11 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   frame. After `STRANGE_PACKETS` packets with data that are none of these it is left alone. Packets that have no more
   bytes than a frame's header do not count until they have more than a frame together: one may be cut into them.
 - A flawless frame *tells* that it is ours when others' data hardly ever are like it: a system command, or a direct
-  command with an operation from `FIRST_TELLING` on, and with variables, numbers and texts in their places. A frame that
-  does not tell claims a TCP connection where it and other flawless frames are all that there is in the packet. Replies
-  alone do not, after a strange packet from the brick's side, unless the packet before was replies as well. After a
-  frame that tells there may be anything. The reader, which can look back, also gives the frames with faults before it.
+  command with an operation from `FIRST_TELLING` on that is none of `NOT_TELLING`, and with variables, numbers and texts
+  in their places. A frame that does not tell claims a TCP connection where it and other flawless frames are all that
+  there is in the packet. Replies alone do not, after a strange packet from the brick's side, unless the packet before
+  was replies as well. After a frame that tells there may be anything, if it begins with the packet; if it begins inside
+  of it, frames. The reader, which can look back, also gives the frames with faults before it.
 - Such a claim is *proven* by one of the texts, by a reply just as a command asked for it, or by flawless frames: each
   packet with some counts one, each telling operation one more, up to `MOST_PROOFS`, and `PROOFS` are enough. A claim
   that nothing has proven ends after `STRANGE_IN_A_ROW` packets in a row without a flawless frame, and then it takes two
@@ -65,6 +66,9 @@ STRANGE_IN_A_ROW = 2
 
 FIRST_TELLING = "ADD8"
 """The operations before this one, whose numbers are the smallest, are in others' data by chance."""
+
+NOT_TELLING = ("JR",)
+"""Others that are in others' data by chance: 16,384, the size of many blocks, is one with its argument."""
 
 SYSTEM_TELLS = 2
 """How many operations of a direct command a system command is worth."""

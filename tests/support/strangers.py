@@ -126,6 +126,14 @@ def torrent(rng: random.Random) -> Iterator[Said]:
         yield False, bytes((0x21, 0)) + rng.randbytes(18)
 
 
+def pieces(rng: random.Random) -> Iterator[Said]:
+    """BitTorrent over TCP: who wants a part of a piece says its number, where in it, and how much."""
+    for number in range(7, 47):
+        wanted = struct.pack(">III", number % 8, 0x4000 * rng.randrange(8), 0x4000)
+        yield True, struct.pack(">IB", 13, 6) + wanted
+        yield False, struct.pack(">IB", 509, 7) + wanted[:8] + rng.randbytes(500)
+
+
 def similar_beacons(rng: random.Random) -> Iterator[Said]:
     """Datagrams of other devices with the words of a beacon."""
     for number in range(20):

@@ -311,6 +311,7 @@ def _claims() -> Iterator[str]:
     }
     rule = {
         "never_sent": Table(named={operations()[name].opcode.number: True for name in claims.NEVER_SENT}),
+        "not_telling": Table(named={operations()[name].opcode.number: True for name in claims.NOT_TELLING}),
         "strange_packets": claims.STRANGE_PACKETS,
         "faults_in_a_row": claims.FAULTS_IN_A_ROW,
         "proofs": claims.PROOFS,

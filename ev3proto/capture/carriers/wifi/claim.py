@@ -269,7 +269,7 @@ class ConnectionClaim(Claim):
             return Weight(Verdict.PART)
         if side.to_brick:
             # The capture may have begun inside a frame.
-            return self._weigher.weigh_anywhere(text, 0, side.accepts)
+            return self._weigher.weigh_anywhere(text, 0, side.accepts, is_claimed=self.is_claimed)
         return self._weigher.weigh(text, 0, side.accepts)
 
     def _meet_faulty(self, side: _Side, text: bytes) -> bool:

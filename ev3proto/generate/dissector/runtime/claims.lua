@@ -108,7 +108,7 @@ do
             if CLAIMS.never_sent[code] then return nil end
             local _, after, _, reason = read_operation(text, at, stop, look_for_misplaced, view)
             if reason or view.is_misplaced then return nil end
-            if code >= CLAIMS.first_telling then count = count + 1 end
+            if code >= CLAIMS.first_telling and not CLAIMS.not_telling[code] then count = count + 1 end
             at = after
         end
         return count

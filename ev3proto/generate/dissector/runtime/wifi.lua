@@ -165,13 +165,14 @@ do
         -- Bricks in a chain send commands both ways.
         is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
 
-        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames.
-        function claiming.judge_segment(text, at, to_brick)
+        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames. Until
+        -- it is claimed nothing but frames may follow one that begins inside of them.
+        function claiming.judge_segment(text, at, to_brick, is_claimed)
             local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply, true)
             if verdict or not to_brick then return verdict, telling end
             -- The capture may have begun inside a frame.
             at = find_frame(text, at + 1, is_command)
-            if at then verdict, telling = claiming.weigh_frames(text, at, is_command, true) end
+            if at then verdict, telling = claiming.weigh_frames(text, at, is_command, is_claimed) end
             return verdict == OURS and OURS or nil, telling
         end
 
@@ -344,7 +345,7 @@ do
             elseif not verdict then
                 local at, waited = begin_of(known, text)
                 local telling
-                verdict, telling = claiming.judge_segment(text, at, to_brick)
+                verdict, telling = claiming.judge_segment(text, at, to_brick, was_claimed)
                 if not verdict and claiming.meet_faulty(talk, known, text, at, true) then
                     verdict = OURS
                 elseif verdict ~= PART then

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from support.files import Blocks, btsnoop, pcap, timed
-from support.packets import BRICK, EVERYBODY, HOST, SYN, Device, SerialPort, datagram, packets_of, segment
+from support.packets import ACK, BRICK, EVERYBODY, HOST, SYN, Device, SerialPort, datagram, packets_of, segment
 from support.packets import Capture as Packets
 
 import ev3proto
@@ -228,6 +228,18 @@ def test_the_ports_of_both_ends_can_be_named(packets: list[bytes]) -> None:
         (ev3proto.DirectCommand, Direction.SENT, "192.0.2.10:5555"),
         (ev3proto.DirectReply, Direction.RECEIVED, "192.0.2.10:5555"),
     }
+
+
+@pytest.mark.parametrize("flags", [None, 0, ACK])
+def test_the_port_of_the_computer_can_be_named(flags: int | None) -> None:
+    """Who opens a connection, or sends the unlock text, is not the brick."""
+    unlock = ev3proto.Unlock("0016530f0f0f").build()
+    begin = [] if flags is None else [segment(not flags, 0, flags=SYN | flags, brick_port=61_000)]
+    packets = [*begin, segment(True, 1, unlock, brick_port=61_000), segment(False, 1, ACCEPT, brick_port=61_000)]
+    found, _ = opened(pcap(101, timed(packets)), ports=range(5000, 60_000))
+    said = [event for event in found if isinstance(event, Announcement)]
+    assert [event.route.direction for event in said] == [Direction.SENT, Direction.RECEIVED]
+    assert {event.route.peer for event in said} == {"192.0.2.10:61000"}
 
 
 # Beacons

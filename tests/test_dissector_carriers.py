@@ -158,6 +158,26 @@ def test_a_preference_names_the_ports_of_both_ends(ask: Ask, words: tuple[str, .
     assert ask(capture, "ev3.request_in == 0 || ev3.expert.no_boundary", words=words) == []
 
 
+@pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
+def test_a_preference_names_the_port_of_the_computer(ask: Ask, words: tuple[str, ...]) -> None:
+    """The unlock text, or Decode As, tells all the same that the other end is the brick."""
+    for is_unlocked in (True, False):
+        capture = Capture(RAW_IP)
+        connection = Connection(capture, 40_000, 61_000)
+        if is_unlocked:
+            connection.send(UNLOCK)
+            connection.receive(ACCEPT)
+        connection.send(voltage(1)[:6])
+        connection.send(voltage(1)[6:] + voltage(2))
+        connection.receive(volts(1)[:6])
+        connection.receive(volts(1)[6:] + volts(2))
+        chosen = () if is_unlocked else ("-d", "tcp.port==61000,ev3")
+        asked = (*words, *chosen, "-o", "ev3.tcp_ports:5000-60000", "-E", "occurrence=f")
+        bricks = ask(capture, "ev3", "ev3.brick", words=asked)
+        assert bricks == ["192.0.2.10:61000"] * (4 if is_unlocked else 2)
+        assert ask(capture, "ev3.request_in", "ev3.msg_num", words=(*asked, "-E", "occurrence=a")) == ["1,2"]
+
+
 def test_decode_as_on_another_port(ask: Ask) -> None:
     capture = Capture(RAW_IP)
     connection = Connection(capture, brick_port=6000)

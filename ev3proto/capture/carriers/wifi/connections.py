@@ -27,7 +27,7 @@ from ev3proto.capture.carriers.wifi.internet import (
     transport,
 )
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
-from ev3proto.capture.carriers.wifi.ways import goes_to_brick
+from ev3proto.capture.carriers.wifi.ways import goes_to_brick, text_goes_to_brick
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
@@ -185,12 +185,15 @@ class Connections:
         return True
 
     def _is_to_brick(self, ends: Ends, data: bytes, flags: int) -> bool:
-        """Whether the first segment that was seen of a connection goes to the brick."""
-        if target_port(ends) in self._ports:
-            if source_port(ends) not in self._ports:
-                return True
-            return not flags & ACK if flags & SYN else goes_to_brick(data)
-        return source_port(ends) not in self._ports and self._elsewhere.get(_both_ways(ends)) == target_of(ends)
+        """Whether the first segment that was seen of a connection goes to the brick: whoever opens one is none."""
+        is_target, is_source = target_port(ends) in self._ports, source_port(ends) in self._ports
+        if flags & SYN and (is_target or is_source):
+            return not flags & ACK
+        if (told := text_goes_to_brick(data)) is not None:
+            return told
+        if is_target:
+            return not is_source or goes_to_brick(data)
+        return not is_source and self._elsewhere.get(_both_ways(ends)) == target_of(ends)
 
     def _segment(self, packet: Packet, segment: Transport, half: _Half | None) -> Iterable[Event]:
         """The events that are complete with any segment."""

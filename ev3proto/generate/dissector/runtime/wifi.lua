@@ -126,7 +126,8 @@ do
     end
     forget_wifi()
 
-    -- Whether the preference names the ports of both ends, as a wide range may.
+    -- Whether the preference names the ports of both ends, as a wide range may. A connection of which the ports do not
+    -- tell which end is the brick has `is_by_name`: the data, or Decode As, told it, and it is named after that end.
     local function has_two_named(pinfo)
         return ports[pinfo.src_port] and ports[pinfo.dst_port]
     end
@@ -165,8 +166,8 @@ do
         -- Bricks in a chain send commands both ways.
         is_command, is_reply = is_daisy_or(is_command), is_daisy_or(is_reply)
 
-        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames. Until
-        -- it is claimed nothing but frames may follow one that begins inside of them.
+        -- What data tell of a connection that is not proven to be ours, from an offset on, and by how many frames.
+        -- Until it is claimed nothing but frames may follow one that begins inside of them.
         function claiming.judge_segment(text, at, to_brick, is_claimed)
             local verdict, telling = claiming.weigh_frames(text, at, to_brick and is_command or is_reply, true)
             if verdict or not to_brick then return verdict, telling end
@@ -176,9 +177,10 @@ do
             return verdict == OURS and OURS or nil, telling
         end
 
-        -- Which types go the way of a packet, where the port says which end is the brick.
-        local function types_of(pinfo)
-            if has_two_named(pinfo) then return is_to_named(connection_of(pinfo), pinfo) and is_command or is_reply end
+        -- Which types go the way of a packet, where the port or the data said which end is the brick.
+        local function types_of(pinfo, talk)
+            talk = talk or connection_of(pinfo)
+            if talk.is_by_name then return is_to_named(talk, pinfo) and is_command or is_reply end
             if ports[pinfo.dst_port] then return is_command end
             return ports[pinfo.src_port] and is_reply or nil
         end
@@ -267,7 +269,7 @@ do
                     start = done,
                     joint = joint,
                     first = 0,
-                    accepts = types_of(pinfo),
+                    accepts = types_of(pinfo, talk),
                 }
                 local after, wanted, _, step_after =
                     dissect_stream(tvb, text, stream, talk, number, pinfo, tree, is_shown)
@@ -332,11 +334,13 @@ do
         -- A buffer of a connection that is not proven to be ours, when it is seen for the first time: whether it is, or
         -- whether more is needed to tell.
         local function claim(talk, known, text, pinfo)
-            local was_claimed, to_brick = talk.is_claimed, is_to_brick(pinfo)
+            local was_claimed, to_brick = talk.is_claimed, is_to_brick(pinfo) == true
             if not was_claimed and not to_brick and not is_from_brick(pinfo) then return nil end
             local verdict = judge_text(text)
-            if has_two_named(pinfo) then
-                to_brick = tells_brick(talk, text, begin_of(known, text), verdict ~= nil, pinfo)
+            if verdict == OURS or has_two_named(pinfo) then
+                local is_told = tells_brick(talk, text, begin_of(known, text), verdict ~= nil, pinfo)
+                talk.is_by_name = talk.is_by_name or has_two_named(pinfo) or is_told ~= to_brick
+                to_brick = is_told
             end
             if verdict == OURS then
                 claiming.prove(talk)
@@ -379,7 +383,10 @@ do
             if declined[place] then return leave(tvb, pinfo, tree) end
             local port = pinfo.match_uint
             local is_forced = not ports[port] and not is_named[port]
-            if is_forced and not talk.name then name_brick(talk, pinfo, pinfo.dst_port == port) end
+            if is_forced and not talk.name then
+                name_brick(talk, pinfo, pinfo.dst_port == port)
+                talk.is_by_name = ports[pinfo.src_port] or ports[pinfo.dst_port]
+            end
             local verdict = is_forced and OURS or claim(talk, known, text, pinfo)
             local reported = verdict == PART and tvb:reported_len()
             if reported and #text < reported then

@@ -5274,8 +5274,11 @@ do
     local MOST_PER_COUNTER = 4
 
     -- Commands of one conversation that may wait for their replies. Beyond twice as many the oldest are given up: a
-    -- brick has one answer after the other.
-    local MOST_WAITING = 4096
+    -- brick has one answer after the other. So many of them are at hand; the others, whose replies are missing nearly
+    -- always, are one text each, as Lua goes through all that it holds whenever it frees something.
+    local MOST_WAITING, MOST_AT_HAND = 4096, 128
+
+    local pack, unpack = Struct.pack, Struct.unpack
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
@@ -5342,7 +5345,10 @@ do
     function talk_of(key)
         local talk = talks[key]
         if not talk then
-            talk = { key = key, pending = {}, pending_before = {}, count = 0, begun = {}, open = {} }
+            talk = {
+                key = key, pending = {}, count = 0, waiting = {}, waiting_before = {}, waiting_count = 0, begun = {},
+                open = {},
+            }
             talks[key] = talk
         end
         return talk
@@ -5358,18 +5364,43 @@ do
         return talks[key]
     end
 
-    -- The newest command that waits under a counter; each knows the one before it.
-    local function newest(talk, key)
-        return talk.pending[key] or talk.pending_before[key]
+    -- Puts away the commands at hand, as one text each; the few with another one of their counter before them as they
+    -- are.
+    local function put_away(talk)
+        if talk.waiting_count + MOST_AT_HAND > MOST_WAITING then
+            talk.waiting, talk.waiting_before, talk.waiting_count = {}, talk.waiting, 0
+        end
+        local waiting = talk.waiting
+        for key, command in pairs(talk.pending) do
+            waiting[key] = command.earlier and command or pack("dd", command.place, command.time) .. command.body
+        end
+        talk.waiting_count = talk.waiting_count + talk.count
+        talk.pending, talk.count = {}, 0
     end
 
+    local function read_command(text)
+        local place, time, stop = unpack("dd", text)
+        return { place = place, time = time, body = sub(text, stop), delay = 0 }
+    end
+
+    -- The newest command that waits under a counter; each knows the one before it. One that was put away is at hand
+    -- again.
+    local function newest(talk, key)
+        local command = talk.pending[key]
+        if command then return command end
+        command = talk.waiting[key] or talk.waiting_before[key]
+        if not command then return nil end
+        if talk.waiting[key] then talk.waiting_count = talk.waiting_count - 1 end
+        talk.waiting[key], talk.waiting_before[key] = nil, nil
+        if type(command) == "string" then command = read_command(command) end
+        talk.pending[key], talk.count = command, talk.count + 1
+        return command
+    end
+
+    -- `command` is the newest one now, if there is any.
     local function put_newest(talk, key, command)
-        if talk.pending[key] then
-            talk.pending[key] = command
-            if not command then talk.count = talk.count - 1 end
-        else
-            talk.pending_before[key] = command
-        end
+        talk.pending[key] = command
+        if not command then talk.count = talk.count - 1 end
     end
 
     -- Puts the commands before one after it, as many as are remembered.
@@ -5397,11 +5428,11 @@ do
         end
         local earlier = newest(talk, key)
         if earlier then put_earlier(command, earlier) end
-        if talk.count >= MOST_WAITING then talk.pending, talk.pending_before, talk.count = {}, talk.pending, 0 end
-        local pending = talk.pending
-        if not pending[key] then talk.count = talk.count + 1 end
-        pending[key] = command
-        if earlier and talk.pending_before[key] then talk.pending_before[key] = nil end
+        if not earlier then
+            if talk.count >= MOST_AT_HAND then put_away(talk) end
+            talk.count = talk.count + 1
+        end
+        talk.pending[key] = command
     end
 
     local function can_answer(message, body)

@@ -154,6 +154,19 @@ def test_only_so_many_commands_wait_for_their_replies(tshark: Tshark) -> None:
     assert said.splitlines() == ["0\t", "807\t", "4904\t4905", "8999\t9000"]
 
 
+def test_commands_that_wait_long_keep_those_before_them(tshark: Tshark) -> None:
+    """Two with one counter, then 300 with others: the first reply is that of the newer one."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for counter in (5, 5, *range(1000, 1300)):
+        connection.send(struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60"))
+    for counter in (5, 1000, 5, 1299):
+        connection.receive(struct.pack("<HHBf", 7, counter, 0x02, 7.5))
+    path = tshark.place(capture.data(), "waiting-long.pcap")
+    said = tshark.run(path, "-Y", "tcp.srcport == 5555", "-T", "fields", "-e", "ev3.msg_num", "-e", "ev3.request_in")
+    assert said.splitlines() == ["5\t2", "1000\t3", "5\t1", "1299\t302"]
+
+
 def test_pieces_of_frames_cost_little(tshark: Tshark) -> None:
     """A frame of 1000 bytes that comes byte by byte: each packet shows where it began, the last one all of them."""
     capture = Capture(HCI_WITH_DIRECTION)

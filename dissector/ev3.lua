@@ -4123,28 +4123,24 @@ do
         return shown
     end
 
-    -- There are more than a thousand parameters, and the collector goes through all of them again and again. In Lua a
-    -- table doubles beyond 16 entries: what is not so of a parameter, or not asked of it, has no entry.
-    local function ready_parameter(operation, abbreviation, row)
-        local name, direction, type, text = row[1], row[2], row[3], row[4]
-        local label = row.label and row.label .. " " .. name or name
-        local kind = PARAMETER_KINDS[type == VALUES and row.element or type] or NUMBER
+    -- All of a parameter but its field, from its row in the tables; `value_name` is what a reply's line calls it. In
+    -- Lua a table doubles beyond 16 entries: what is not so of a parameter, or not asked of it, has no entry.
+    local function ready_parameter(row, kind, label, value_name, tells_length, tells_type)
+        local name, direction, type = row[1], row[2], row[3]
         local is_flags = row.enum and row.enum.is_flags
         local parameter = {
-            name = name, field_name = name, type = type, kind = kind, operation = operation, label_head = label .. ":",
-            field = parameter_field(abbreviation, row, kind, label, text),
+            name = name, field_name = name, type = type, kind = kind, label_head = label .. ":",
             -- Whether its field says all that there is to say of a number.
             is_plain = kind ~= TEXT_VALUE and not (row.special or is_flags) and not (row.unit and kind == FLOAT),
+            -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
+            size = SIZE_OF[type] or 1, alignment = SIZE_OF[row.validated or type] or 1,
         }
-        if SIZE_OF[type] then parameter.size = SIZE_OF[type] end
-        -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
-        local alignment = SIZE_OF[row.validated or type]
-        if alignment then parameter.alignment = alignment end
         if type == DATAF then parameter.is_float = true end
         if direction ~= OUT then parameter.is_said, parameter.key = true, " " .. name:lower() .. "=" end
         if row.unit then parameter.unit = row.unit end
         if direction ~= IN then
-            parameter.is_output, parameter.value_key = true, " " .. name .. "="
+            parameter.is_output, parameter.value_key = true, " " .. value_name .. "="
+            if row.length then parameter.is_long = true end
             if row.unit then
                 parameter.unit_text = " " .. row.unit
                 parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
@@ -4154,24 +4150,31 @@ do
         if is_flags then parameter.is_flags = true end
         if row.special and not is_flags then parameter.special = in_brackets(row.special) end
         if row.length then parameter.length = row.length end
+        if tells_length then parameter.tells_length = true end
+        if tells_type then parameter.tells_type = true end
         return parameter
     end
 
-    -- What one line needs to know of a parameter that a variable stands for; parameters that are alike share it. An
-    -- output that is long has its size more than once.
-    local demand_of
+    -- There are more than a thousand parameters, and the collector goes through all that Lua holds again and again.
+    -- Those that are alike in all but their fields are one: three of four are like another.
+    local shared_parameter
     do
         local made = {}
 
-        function demand_of(parameter)
-            local demand = {
-                alignment = parameter.alignment or 1,
-                size = parameter.size or 1,
-                is_output = parameter.is_output == true,
-                is_long = parameter.is_output and parameter.length ~= nil or false,
-            }
-            local key = format("%d %d %s %s", demand.alignment, demand.size, demand.is_output, demand.is_long)
-            made[key] = made[key] or demand
+        local function text_of(special)
+            local pieces = {}
+            for value, meaning in pairs(special or {}) do
+                pieces[#pieces + 1] = value .. meaning
+            end
+            table.sort(pieces)
+            return concat(pieces, ",")
+        end
+
+        function shared_parameter(row, kind, label, value_name, tells_length, tells_type)
+            local key = format("%s|%s|%s|%s|%s|%s|%s|%s|%s|%s|%s|%s", label, row[1], row[2], row[3], value_name,
+                tostring(row.unit), tostring(row.enum), text_of(row.special), tostring(row.length),
+                tostring(row.validated), tostring(tells_length), tostring(tells_type))
+            made[key] = made[key] or ready_parameter(row, kind, label, value_name, tells_length, tells_type)
             return made[key]
         end
     end
@@ -4193,7 +4196,7 @@ do
         local direction = list.type == COUNT and row.elements or IN
         local name, text = list.name, row[4]
         local element = {
-            name = name, field_name = name, type = type, size = SIZE_OF[type], operation = list.operation,
+            name = name, field_name = name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
             is_float = type == DATAF, is_output = direction ~= IN, is_said = direction ~= OUT,
             key = " " .. name:lower() .. "=",
         }
@@ -4210,8 +4213,9 @@ do
         return numbered(element)
     end
 
-    local function ready_list(abbreviation, list, row)
-        list.elements_of = {}
+    -- The list at the end of an operation, whose field is that of its elements or of their count.
+    local function ready_list(abbreviation, list, row, declared)
+        list.field, list.elements_of = declared, {}
         if TYPE_NAMES[row.element] then
             list.elements_of[row.element] = ready_element(list, abbreviation, row.element, row)
             list.element_type = row.element
@@ -4227,43 +4231,60 @@ do
         end
     end
 
-    -- An operation: its names, its parameters, and the list at its end if it has one.
-    local function ready_operation(number, opcode_name, cmd_name, row)
+    -- The parameters of an operation that tell of others: how long they are, or of which type.
+    local function telling_of(row)
+        local lengths, types = {}, {}
+        for index = 4, #row do
+            local length, element = row[index].length, row[index].element
+            if length then lengths[length] = true end
+            if element then types[element] = true end
+        end
+        return lengths, types
+    end
+
+    -- The parameters of an operation and their fields, all but a list of values; the list at its end, if it has one;
+    -- whether no argument tells anything of another.
+    local function ready_parameters(name, cmd_name, row)
+        local lengths, types = telling_of(row)
+        local fixed, declared_fields, list = {}, {}, nil
+        local is_simple = true
+        for index = 4, #row do
+            local each = row[index]
+            local own, type = each[1], each[3]
+            local abbreviation = ("ev3." .. name .. "." .. own):lower()
+            local label = each.label and each.label .. " " .. own or own
+            local kind = PARAMETER_KINDS[type == VALUES and each.element or type] or NUMBER
+            local declared = parameter_field(abbreviation, each, kind, label, each[4])
+            -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
+            local value_name = own == "VALUE" and cmd_name and cmd_name:match("^GET_(.+)$") or own
+            local is_list = type == COUNT or type == VALUES
+            local make = is_list and ready_parameter or shared_parameter
+            local parameter = make(each, kind, label, value_name, lengths[own], types[own])
+            if is_list then
+                list = parameter
+                ready_list(abbreviation, list, each, declared)
+            end
+            if is_list or lengths[own] or types[own] then is_simple = false end
+            if type ~= VALUES then
+                fixed[#fixed + 1], declared_fields[#fixed + 1] = parameter, declared
+            end
+        end
+        return fixed, declared_fields, list, is_simple
+    end
+
+    -- An operation: its names and its parameters.
+    local function ready_operation(opcode_name, cmd_name, row)
         local name = cmd_name and opcode_name .. "." .. cmd_name or opcode_name
         local title = cmd_name and opcode_name .. " " .. cmd_name or opcode_name
+        local fixed, declared_fields, list, is_simple = ready_parameters(name, cmd_name, row)
         local operation = {
             name = name,
             title = title, addition = cmd_name and " " .. cmd_name or "",
             cmd_name = cmd_name,
-            fixed = {}, reply_head = "reply to " .. title .. ":",
+            fixed = fixed, fields = declared_fields, list = list,
+            reply_head = "reply to " .. title .. ":",
         }
-        -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
-        local value_name = cmd_name and cmd_name:match("^GET_(.+)$")
-        for index = 4, #row do
-            local abbreviation = ("ev3." .. name .. "." .. row[index][1]):lower()
-            local parameter = ready_parameter(operation, abbreviation, row[index])
-            if value_name and parameter.name == "VALUE" then parameter.value_key = " " .. value_name .. "=" end
-            if parameter.type == COUNT or parameter.type == VALUES then
-                operation.list = parameter
-                ready_list(abbreviation, parameter, row[index])
-            end
-            if parameter.type ~= VALUES then
-                operation.fixed[#operation.fixed + 1] = parameter
-            end
-        end
-        for _, parameter in ipairs(operation.fixed) do
-            for index = 4, #row do
-                if row[index].length == parameter.name then parameter.tells_length = true end
-                if row[index].element == parameter.name then parameter.tells_type = true end
-            end
-        end
-        -- Where no argument says how long another is, one line needs little of them.
-        local demands = {}
-        for index, parameter in ipairs(operation.fixed) do
-            if parameter.tells_length or parameter.tells_type or operation.list then return operation end
-            demands[index] = demand_of(parameter)
-        end
-        operation.demands = demands
+        if is_simple then operation.is_simple = true end
         return operation
     end
 
@@ -4283,10 +4304,10 @@ do
 
     for _, row in ipairs(OPERATIONS) do
         local number, name = row[1], row[2]
-        local plain = not row.commands and ready_operation(number, name, nil, row)
+        local plain = not row.commands and ready_operation(name, nil, row)
         local commands = {}
         for _, command in ipairs(row.commands or {}) do
-            commands[#commands + 1] = { row = command, operation = ready_operation(number, name, command[2], command) }
+            commands[#commands + 1] = { row = command, operation = ready_operation(name, command[2], command) }
         end
         for _, dialect in ipairs(DIALECTS) do
             if has_dialect(row, dialect) then
@@ -4686,11 +4707,12 @@ do
     end
 
     -- The arguments of an operation, from the offset after its opcode and CMD: the offset after them. Each is handed to
-    -- `visit`, if that is given, with its parameter, encoding, value, and the offsets of its first byte and after its
-    -- last; with `is_brief` only variables, and numbers that say how long something is. At a fault the offset is the
-    -- one after what could be read, and the fault's offset, reason and kind follow.
+    -- `visit`, if that is given, with its parameter, encoding, value, the parameter's field, and the offsets of its
+    -- first byte and after its last; with `is_brief` only variables, and numbers that say how long something is. At a
+    -- fault the offset is the one after what could be read, and the fault's offset, reason and kind follow.
     function read_arguments(operation, text, at, stop, visit, context, is_brief)
-        local fixed, list, start, element_type = operation.fixed, operation.list, at, nil
+        local fixed, declared, list = operation.fixed, operation.fields, operation.list
+        local start, element_type = at, nil
         local after, offset, reason, kind
         for index = 1, #fixed do
             local parameter = fixed[index]
@@ -4717,7 +4739,7 @@ do
                             value = value_of(text, at, after, encoding, parameter.is_float)
                         end
                     end
-                    visit(context, parameter, encoding, value, at, after)
+                    visit(context, parameter, encoding, value, declared[index], at, after)
                     if list and parameter.tells_type and encoding.kind == CONSTANT then
                         element_type = FORMAT_TYPES[value]
                     end
@@ -4738,7 +4760,7 @@ do
                     local encoding = ENCODINGS[byte(text, at + 1)]
                     if not is_brief or encoding.scope then
                         local value = value_of(text, at, after, encoding, element.is_float)
-                        visit(context, element, encoding, value, at, after)
+                        visit(context, element, encoding, value, element.field, at, after)
                     end
                 end
                 at = after
@@ -4747,12 +4769,11 @@ do
         return at
     end
 
-    -- The same of an operation with `demands`, and `visit` is handed that of the parameter instead of offsets; with
-    -- `is_brief` only variables. Without a tree most arguments are read here: each needs just the size that its first
-    -- byte tells.
+    -- The same of an operation that is simple: no argument tells anything of another. Most are read here: each needs
+    -- just the size that its first byte tells. With `is_brief` only variables are handed over.
     function skim_arguments(operation, text, at, stop, visit, context, is_brief)
-        local fixed, demands = operation.fixed, operation.demands
-        for index = 1, #demands do
+        local fixed, declared = operation.fixed, operation.fields
+        for index = 1, #fixed do
             local first, low, high = byte(text, at + 1, at + 3)
             local size, after = SIZES[first], nil
             if size and size > 0 and at + size <= stop then
@@ -4776,7 +4797,7 @@ do
                         value = value_of(text, at, after, encoding, parameter.is_float)
                     end
                 end
-                visit(context, parameter, encoding, value, demands[index])
+                visit(context, parameter, encoding, value, declared[index], at, after)
             end
             at = after
         end
@@ -5591,9 +5612,9 @@ do
     local unpack = table.unpack
 
     -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
-    -- parameter, encoding, index; and its `size`, as more may follow. `first` is the first operation; `lengths`, by the
-    -- offset of their operation, are constants that say how long outputs are.
-    local OUTPUT = 4
+    -- parameter, encoding, index, field, operation; and its `size`, as more may follow. `first` is the first operation;
+    -- `lengths`, by the offset of their operation, are constants that say how long outputs are.
+    local OUTPUT = 6
 
     -- The layout of the command that is being read, or was read last.
     local draft = {}
@@ -5607,12 +5628,14 @@ do
     end
 
     -- Notes an output: an output parameter that names a global variable.
-    function layout_notes.note_output(offset, parameter, encoding, index)
+    function layout_notes.note_output(view, parameter, encoding, index, declared)
         local size = draft_size
-        draft[size + 1] = offset
+        draft[size + 1] = view.offset
         draft[size + 2] = parameter
         draft[size + 3] = encoding
         draft[size + 4] = index
+        draft[size + 5] = declared
+        draft[size + 6] = view.operation
         draft_size = size + OUTPUT
     end
 
@@ -5670,7 +5693,8 @@ do
         local text, most = reply.text, reply.stop - HEADER_SIZE
         local read, size = READ_TYPE[type], SIZE_OF[type]
         output.parameter, output.index, output.is_handle = parameter, start, is_handle
-        output.offset, output.list = layout[at], false
+        output.field, output.operation, output.offset, output.list =
+            layout[at + 4], layout[at + 5], layout[at], false
         local is_list = parameter.length and type ~= ARRAY_TYPED and type ~= STRING and not is_handle
         -- Nearly all are one number.
         if read and not is_list then
@@ -5705,10 +5729,10 @@ do
         return true
     end
 
-    local function note_argument(view, parameter, encoding, value)
+    local function note_argument(view, parameter, encoding, value, declared)
         if encoding.scope then
             if parameter.is_output and encoding.kind == GLOBAL then
-                layout_notes.note_output(view.offset, parameter, encoding, value)
+                layout_notes.note_output(view, parameter, encoding, value, declared)
             end
         elseif tells_length(parameter, encoding) then
             view.lengths = view.lengths or {}
@@ -5721,9 +5745,12 @@ do
         local at, view = MEMORY_FIELD, {}
         layout_notes.start()
         while at < #body do
-            view.offset, view.lengths = at, nil
-            local operation, after, fault = read_operation(body, at, #body, note_argument, view, true)
+            local operation, after = select_operation(body, at, #body)
+            if not operation then break end
             draft_first = draft_first or operation
+            view.offset, view.operation, view.lengths = at, operation, nil
+            local fault
+            after, fault = read_arguments(operation, body, after, #body, note_argument, view, true)
             if view.lengths then layout_notes.note_lengths(at, view.lengths) end
             if fault then break end
             at = after
@@ -5848,7 +5875,7 @@ do
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
     -- instead of it, or after it. A value that has not the type of its parameter is text.
-    function value_of_row(parameter, name, value)
+    function value_of_row(parameter, declared, name, value)
         local kind, is_text = parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or (kind == NUMBER and value % 1 ~= 0) then
             local text = is_text and utf8_text(value) or number_text(value)
@@ -5867,7 +5894,7 @@ do
             local meaning = meaning_of(parameter, value)
             if meaning then addition = addition and addition .. " " .. meaning or meaning end
         end
-        return parameter.field, is_text and utf8_text(value) or value, label, addition
+        return declared, is_text and utf8_text(value) or value, label, addition
     end
 
     -- With what is wrong already, one more: its kind and its text. A list is written at once, as one that grows is laid
@@ -5884,7 +5911,7 @@ do
     local function variable_complaints(complaints, view, parameter, encoding, index)
         local is_handle = encoding.handle
         local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment
-        if alignment and index % alignment ~= 0 then
+        if index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
             local text = encoding.texts[index]
@@ -5895,8 +5922,8 @@ do
         local asked = is_global and view.globals or view.locals
         -- Without a tree one such variable stands for all: there is nothing to point at.
         if not asked or view.is_beyond then return complaints end
-        local size = is_handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size or 1
-        if parameter.length and parameter.is_output and not is_handle then
+        local size = is_handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size
+        if parameter.is_long and not is_handle then
             size = size * stated_length(parameter, view.lengths, 1)
         end
         if index + size > asked then
@@ -5908,52 +5935,63 @@ do
         return complaints
     end
 
+    -- Nearly all variables are as they should be.
+    local function check_variable(view, parameter, encoding, index, declared)
+        local is_global = encoding.kind == GLOBAL
+        local asked = is_global and view.globals or view.locals
+        if parameter.is_long or asked and index + parameter.size > asked or index % parameter.alignment ~= 0
+            or encoding.is_special then
+            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, index)
+        end
+        if is_global and parameter.is_output then note_output(view, parameter, encoding, index, declared) end
+    end
+
     -- What the items of an operation are added to, and what has been said of its arguments so far. There are very many
     -- arguments, and each reads these faster here than in a table.
     local NO_LENGTHS = {}
     local shown = {}
     local heading, buffer, base, said, said_count
 
-    -- A range costs more than an item: that of the first byte serves the argument and its encoding.
-    local function show_argument(view, parameter, encoding, value, at, stop)
-        local range, size = buffer(base + at, 1), stop - at
-        local added, text
-        if encoding.scope then
-            text = encoding.texts[value]
-            added = add(heading, VARIABLE, range, text, parameter.label_head, text)
-            if size > 1 then set_len(added, size) end
-            local complaints = variable_complaints(nil, view, parameter, encoding, value)
-            if complaints then
-                for index = 1, #complaints, 2 do
-                    complain(added, complaints[index], complaints[index + 1])
-                end
-            end
-            if parameter.is_output and encoding.kind == GLOBAL then
-                note_output(view.offset, parameter, encoding, value)
-            end
-        else
-            if parameter.is_plain and encoding.is_number then
-                added = add(heading, parameter.field, range, value)
-            elseif parameter.special and encoding.is_number and parameter.kind == NUMBER then
-                added = add(heading, parameter.field, range, value, false, parameter.special[value])
-            else
-                local declared, own, label, addition = value_of_row(parameter, parameter.name, value)
-                added = add(heading, declared, range, own, label, addition)
-            end
-            if size > 1 then set_len(added, size) end
-            if parameter.tells_length and tells_length(parameter, encoding) then
-                if view.lengths == NO_LENGTHS then view.lengths = {} end
-                view.lengths[parameter.name] = value
-            end
+    local function complain_of_variable(item, view)
+        local complaints = view.complaints
+        for index = 1, #complaints, 2 do
+            complain(item, complaints[index], complaints[index + 1])
         end
+        view.complaints = nil
+    end
+
+    -- A range costs more than an item: that of the first byte serves the argument and its encoding.
+    local function show_argument(view, parameter, encoding, value, declared, at, stop)
+        local range, size, text = buffer(base + at, 1), stop - at, encoding.text
+        local added
+        if encoding.scope then
+            text = text or encoding.texts[value]
+            added = add(heading, VARIABLE, range, text, parameter.label_head, text)
+            check_variable(view, parameter, encoding, value, declared)
+            if view.complaints then complain_of_variable(added, view) end
+        elseif encoding.is_number and parameter.is_plain then
+            added = add(heading, declared, range, value)
+        elseif encoding.is_number and parameter.special and parameter.kind == NUMBER then
+            added = add(heading, declared, range, value, false, parameter.special[value])
+        else
+            local own_field, own, label, addition = value_of_row(parameter, declared, parameter.name, value)
+            added = add(heading, own_field, range, own, label, addition)
+        end
+        if size > 1 then set_len(added, size) end
         add(added, ENCODING, range, encoding.label)
-        if parameter.is_said then
+        local key = parameter.key
+        if key and parameter.is_said then
             if said_count < MOST_VALUES then
-                said = said .. parameter.key .. (text or argument_text(parameter, encoding, value))
+                if not text or parameter.enum then text = argument_text(parameter, encoding, value) end
+                said = said .. key .. text
             elseif said_count == MOST_VALUES then
                 said = said .. " ..."
             end
             said_count = said_count + 1
+        end
+        if parameter.tells_length and tells_length(parameter, encoding) then
+            if view.lengths == NO_LENGTHS then view.lengths = {} end
+            view.lengths[parameter.name] = value
         end
     end
 
@@ -5985,9 +6023,9 @@ do
                     add(cmd, ENCODING, range, ENCODINGS[byte(text, at + 2)].label)
                 end
             end
-            said, said_count, shown.offset = "", 0, at
-            local offset
-            after, offset, reason, kind = read_arguments(operation, text, after, stop, show_argument, shown)
+            said, said_count, shown.offset, shown.operation = "", 0, at, operation
+            local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
+            after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
             local addition = operation.addition .. said
             if addition ~= "" then append_text(heading, addition) end
@@ -6008,29 +6046,6 @@ do
     -- The line on the first operation, piece by piece: SOUND TONE volume=1 frequency=440
     local pieces, piece_count = {}, 0
 
-    -- Nearly all variables are as they should be.
-    local function check_variable(view, parameter, encoding, index, demand)
-        local is_global = encoding.kind == GLOBAL
-        local asked = is_global and view.globals or view.locals
-        if demand.is_long or asked and index + demand.size > asked or index % demand.alignment ~= 0
-            or encoding.is_special then
-            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, index)
-        end
-        if is_global and demand.is_output then note_output(view.offset, parameter, encoding, index) end
-    end
-
-    -- The same of any argument.
-    local function check_argument(view, parameter, encoding, value)
-        if encoding.scope then
-            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, value)
-            if parameter.is_output and encoding.kind == GLOBAL then
-                note_output(view.offset, parameter, encoding, value)
-            end
-        elseif parameter.tells_length and tells_length(parameter, encoding) then
-            view.lengths[parameter.name] = value
-        end
-    end
-
     local function say_phrase(parameter, encoding, value)
         local key, count = parameter.key, piece_count
         if not key or count > 2 * MOST_VALUES + 1 then return end
@@ -6045,13 +6060,22 @@ do
         end
     end
 
-    local function say_variable(view, parameter, encoding, value, demand)
-        if encoding.scope then check_variable(view, parameter, encoding, value, demand) end
+    -- Without a tree: what is wrong with any argument, and what a reply will hold.
+    local function check_argument(view, parameter, encoding, value, declared)
+        if encoding.scope then
+            check_variable(view, parameter, encoding, value, declared)
+        elseif parameter.tells_length and tells_length(parameter, encoding) then
+            view.lengths[parameter.name] = value
+        end
+    end
+
+    local function say_variable(view, parameter, encoding, value, declared)
+        if encoding.scope then check_variable(view, parameter, encoding, value, declared) end
         say_phrase(parameter, encoding, value)
     end
 
-    local function say_argument(view, parameter, encoding, value)
-        check_argument(view, parameter, encoding, value)
+    local function say_argument(view, parameter, encoding, value, declared)
+        check_argument(view, parameter, encoding, value, declared)
         if parameter.is_said then say_phrase(parameter, encoding, value) end
     end
 
@@ -6070,10 +6094,10 @@ do
                 fault = { at = after, reason = offset, kind = reason }
                 break
             end
-            view.offset = at
+            view.offset, view.operation = at, operation
             local is_further = first ~= nil
             first = first or operation
-            if operation.demands then
+            if operation.is_simple then
                 after, offset, reason, kind = skim_arguments(operation, text, after, stop,
                     is_further and check_variable or say_variable, view, is_further)
             else
@@ -6226,7 +6250,7 @@ do
         local parameter = output.parameter
         local name = parameter.name
         if not output.list then
-            local declared, value, label, addition = value_of_row(parameter, name, output.value)
+            local declared, value, label, addition = value_of_row(parameter, output.field, name, output.value)
             if output.is_handle then label = name .. ": handle " .. output.value end
             add(item, declared, range, value, label, addition)
             return
@@ -6235,7 +6259,7 @@ do
         local at, step = base + HEADER_SIZE + output.index, output.size / #output.list
         for index, element in ipairs(output.list) do
             local declared, value, label, addition =
-                value_of_row(parameter, format("%s[%d]", name, index - 1), element)
+                value_of_row(parameter, output.field, format("%s[%d]", name, index - 1), element)
             add(list, declared, tvb(at + (index - 1) * step, step), value, label, addition)
         end
     end
@@ -6258,7 +6282,7 @@ do
                 local at = HEADER_SIZE + output.index
                 start, after = math.min(start, at), math.max(after, at + output.size)
             end
-            local name, size = outputs[first].parameter.operation.name, after - start
+            local name, size = outputs[first].operation.name, after - start
             -- A range costs as much as half an item. Often an operation has one value, and a reply one operation.
             local range = size == stop - HEADER_SIZE and memory or tvb(base + start, size)
             local added = add(item, field.answers, range, name)

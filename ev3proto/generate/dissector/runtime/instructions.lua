@@ -57,28 +57,24 @@ do
         return shown
     end
 
-    -- There are more than a thousand parameters, and the collector goes through all of them again and again. In Lua a
-    -- table doubles beyond 16 entries: what is not so of a parameter, or not asked of it, has no entry.
-    local function ready_parameter(operation, abbreviation, row)
-        local name, direction, type, text = row[1], row[2], row[3], row[4]
-        local label = row.label and row.label .. " " .. name or name
-        local kind = PARAMETER_KINDS[type == VALUES and row.element or type] or NUMBER
+    -- All of a parameter but its field, from its row in the tables; `value_name` is what a reply's line calls it. In
+    -- Lua a table doubles beyond 16 entries: what is not so of a parameter, or not asked of it, has no entry.
+    local function ready_parameter(row, kind, label, value_name, tells_length, tells_type)
+        local name, direction, type = row[1], row[2], row[3]
         local is_flags = row.enum and row.enum.is_flags
         local parameter = {
-            name = name, field_name = name, type = type, kind = kind, operation = operation, label_head = label .. ":",
-            field = parameter_field(abbreviation, row, kind, label, text),
+            name = name, field_name = name, type = type, kind = kind, label_head = label .. ":",
             -- Whether its field says all that there is to say of a number.
             is_plain = kind ~= TEXT_VALUE and not (row.special or is_flags) and not (row.unit and kind == FLOAT),
+            -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
+            size = SIZE_OF[type] or 1, alignment = SIZE_OF[row.validated or type] or 1,
         }
-        if SIZE_OF[type] then parameter.size = SIZE_OF[type] end
-        -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
-        local alignment = SIZE_OF[row.validated or type]
-        if alignment then parameter.alignment = alignment end
         if type == DATAF then parameter.is_float = true end
         if direction ~= OUT then parameter.is_said, parameter.key = true, " " .. name:lower() .. "=" end
         if row.unit then parameter.unit = row.unit end
         if direction ~= IN then
-            parameter.is_output, parameter.value_key = true, " " .. name .. "="
+            parameter.is_output, parameter.value_key = true, " " .. value_name .. "="
+            if row.length then parameter.is_long = true end
             if row.unit then
                 parameter.unit_text = " " .. row.unit
                 parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
@@ -88,24 +84,31 @@ do
         if is_flags then parameter.is_flags = true end
         if row.special and not is_flags then parameter.special = in_brackets(row.special) end
         if row.length then parameter.length = row.length end
+        if tells_length then parameter.tells_length = true end
+        if tells_type then parameter.tells_type = true end
         return parameter
     end
 
-    -- What one line needs to know of a parameter that a variable stands for; parameters that are alike share it. An
-    -- output that is long has its size more than once.
-    local demand_of
+    -- There are more than a thousand parameters, and the collector goes through all that Lua holds again and again.
+    -- Those that are alike in all but their fields are one: three of four are like another.
+    local shared_parameter
     do
         local made = {}
 
-        function demand_of(parameter)
-            local demand = {
-                alignment = parameter.alignment or 1,
-                size = parameter.size or 1,
-                is_output = parameter.is_output == true,
-                is_long = parameter.is_output and parameter.length ~= nil or false,
-            }
-            local key = format("%d %d %s %s", demand.alignment, demand.size, demand.is_output, demand.is_long)
-            made[key] = made[key] or demand
+        local function text_of(special)
+            local pieces = {}
+            for value, meaning in pairs(special or {}) do
+                pieces[#pieces + 1] = value .. meaning
+            end
+            table.sort(pieces)
+            return concat(pieces, ",")
+        end
+
+        function shared_parameter(row, kind, label, value_name, tells_length, tells_type)
+            local key = format("%s|%s|%s|%s|%s|%s|%s|%s|%s|%s|%s|%s", label, row[1], row[2], row[3], value_name,
+                tostring(row.unit), tostring(row.enum), text_of(row.special), tostring(row.length),
+                tostring(row.validated), tostring(tells_length), tostring(tells_type))
+            made[key] = made[key] or ready_parameter(row, kind, label, value_name, tells_length, tells_type)
             return made[key]
         end
     end
@@ -127,7 +130,7 @@ do
         local direction = list.type == COUNT and row.elements or IN
         local name, text = list.name, row[4]
         local element = {
-            name = name, field_name = name, type = type, size = SIZE_OF[type], operation = list.operation,
+            name = name, field_name = name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
             is_float = type == DATAF, is_output = direction ~= IN, is_said = direction ~= OUT,
             key = " " .. name:lower() .. "=",
         }
@@ -144,8 +147,9 @@ do
         return numbered(element)
     end
 
-    local function ready_list(abbreviation, list, row)
-        list.elements_of = {}
+    -- The list at the end of an operation, whose field is that of its elements or of their count.
+    local function ready_list(abbreviation, list, row, declared)
+        list.field, list.elements_of = declared, {}
         if TYPE_NAMES[row.element] then
             list.elements_of[row.element] = ready_element(list, abbreviation, row.element, row)
             list.element_type = row.element
@@ -161,43 +165,60 @@ do
         end
     end
 
-    -- An operation: its names, its parameters, and the list at its end if it has one.
-    local function ready_operation(number, opcode_name, cmd_name, row)
+    -- The parameters of an operation that tell of others: how long they are, or of which type.
+    local function telling_of(row)
+        local lengths, types = {}, {}
+        for index = 4, #row do
+            local length, element = row[index].length, row[index].element
+            if length then lengths[length] = true end
+            if element then types[element] = true end
+        end
+        return lengths, types
+    end
+
+    -- The parameters of an operation and their fields, all but a list of values; the list at its end, if it has one;
+    -- whether no argument tells anything of another.
+    local function ready_parameters(name, cmd_name, row)
+        local lengths, types = telling_of(row)
+        local fixed, declared_fields, list = {}, {}, nil
+        local is_simple = true
+        for index = 4, #row do
+            local each = row[index]
+            local own, type = each[1], each[3]
+            local abbreviation = ("ev3." .. name .. "." .. own):lower()
+            local label = each.label and each.label .. " " .. own or own
+            local kind = PARAMETER_KINDS[type == VALUES and each.element or type] or NUMBER
+            local declared = parameter_field(abbreviation, each, kind, label, each[4])
+            -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
+            local value_name = own == "VALUE" and cmd_name and cmd_name:match("^GET_(.+)$") or own
+            local is_list = type == COUNT or type == VALUES
+            local make = is_list and ready_parameter or shared_parameter
+            local parameter = make(each, kind, label, value_name, lengths[own], types[own])
+            if is_list then
+                list = parameter
+                ready_list(abbreviation, list, each, declared)
+            end
+            if is_list or lengths[own] or types[own] then is_simple = false end
+            if type ~= VALUES then
+                fixed[#fixed + 1], declared_fields[#fixed + 1] = parameter, declared
+            end
+        end
+        return fixed, declared_fields, list, is_simple
+    end
+
+    -- An operation: its names and its parameters.
+    local function ready_operation(opcode_name, cmd_name, row)
         local name = cmd_name and opcode_name .. "." .. cmd_name or opcode_name
         local title = cmd_name and opcode_name .. " " .. cmd_name or opcode_name
+        local fixed, declared_fields, list, is_simple = ready_parameters(name, cmd_name, row)
         local operation = {
             name = name,
             title = title, addition = cmd_name and " " .. cmd_name or "",
             cmd_name = cmd_name,
-            fixed = {}, reply_head = "reply to " .. title .. ":",
+            fixed = fixed, fields = declared_fields, list = list,
+            reply_head = "reply to " .. title .. ":",
         }
-        -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
-        local value_name = cmd_name and cmd_name:match("^GET_(.+)$")
-        for index = 4, #row do
-            local abbreviation = ("ev3." .. name .. "." .. row[index][1]):lower()
-            local parameter = ready_parameter(operation, abbreviation, row[index])
-            if value_name and parameter.name == "VALUE" then parameter.value_key = " " .. value_name .. "=" end
-            if parameter.type == COUNT or parameter.type == VALUES then
-                operation.list = parameter
-                ready_list(abbreviation, parameter, row[index])
-            end
-            if parameter.type ~= VALUES then
-                operation.fixed[#operation.fixed + 1] = parameter
-            end
-        end
-        for _, parameter in ipairs(operation.fixed) do
-            for index = 4, #row do
-                if row[index].length == parameter.name then parameter.tells_length = true end
-                if row[index].element == parameter.name then parameter.tells_type = true end
-            end
-        end
-        -- Where no argument says how long another is, one line needs little of them.
-        local demands = {}
-        for index, parameter in ipairs(operation.fixed) do
-            if parameter.tells_length or parameter.tells_type or operation.list then return operation end
-            demands[index] = demand_of(parameter)
-        end
-        operation.demands = demands
+        if is_simple then operation.is_simple = true end
         return operation
     end
 
@@ -217,10 +238,10 @@ do
 
     for _, row in ipairs(OPERATIONS) do
         local number, name = row[1], row[2]
-        local plain = not row.commands and ready_operation(number, name, nil, row)
+        local plain = not row.commands and ready_operation(name, nil, row)
         local commands = {}
         for _, command in ipairs(row.commands or {}) do
-            commands[#commands + 1] = { row = command, operation = ready_operation(number, name, command[2], command) }
+            commands[#commands + 1] = { row = command, operation = ready_operation(name, command[2], command) }
         end
         for _, dialect in ipairs(DIALECTS) do
             if has_dialect(row, dialect) then

@@ -122,7 +122,7 @@ do
         local parameter = output.parameter
         local name = parameter.name
         if not output.list then
-            local declared, value, label, addition = value_of_row(parameter, name, output.value)
+            local declared, value, label, addition = value_of_row(parameter, output.field, name, output.value)
             if output.is_handle then label = name .. ": handle " .. output.value end
             add(item, declared, range, value, label, addition)
             return
@@ -131,7 +131,7 @@ do
         local at, step = base + HEADER_SIZE + output.index, output.size / #output.list
         for index, element in ipairs(output.list) do
             local declared, value, label, addition =
-                value_of_row(parameter, format("%s[%d]", name, index - 1), element)
+                value_of_row(parameter, output.field, format("%s[%d]", name, index - 1), element)
             add(list, declared, tvb(at + (index - 1) * step, step), value, label, addition)
         end
     end
@@ -154,7 +154,7 @@ do
                 local at = HEADER_SIZE + output.index
                 start, after = math.min(start, at), math.max(after, at + output.size)
             end
-            local name, size = outputs[first].parameter.operation.name, after - start
+            local name, size = outputs[first].operation.name, after - start
             -- A range costs as much as half an item. Often an operation has one value, and a reply one operation.
             local range = size == stop - HEADER_SIZE and memory or tvb(base + start, size)
             local added = add(item, field.answers, range, name)

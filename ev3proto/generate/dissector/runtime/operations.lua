@@ -11,7 +11,7 @@ do
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
     -- instead of it, or after it. A value that has not the type of its parameter is text.
-    function value_of_row(parameter, name, value)
+    function value_of_row(parameter, declared, name, value)
         local kind, is_text = parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or (kind == NUMBER and value % 1 ~= 0) then
             local text = is_text and utf8_text(value) or number_text(value)
@@ -30,7 +30,7 @@ do
             local meaning = meaning_of(parameter, value)
             if meaning then addition = addition and addition .. " " .. meaning or meaning end
         end
-        return parameter.field, is_text and utf8_text(value) or value, label, addition
+        return declared, is_text and utf8_text(value) or value, label, addition
     end
 
     -- With what is wrong already, one more: its kind and its text. A list is written at once, as one that grows is laid
@@ -47,7 +47,7 @@ do
     local function variable_complaints(complaints, view, parameter, encoding, index)
         local is_handle = encoding.handle
         local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment
-        if alignment and index % alignment ~= 0 then
+        if index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
             local text = encoding.texts[index]
@@ -58,8 +58,8 @@ do
         local asked = is_global and view.globals or view.locals
         -- Without a tree one such variable stands for all: there is nothing to point at.
         if not asked or view.is_beyond then return complaints end
-        local size = is_handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size or 1
-        if parameter.length and parameter.is_output and not is_handle then
+        local size = is_handle and SIZE_OF[HANDLE] or encoding.address and SIZE_OF[DATA32] or parameter.size
+        if parameter.is_long and not is_handle then
             size = size * stated_length(parameter, view.lengths, 1)
         end
         if index + size > asked then
@@ -71,52 +71,63 @@ do
         return complaints
     end
 
+    -- Nearly all variables are as they should be.
+    local function check_variable(view, parameter, encoding, index, declared)
+        local is_global = encoding.kind == GLOBAL
+        local asked = is_global and view.globals or view.locals
+        if parameter.is_long or asked and index + parameter.size > asked or index % parameter.alignment ~= 0
+            or encoding.is_special then
+            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, index)
+        end
+        if is_global and parameter.is_output then note_output(view, parameter, encoding, index, declared) end
+    end
+
     -- What the items of an operation are added to, and what has been said of its arguments so far. There are very many
     -- arguments, and each reads these faster here than in a table.
     local NO_LENGTHS = {}
     local shown = {}
     local heading, buffer, base, said, said_count
 
-    -- A range costs more than an item: that of the first byte serves the argument and its encoding.
-    local function show_argument(view, parameter, encoding, value, at, stop)
-        local range, size = buffer(base + at, 1), stop - at
-        local added, text
-        if encoding.scope then
-            text = encoding.texts[value]
-            added = add(heading, VARIABLE, range, text, parameter.label_head, text)
-            if size > 1 then set_len(added, size) end
-            local complaints = variable_complaints(nil, view, parameter, encoding, value)
-            if complaints then
-                for index = 1, #complaints, 2 do
-                    complain(added, complaints[index], complaints[index + 1])
-                end
-            end
-            if parameter.is_output and encoding.kind == GLOBAL then
-                note_output(view.offset, parameter, encoding, value)
-            end
-        else
-            if parameter.is_plain and encoding.is_number then
-                added = add(heading, parameter.field, range, value)
-            elseif parameter.special and encoding.is_number and parameter.kind == NUMBER then
-                added = add(heading, parameter.field, range, value, false, parameter.special[value])
-            else
-                local declared, own, label, addition = value_of_row(parameter, parameter.name, value)
-                added = add(heading, declared, range, own, label, addition)
-            end
-            if size > 1 then set_len(added, size) end
-            if parameter.tells_length and tells_length(parameter, encoding) then
-                if view.lengths == NO_LENGTHS then view.lengths = {} end
-                view.lengths[parameter.name] = value
-            end
+    local function complain_of_variable(item, view)
+        local complaints = view.complaints
+        for index = 1, #complaints, 2 do
+            complain(item, complaints[index], complaints[index + 1])
         end
+        view.complaints = nil
+    end
+
+    -- A range costs more than an item: that of the first byte serves the argument and its encoding.
+    local function show_argument(view, parameter, encoding, value, declared, at, stop)
+        local range, size, text = buffer(base + at, 1), stop - at, encoding.text
+        local added
+        if encoding.scope then
+            text = text or encoding.texts[value]
+            added = add(heading, VARIABLE, range, text, parameter.label_head, text)
+            check_variable(view, parameter, encoding, value, declared)
+            if view.complaints then complain_of_variable(added, view) end
+        elseif encoding.is_number and parameter.is_plain then
+            added = add(heading, declared, range, value)
+        elseif encoding.is_number and parameter.special and parameter.kind == NUMBER then
+            added = add(heading, declared, range, value, false, parameter.special[value])
+        else
+            local own_field, own, label, addition = value_of_row(parameter, declared, parameter.name, value)
+            added = add(heading, own_field, range, own, label, addition)
+        end
+        if size > 1 then set_len(added, size) end
         add(added, ENCODING, range, encoding.label)
-        if parameter.is_said then
+        local key = parameter.key
+        if key and parameter.is_said then
             if said_count < MOST_VALUES then
-                said = said .. parameter.key .. (text or argument_text(parameter, encoding, value))
+                if not text or parameter.enum then text = argument_text(parameter, encoding, value) end
+                said = said .. key .. text
             elseif said_count == MOST_VALUES then
                 said = said .. " ..."
             end
             said_count = said_count + 1
+        end
+        if parameter.tells_length and tells_length(parameter, encoding) then
+            if view.lengths == NO_LENGTHS then view.lengths = {} end
+            view.lengths[parameter.name] = value
         end
     end
 
@@ -148,9 +159,9 @@ do
                     add(cmd, ENCODING, range, ENCODINGS[byte(text, at + 2)].label)
                 end
             end
-            said, said_count, shown.offset = "", 0, at
-            local offset
-            after, offset, reason, kind = read_arguments(operation, text, after, stop, show_argument, shown)
+            said, said_count, shown.offset, shown.operation = "", 0, at, operation
+            local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
+            after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
             local addition = operation.addition .. said
             if addition ~= "" then append_text(heading, addition) end
@@ -171,29 +182,6 @@ do
     -- The line on the first operation, piece by piece: SOUND TONE volume=1 frequency=440
     local pieces, piece_count = {}, 0
 
-    -- Nearly all variables are as they should be.
-    local function check_variable(view, parameter, encoding, index, demand)
-        local is_global = encoding.kind == GLOBAL
-        local asked = is_global and view.globals or view.locals
-        if demand.is_long or asked and index + demand.size > asked or index % demand.alignment ~= 0
-            or encoding.is_special then
-            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, index)
-        end
-        if is_global and demand.is_output then note_output(view.offset, parameter, encoding, index) end
-    end
-
-    -- The same of any argument.
-    local function check_argument(view, parameter, encoding, value)
-        if encoding.scope then
-            view.complaints = variable_complaints(view.complaints, view, parameter, encoding, value)
-            if parameter.is_output and encoding.kind == GLOBAL then
-                note_output(view.offset, parameter, encoding, value)
-            end
-        elseif parameter.tells_length and tells_length(parameter, encoding) then
-            view.lengths[parameter.name] = value
-        end
-    end
-
     local function say_phrase(parameter, encoding, value)
         local key, count = parameter.key, piece_count
         if not key or count > 2 * MOST_VALUES + 1 then return end
@@ -208,13 +196,22 @@ do
         end
     end
 
-    local function say_variable(view, parameter, encoding, value, demand)
-        if encoding.scope then check_variable(view, parameter, encoding, value, demand) end
+    -- Without a tree: what is wrong with any argument, and what a reply will hold.
+    local function check_argument(view, parameter, encoding, value, declared)
+        if encoding.scope then
+            check_variable(view, parameter, encoding, value, declared)
+        elseif parameter.tells_length and tells_length(parameter, encoding) then
+            view.lengths[parameter.name] = value
+        end
+    end
+
+    local function say_variable(view, parameter, encoding, value, declared)
+        if encoding.scope then check_variable(view, parameter, encoding, value, declared) end
         say_phrase(parameter, encoding, value)
     end
 
-    local function say_argument(view, parameter, encoding, value)
-        check_argument(view, parameter, encoding, value)
+    local function say_argument(view, parameter, encoding, value, declared)
+        check_argument(view, parameter, encoding, value, declared)
         if parameter.is_said then say_phrase(parameter, encoding, value) end
     end
 
@@ -233,10 +230,10 @@ do
                 fault = { at = after, reason = offset, kind = reason }
                 break
             end
-            view.offset = at
+            view.offset, view.operation = at, operation
             local is_further = first ~= nil
             first = first or operation
-            if operation.demands then
+            if operation.is_simple then
                 after, offset, reason, kind = skim_arguments(operation, text, after, stop,
                     is_further and check_variable or say_variable, view, is_further)
             else

@@ -178,11 +178,12 @@ do
     end
 
     -- The arguments of an operation, from the offset after its opcode and CMD: the offset after them. Each is handed to
-    -- `visit`, if that is given, with its parameter, encoding, value, and the offsets of its first byte and after its
-    -- last; with `is_brief` only variables, and numbers that say how long something is. At a fault the offset is the
-    -- one after what could be read, and the fault's offset, reason and kind follow.
+    -- `visit`, if that is given, with its parameter, encoding, value, the parameter's field, and the offsets of its
+    -- first byte and after its last; with `is_brief` only variables, and numbers that say how long something is. At a
+    -- fault the offset is the one after what could be read, and the fault's offset, reason and kind follow.
     function read_arguments(operation, text, at, stop, visit, context, is_brief)
-        local fixed, list, start, element_type = operation.fixed, operation.list, at, nil
+        local fixed, declared, list = operation.fixed, operation.fields, operation.list
+        local start, element_type = at, nil
         local after, offset, reason, kind
         for index = 1, #fixed do
             local parameter = fixed[index]
@@ -209,7 +210,7 @@ do
                             value = value_of(text, at, after, encoding, parameter.is_float)
                         end
                     end
-                    visit(context, parameter, encoding, value, at, after)
+                    visit(context, parameter, encoding, value, declared[index], at, after)
                     if list and parameter.tells_type and encoding.kind == CONSTANT then
                         element_type = FORMAT_TYPES[value]
                     end
@@ -230,7 +231,7 @@ do
                     local encoding = ENCODINGS[byte(text, at + 1)]
                     if not is_brief or encoding.scope then
                         local value = value_of(text, at, after, encoding, element.is_float)
-                        visit(context, element, encoding, value, at, after)
+                        visit(context, element, encoding, value, element.field, at, after)
                     end
                 end
                 at = after
@@ -239,12 +240,11 @@ do
         return at
     end
 
-    -- The same of an operation with `demands`, and `visit` is handed that of the parameter instead of offsets; with
-    -- `is_brief` only variables. Without a tree most arguments are read here: each needs just the size that its first
-    -- byte tells.
+    -- The same of an operation that is simple: no argument tells anything of another. Most are read here: each needs
+    -- just the size that its first byte tells. With `is_brief` only variables are handed over.
     function skim_arguments(operation, text, at, stop, visit, context, is_brief)
-        local fixed, demands = operation.fixed, operation.demands
-        for index = 1, #demands do
+        local fixed, declared = operation.fixed, operation.fields
+        for index = 1, #fixed do
             local first, low, high = byte(text, at + 1, at + 3)
             local size, after = SIZES[first], nil
             if size and size > 0 and at + size <= stop then
@@ -268,7 +268,7 @@ do
                         value = value_of(text, at, after, encoding, parameter.is_float)
                     end
                 end
-                visit(context, parameter, encoding, value, demands[index])
+                visit(context, parameter, encoding, value, declared[index], at, after)
             end
             at = after
         end

@@ -27,9 +27,9 @@ do
     local unpack = table.unpack
 
     -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
-    -- parameter, encoding, index; and its `size`, as more may follow. `first` is the first operation; `lengths`, by the
-    -- offset of their operation, are constants that say how long outputs are.
-    local OUTPUT = 4
+    -- parameter, encoding, index, field, operation; and its `size`, as more may follow. `first` is the first operation;
+    -- `lengths`, by the offset of their operation, are constants that say how long outputs are.
+    local OUTPUT = 6
 
     -- The layout of the command that is being read, or was read last.
     local draft = {}
@@ -43,12 +43,14 @@ do
     end
 
     -- Notes an output: an output parameter that names a global variable.
-    function layout_notes.note_output(offset, parameter, encoding, index)
+    function layout_notes.note_output(view, parameter, encoding, index, declared)
         local size = draft_size
-        draft[size + 1] = offset
+        draft[size + 1] = view.offset
         draft[size + 2] = parameter
         draft[size + 3] = encoding
         draft[size + 4] = index
+        draft[size + 5] = declared
+        draft[size + 6] = view.operation
         draft_size = size + OUTPUT
     end
 
@@ -106,7 +108,8 @@ do
         local text, most = reply.text, reply.stop - HEADER_SIZE
         local read, size = READ_TYPE[type], SIZE_OF[type]
         output.parameter, output.index, output.is_handle = parameter, start, is_handle
-        output.offset, output.list = layout[at], false
+        output.field, output.operation, output.offset, output.list =
+            layout[at + 4], layout[at + 5], layout[at], false
         local is_list = parameter.length and type ~= ARRAY_TYPED and type ~= STRING and not is_handle
         -- Nearly all are one number.
         if read and not is_list then
@@ -141,10 +144,10 @@ do
         return true
     end
 
-    local function note_argument(view, parameter, encoding, value)
+    local function note_argument(view, parameter, encoding, value, declared)
         if encoding.scope then
             if parameter.is_output and encoding.kind == GLOBAL then
-                layout_notes.note_output(view.offset, parameter, encoding, value)
+                layout_notes.note_output(view, parameter, encoding, value, declared)
             end
         elseif tells_length(parameter, encoding) then
             view.lengths = view.lengths or {}
@@ -157,9 +160,12 @@ do
         local at, view = MEMORY_FIELD, {}
         layout_notes.start()
         while at < #body do
-            view.offset, view.lengths = at, nil
-            local operation, after, fault = read_operation(body, at, #body, note_argument, view, true)
+            local operation, after = select_operation(body, at, #body)
+            if not operation then break end
             draft_first = draft_first or operation
+            view.offset, view.operation, view.lengths = at, operation, nil
+            local fault
+            after, fault = read_arguments(operation, body, after, #body, note_argument, view, true)
             if view.lengths then layout_notes.note_lengths(at, view.lengths) end
             if fault then break end
             at = after

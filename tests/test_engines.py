@@ -308,11 +308,26 @@ def test_the_ports_of_both_ends(opened: Open) -> None:
         talk = Connection(capture, port)
         talk.send(VOLTAGE)
         talk.receive(ANSWER)
-    found = list(opened(capture.data(), ports=(5555, 40_000, 5500)))
+    for ports in ((5555, 40_000, 5500), range(5000, 60_000)):
+        found = list(opened(capture.data(), ports=ports))
+        assert [(record.direction, record.peer) for record in found] == [
+            (Direction.SENT, "192.0.2.10:5555"),
+            (Direction.RECEIVED, "192.0.2.10:5555"),
+        ] * 2
+
+
+def test_a_connection_on_another_port(opened: Open) -> None:
+    capture = Capture(RAW_IP)
+    talk = Connection(capture, brick_port=61_000)
+    talk.send(UNLOCK)
+    talk.receive(ACCEPT)
+    talk.send(VOLTAGE)
+    talk.receive(ANSWER)
+    found = list(opened(capture.data()))
     assert [(record.direction, record.peer) for record in found] == [
-        (Direction.SENT, "192.0.2.10:5555"),
-        (Direction.RECEIVED, "192.0.2.10:5555"),
-    ] * 2
+        (Direction.SENT, "192.0.2.10:61000"),
+        (Direction.RECEIVED, "192.0.2.10:61000"),
+    ]
 
 
 def test_a_segment_that_acknowledges_is_no_frame(opened: Open) -> None:

@@ -80,7 +80,7 @@ class Program:
         The dissector that its user has installed is used, because a second one by the same name is refused.
         """
         words = ["-o", "ev3.bytes:TRUE", "-o", f"ev3.firmware:{dialect}"]
-        words += ["-o", f"ev3.tcp_ports:{','.join(map(str, sorted(ports)))}"]
+        words += ["-o", f"ev3.tcp_ports:{_ranges(ports)}"]
         for preference in _CARRIERS:
             words += ["-o", preference]
         if self._has_dissector():
@@ -184,3 +184,14 @@ def _find(name: str | None) -> str:
             return found
     missing = f"there is no program {name}" if name else "there is no tshark on the path"
     raise EngineError(f"{missing}: install tshark, which is part of Wireshark, or name it with --tshark")
+
+
+def _ranges(ports: Collection[int]) -> str:
+    """Ports as Wireshark's preferences have them, `5555,6000-6003`: a command line has no room for thousands."""
+    spans: list[tuple[int, int]] = []
+    for port in sorted(set(ports)):
+        if spans and spans[-1][1] == port - 1:
+            spans[-1] = spans[-1][0], port
+        else:
+            spans.append((port, port))
+    return ",".join(str(first) if first == last else f"{first}-{last}" for first, last in spans)

@@ -6,8 +6,8 @@ from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, field
 
 from ev3proto.bounded import Bounded
-from ev3proto.capture.carriers.wifi.ways import goes_to_brick
-from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
+from ev3proto.capture.carriers.wifi.ways import goes_to_brick, text_goes_to_brick
+from ev3proto.capture.record import Announcement, Direction, Event, Route, Said, Skipped
 from ev3proto.capture.wireshark.common import MOST_CONNECTIONS, Common, parsed
 from ev3proto.capture.wireshark.row import Row
 from ev3proto.capture.wireshark.segments import MOST_WAITING, WAITING_SIZE, Segments
@@ -78,10 +78,10 @@ class Rows:
         is_ours = source_port in self._common.ports or target_port in self._common.ports
         if not (found or (is_ours and row.number("tcp.len"))):
             return
-        is_from_host = target_port in self._common.ports
-        if is_from_host and found and source_port in self._common.ports:
-            is_from_host = goes_to_brick(found[0])
-        key = row.number("tcp.stream"), source_port, row.text("ip.src") or row.text("ipv6.src")
+        version = "ip" if row.text("ip.src") else "ipv6"
+        key = row.number("tcp.stream"), source_port, row.text(f"{version}.src")
+        back = self._halves.get((key[0], target_port, row.text(f"{version}.dst")))
+        is_from_host = self._is_from_host(source_port, target_port, found, back)
         half, oldest = self._halves.use(key, lambda: _Half(self._wifi_route(row, "tcp", is_from_host), key[0]))
         if found:
             self._claimed.add(key[0], None)
@@ -103,6 +103,18 @@ class Rows:
         if self._late:
             yield from self._late
             self._late.clear()
+
+    def _is_from_host(
+        self, source_port: int | None, target_port: int | None, found: list[bytes], back: _Half | None
+    ) -> bool:
+        """Whether a row goes to the brick. The first one of a connection tells, by its ports or by what it has."""
+        if back is not None:
+            return back.route.direction is Direction.RECEIVED
+        told = text_goes_to_brick(found[0]) if found else None
+        if told is not None:
+            return told
+        is_source, is_target = source_port in self._common.ports, target_port in self._common.ports
+        return is_target if is_source != is_target or not found else goes_to_brick(found[0])
 
     def _lost(self, half: _Half) -> Iterator[Event]:
         size, numbers, time_ns = half.segments.lost()

@@ -88,23 +88,22 @@ def test_the_limits_are_those_of_the_code() -> None:
 def test_the_limits_of_the_dissector_are_those_of_its_code() -> None:
     script = build()
 
-    def limits(*names: str) -> list[int]:
-        found = re.search(rf"local {', '.join(names)} = ([\d, *]+)$", script, re.MULTILINE)
-        assert found, names
-        return [math.prod(map(int, each.split("*"))) for each in found[1].split(",")]
+    def limit(name: str) -> int:
+        """The number that a constant has, also where several are set in one line."""
+        found = re.search(rf"local ((?:MOST_\w+, )*{name}(?:, MOST_\w+)*) = ([\d, *]+)$", script, re.MULTILINE)
+        assert found, name
+        value = found[2].split(",")[found[1].split(", ").index(name)]
+        return math.prod(map(int, value.split("*")))
 
-    (waiting,), (same,), (info,), (ports,) = map(
-        limits, ("MOST_WAITING", "MOST_PER_COUNTER", "MOST_INFO", "MOST_NAMED")
-    )
-    rows, files, size = limits("MOST_ROWS", "MOST_FILES", "MOST_BYTES")
+    waiting, files, size = limit("MOST_WAITING"), limit("MOST_FILES"), limit("MOST_BYTES") // MIB
     said = (ROOT / "dissector" / "README.md").read_text().split("## Limits", 1)[1].split("## ", 1)[0]
     assert re.findall(r"^\| [^|]+ \| (.*\d.*?) \|", said, re.MULTILINE) == [
         f"{waiting:,} to {2 * waiting:,}",
-        f"{same}",
-        f"{info:,} bytes",
-        f"{ports}",
-        f"{rows:,} each",
-        f"{files}, and {size // MIB} MiB of all",
+        f"{limit('MOST_PER_COUNTER')}",
+        f"{limit('MOST_INFO'):,} bytes",
+        f"{limit('MOST_NAMED')}",
+        f"{limit('MOST_ROWS'):,} each",
+        f"{files}, and {size} MiB of all",
     ]
 
 

@@ -396,6 +396,12 @@ def claims_without_proof() -> tuple[bytes, list[int]]:
     cut.send(longer[:8])
     cut.send(longer[8:])
     cut.receive(volts(33))
+    # An error reply has no memory.
+    error = Connection(capture, 10_006)
+    error.receive(bytes.fromhex("0700 0100 04 00000000"))
+    # Replies after something strange are believed when they go on.
+    error.receive(bytes.fromhex("0300 0200 04"))
+    ours.append(error.receive(bytes.fromhex("0300 0300 04")))
     return capture.data(), ours
 
 

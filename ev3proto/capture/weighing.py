@@ -7,7 +7,7 @@ from enum import Enum, auto
 from typing import NamedTuple
 
 from ev3proto.capture.finding import Finder, count_telling, makes_sense
-from ev3proto.messages import Message
+from ev3proto.messages import DirectReply, Message
 from ev3proto.schema.frame import FrameSchema, frame_schema
 from ev3proto.schema.header import HEADER_SIZE, frame_size
 from ev3proto.tables.claims import may_be_of_nxt
@@ -149,7 +149,11 @@ class Weigher:
             return None
         schema = self._schema if self._schema.is_flawless(frame, 0, len(frame)) else _other_schema(frame)
         message = None if schema is None else schema.read_for_later(frame)
-        return message if message is not None and makes_sense(message) else None
+        if message is None or not makes_sense(message):
+            return None
+        # A reply that a command failed brings no memory.
+        is_odd = isinstance(message, DirectReply) and message.is_error and len(frame) > HEADER_SIZE
+        return None if is_odd else message
 
 
 def _weight(telling: int, start: int, *, is_clean: bool) -> Weight:

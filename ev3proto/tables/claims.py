@@ -7,7 +7,7 @@ dissector and the built-in reader of captures follow the same rule, and this mod
 - A frame is *flawless* when all of it can be read, by the instructions of some firmware, and it goes the right way: a
   command to the brick, a reply from it. Where it is to claim anything, it must make sense, too: zeros in others' data
   are direct commands without an operation, or with one that nobody sends (`NEVER_SENT`). And on TCP and Bluetooth it
-  must not be what may be a telegram of LEGO's NXT.
+  must not be what may be a telegram of LEGO's NXT, nor an error reply with memory, as the brick sends none.
 - A TCP connection is claimed when its data begin with the unlock text, with the answer to it, or with a flawless
   frame. After `STRANGE_PACKETS` packets with data that are none of these it is left alone. Packets that have no more
   bytes than a frame's header do not count until they have more than a frame together: one may be cut into them.

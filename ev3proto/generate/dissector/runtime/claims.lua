@@ -94,6 +94,12 @@ do
         return low + high * 0x100 == (fixed and fixed + count or nxt.lengths[command])
     end
 
+    -- Whether a reply that a command failed brings memory all the same: the brick sends none.
+    local function is_odd_error(message)
+        local type = message.type
+        return type.is_error and type.carries == "direct" and message.stop > HEADER_SIZE
+    end
+
     -- Something that no value is written to, or a number and a text in each other's place.
     local function look_for_misplaced(view, parameter, encoding)
         if encoding.scope then return end
@@ -198,7 +204,7 @@ do
             end
             local message = read_message(sub(text, at + 1, stop))
             local stands = is_flawless(message, true) and accepts(message.type) and makes_sense(message)
-                and not may_be_of_nxt(message.text)
+                and not may_be_of_nxt(message.text) and not is_odd_error(message)
             if at == start and not stands then return nil, 0 end
             is_clean = is_clean and stands
             if is_clean then telling = telling + count_telling(message) end

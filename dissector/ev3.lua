@@ -4129,22 +4129,19 @@ do
         local name, direction, type = row[1], row[2], row[3]
         local is_flags = row.enum and row.enum.is_flags
         local parameter = {
-            name = name, field_name = name, type = type, kind = kind, label_head = label .. ":",
+            name = name, type = type, kind = kind, label_head = label .. ":",
             -- Whether its field says all that there is to say of a number.
             is_plain = kind ~= TEXT_VALUE and not (row.special or is_flags) and not (row.unit and kind == FLOAT),
-            -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
-            size = SIZE_OF[type] or 1, alignment = SIZE_OF[row.validated or type] or 1,
+            size = SIZE_OF[type] or 1,
         }
+        -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
+        if row.validated then parameter.alignment = SIZE_OF[row.validated] or 1 end
         if type == DATAF then parameter.is_float = true end
-        if direction ~= OUT then parameter.is_said, parameter.key = true, " " .. name:lower() .. "=" end
+        if direction ~= OUT then parameter.key = " " .. name:lower() .. "=" end
         if row.unit then parameter.unit = row.unit end
         if direction ~= IN then
             parameter.is_output, parameter.value_key = true, " " .. value_name .. "="
             if row.length then parameter.is_long = true end
-            if row.unit then
-                parameter.unit_text = " " .. row.unit
-                parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
-            end
         end
         if row.enum then parameter.enum = row.enum end
         if is_flags then parameter.is_flags = true end
@@ -4184,6 +4181,7 @@ do
         return setmetatable({}, { __index = function(elements, number)
             local one = setmetatable({}, { __index = element })
             one.name = element.name .. "[" .. number .. "]"
+            one.numbered = one.name
             one.value_key = " " .. one.name .. "="
             one.label_head = one.name .. ":"
             elements[number] = one
@@ -4196,9 +4194,9 @@ do
         local direction = list.type == COUNT and row.elements or IN
         local name, text = list.name, row[4]
         local element = {
-            name = name, field_name = name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
-            is_float = type == DATAF, is_output = direction ~= IN, is_said = direction ~= OUT,
-            key = " " .. name:lower() .. "=",
+            name = name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
+            is_float = type == DATAF, is_output = direction ~= IN,
+            key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
         }
         if list.type == VALUES then
             element.field, element.kind = list.field, list.kind
@@ -4242,12 +4240,11 @@ do
         return lengths, types
     end
 
-    -- The parameters of an operation and their fields, all but a list of values; the list at its end, if it has one;
-    -- whether no argument tells anything of another.
+    -- The parameters of an operation, each followed by its field, all but a list of values; the list at its end, if it
+    -- has one; whether no argument tells anything of another.
     local function ready_parameters(name, cmd_name, row)
         local lengths, types = telling_of(row)
-        local fixed, declared_fields, list = {}, {}, nil
-        local is_simple = true
+        local fixed, list, is_simple = {}, nil, true
         for index = 4, #row do
             local each = row[index]
             local own, type = each[1], each[3]
@@ -4266,24 +4263,20 @@ do
             end
             if is_list or lengths[own] or types[own] then is_simple = false end
             if type ~= VALUES then
-                fixed[#fixed + 1], declared_fields[#fixed + 1] = parameter, declared
+                fixed[#fixed + 1] = parameter
+                fixed[#fixed + 1] = declared
             end
         end
-        return fixed, declared_fields, list, is_simple
+        return fixed, list, is_simple
     end
 
-    -- An operation: its names and its parameters.
+    -- An operation: its names, and its parameters in turn with their fields. One that stands alone has no `cmd_name`.
     local function ready_operation(opcode_name, cmd_name, row)
         local name = cmd_name and opcode_name .. "." .. cmd_name or opcode_name
-        local title = cmd_name and opcode_name .. " " .. cmd_name or opcode_name
-        local fixed, declared_fields, list, is_simple = ready_parameters(name, cmd_name, row)
-        local operation = {
-            name = name,
-            title = title, addition = cmd_name and " " .. cmd_name or "",
-            cmd_name = cmd_name,
-            fixed = fixed, fields = declared_fields, list = list,
-            reply_head = "reply to " .. title .. ":",
-        }
+        local operation, list, is_simple = ready_parameters(name, cmd_name, row)
+        operation.name, operation.title = name, gsub(name, "%.", " ")
+        if cmd_name then operation.cmd_name = cmd_name end
+        if list then operation.list = list end
         if is_simple then operation.is_simple = true end
         return operation
     end
@@ -4540,8 +4533,8 @@ local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
 local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, skim_arguments,
     read_operation, read_fields
 do
-    -- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
-    local SIZES, IS_VARIABLE = {}, {}
+    -- By identification byte: all that it says. Of short forms it is the value, too.
+    local SIZES, IS_VARIABLE, SHORT_VALUES = {}, {}, {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
 
@@ -4558,21 +4551,16 @@ do
     local NUMBER_TEXTS = texts_of("", "")
     local VARIABLE_TEXTS = { [LOCAL] = texts_of(SCOPES[LOCAL], ")"), [GLOBAL] = texts_of(SCOPES[GLOBAL], ")") }
     for _, row in ipairs(ENCODING_ROWS) do
+        local encoding = {
+            name = row[3], kind = row[4], width = row[5], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS,
+            label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
+            scope = SCOPES[row[4]], is_number = row[4] == CONSTANT, is_short = row.value ~= nil,
+            is_special = row.handle or row.address, handle = row.handle, address = row.address,
+        }
         for first = row[1], row[2] do
-            local encoding = {
-                name = row[3], kind = row[4], width = row[5], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS,
-                label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-            }
-            if SCOPES[row[4]] then encoding.scope, IS_VARIABLE[first] = SCOPES[row[4]], true end
-            if row[4] == CONSTANT then encoding.is_number = true end
-            if row.handle or row.address then encoding.is_special = true end
-            if row.handle then encoding.handle = true end
-            if row.address then encoding.address = true end
-            if row.value then
-                encoding.value = row.value + first - row[1]
-                encoding.text = encoding.texts[encoding.value]
-            end
             ENCODINGS[first] = encoding
+            if encoding.scope then IS_VARIABLE[first] = true end
+            if encoding.is_short then SHORT_VALUES[first] = row.value + first - row[1] end
             -- Bytes of the whole argument; 0 for a string, which ends at its zero.
             SIZES[first] = row[4] == CONSTANT_TEXT and 0 or 1 + row[5]
         end
@@ -4653,7 +4641,7 @@ do
 
     -- What stands in the argument from one offset to another: a number, a text, or the index of a variable.
     local function value_of(text, at, stop, encoding, is_float)
-        if encoding.value then return encoding.value end
+        if encoding.is_short then return SHORT_VALUES[byte(text, at + 1)] end
         local kind, width = encoding.kind, encoding.width
         if kind == CONSTANT_TEXT then return sub(text, at + 2, stop - 1) end
         if encoding.scope then return READ_UNSIGNED[width](text, at + 1) end
@@ -4673,7 +4661,7 @@ do
         if not commands then return entry, at + 1 end
         -- Nearly every CMD is one byte that is its number.
         local encoding = ENCODINGS[second]
-        local operation = encoding and encoding.kind == CONSTANT and commands[encoding.value]
+        local operation = encoding and encoding.kind == CONSTANT and commands[SHORT_VALUES[second]]
         if operation then return operation, at + 2 end
         local after, offset, reason, kind = measure(text, at + 1, stop, "CMD")
         if not after then return nil, offset, reason, kind end
@@ -4711,11 +4699,10 @@ do
     -- first byte and after its last; with `is_brief` only variables, and numbers that say how long something is. At a
     -- fault the offset is the one after what could be read, and the fault's offset, reason and kind follow.
     function read_arguments(operation, text, at, stop, visit, context, is_brief)
-        local fixed, declared, list = operation.fixed, operation.fields, operation.list
-        local start, element_type = at, nil
+        local list, start, element_type = operation.list, at, nil
         local after, offset, reason, kind
-        for index = 1, #fixed do
-            local parameter = fixed[index]
+        for index = 1, #operation, 2 do
+            local parameter = operation[index]
             local first, low, high = byte(text, at + 1, at + 3)
             local size = SIZES[first]
             -- Most arguments are numbers and whole; the others go the long way.
@@ -4728,7 +4715,7 @@ do
             if visit then
                 local encoding = ENCODINGS[first]
                 if not is_brief or encoding.scope or parameter.tells_length or parameter.tells_type then
-                    local value = encoding.value
+                    local value = SHORT_VALUES[first]
                     if not value then
                         if size == 2 then
                             value = (low < 0x80 or encoding.scope) and low or low - 0x100
@@ -4739,7 +4726,7 @@ do
                             value = value_of(text, at, after, encoding, parameter.is_float)
                         end
                     end
-                    visit(context, parameter, encoding, value, declared[index], at, after)
+                    visit(context, parameter, encoding, value, operation[index + 1], at, after)
                     if list and parameter.tells_type and encoding.kind == CONSTANT then
                         element_type = FORMAT_TYPES[value]
                     end
@@ -4749,7 +4736,7 @@ do
         end
         if list then
             local count
-            count, offset, reason, kind = count_elements(text, list, fixed[#fixed], start, at, stop)
+            count, offset, reason, kind = count_elements(text, list, operation[#operation - 1], start, at, stop)
             if not count then return at, offset, reason, kind end
             local elements = list.elements_of[element_type or list.element_type]
             for index = 0, count - 1 do
@@ -4772,21 +4759,20 @@ do
     -- The same of an operation that is simple: no argument tells anything of another. Most are read here: each needs
     -- just the size that its first byte tells. With `is_brief` only variables are handed over.
     function skim_arguments(operation, text, at, stop, visit, context, is_brief)
-        local fixed, declared = operation.fixed, operation.fields
-        for index = 1, #fixed do
+        for index = 1, #operation, 2 do
             local first, low, high = byte(text, at + 1, at + 3)
             local size, after = SIZES[first], nil
             if size and size > 0 and at + size <= stop then
                 after = at + size
             else
                 local offset, reason, kind
-                after, offset, reason, kind = measure(text, at, stop, fixed[index].name)
+                after, offset, reason, kind = measure(text, at, stop, operation[index].name)
                 if not after then return at, offset, reason, kind end
             end
             local is_variable = IS_VARIABLE[first]
             if is_variable or not is_brief then
-                local parameter, encoding = fixed[index], ENCODINGS[first]
-                local value = encoding.value
+                local parameter, encoding = operation[index], ENCODINGS[first]
+                local value = SHORT_VALUES[first]
                 if not value then
                     if size == 2 then
                         value = (low < 0x80 or is_variable) and low or low - 0x100
@@ -4797,7 +4783,7 @@ do
                         value = value_of(text, at, after, encoding, parameter.is_float)
                     end
                 end
-                visit(context, parameter, encoding, value, declared[index], at, after)
+                visit(context, parameter, encoding, value, operation[index + 1], at, after)
             end
             at = after
         end
@@ -4954,7 +4940,8 @@ do
         if encoding.scope then return encoding.texts[value] end
         local enum = parameter.enum
         local name = enum and not enum.is_flags and enum.names[value]
-        if name or encoding.text then return name or encoding.text end
+        if name then return name end
+        if encoding.is_short then return encoding.texts[value] end
         if encoding.kind == CONSTANT_TEXT then return shortened(value) end
         return parameter.is_float and number_text(value) or encoding.texts[value]
     end
@@ -4963,10 +4950,10 @@ do
         local parameter = output.parameter
         if type(value) == "string" then return shortened(value) end
         if output.is_handle then return number_text(value) end
-        local enum, unit = parameter.enum, parameter.unit_text
+        local enum, unit = parameter.enum, parameter.unit
         local name = enum and not enum.is_flags and enum.names[value]
         if name then return name end
-        return unit and number_text(value) .. unit or number_text(value)
+        return unit and number_text(value) .. " " .. unit or number_text(value)
     end
 
     function output_text(output)
@@ -5296,10 +5283,11 @@ do
 
     -- Commands of one conversation that may wait for their replies. Beyond twice as many the oldest are given up: a
     -- brick has one answer after the other. So many of them are at hand; the others, whose replies are missing nearly
-    -- always, are one text each, as Lua goes through all that it holds whenever it frees something.
+    -- always, are kept outside of Lua, which goes through all that it holds whenever it frees something.
     local MOST_WAITING, MOST_AT_HAND = 4096, 128
 
     local pack, unpack = Struct.pack, Struct.unpack
+    local put_aside = memory.new_texts()
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
@@ -5326,6 +5314,7 @@ do
         requests.forget()
         transfers.forget()
         bodies.forget()
+        put_aside.forget()
         paths, talks, answer, answer_place = {}, {}, nil, nil
     end
     forget_dialogues()
@@ -5385,21 +5374,23 @@ do
         return talks[key]
     end
 
-    -- Puts away the commands at hand, as one text each; the few with another one of their counter before them as they
-    -- are.
+    -- Puts away the commands at hand, each as the number of a text; the few with another one of their counter before
+    -- them as they are.
     local function put_away(talk)
         if talk.waiting_count + MOST_AT_HAND > MOST_WAITING then
             talk.waiting, talk.waiting_before, talk.waiting_count = {}, talk.waiting, 0
         end
         local waiting = talk.waiting
         for key, command in pairs(talk.pending) do
-            waiting[key] = command.earlier and command or pack("dd", command.place, command.time) .. command.body
+            waiting[key] = command.earlier and command
+                or put_aside.put(pack("dd", command.place, command.time) .. command.body)
         end
         talk.waiting_count = talk.waiting_count + talk.count
         talk.pending, talk.count = {}, 0
     end
 
-    local function read_command(text)
+    local function read_command(number)
+        local text = put_aside.get(number)
         local place, time, stop = unpack("dd", text)
         return { place = place, time = time, body = sub(text, stop), delay = 0 }
     end
@@ -5413,7 +5404,7 @@ do
         if not command then return nil end
         if talk.waiting[key] then talk.waiting_count = talk.waiting_count - 1 end
         talk.waiting[key], talk.waiting_before[key] = nil, nil
-        if type(command) == "string" then command = read_command(command) end
+        if type(command) == "number" then command = read_command(command) end
         talk.pending[key], talk.count = command, talk.count + 1
         return command
     end
@@ -5795,12 +5786,16 @@ do
         return draft
     end
 
+    local function head_of(layout)
+        return layout.first and "reply to " .. layout.first.title .. ":" or "reply:"
+    end
+
     -- The line on a reply with so plain a layout, to be filled with its values; false for any other layout: each output
     -- is one number, and nothing but a number.
     local function plain_line(layout)
         local count = layout.size / OUTPUT
         if count < 1 or count > MOST_VALUES then return false end
-        local pieces, needed = { layout.first.reply_head }, 0
+        local pieces, needed = { head_of(layout) }, 0
         for at = 1, layout.size, OUTPUT do
             local parameter, encoding = layout[at + 1], layout[at + 2]
             local type, enum = parameter.type, parameter.enum
@@ -5808,7 +5803,8 @@ do
             if not is_plain or encoding.handle or encoding.address then return false end
             needed = math.max(needed, layout[at + 3] + SIZE_OF[type])
             pieces[#pieces + 1] = count == 1 and " " or parameter.value_key
-            pieces[#pieces + 1] = (type == DATAF and "%.7g" or "%d") .. (parameter.unit_format or "")
+            pieces[#pieces + 1] = type == DATAF and "%.7g" or "%d"
+            if parameter.unit then pieces[#pieces + 1] = " " .. gsub(parameter.unit, "%%", "%%%%") end
         end
         layout.needed = HEADER_SIZE + needed
         return concat(pieces)
@@ -5845,8 +5841,8 @@ do
     -- The values found; they are overwritten by those of the next reply.
     local found = {}
 
-    -- The values in a reply by its layout, how many there are, and the command's first operation. Where the tree is
-    -- not shown, no more of them than a line says, and of lists no more elements.
+    -- The values in a reply by its layout, how many there are, and how the line on it begins. Where the tree is not
+    -- shown, no more of them than a line says, and of lists no more elements.
     function read_reply(layout, reply, is_shown)
         local count, most = 0, is_shown and math.huge or MOST_VALUES + 1
         local output = found[1] or {}
@@ -5858,7 +5854,7 @@ do
                 output = found[count + 1] or {}
             end
         end
-        return found, count, layout.first
+        return found, count, head_of(layout)
     end
 end
 
@@ -5874,19 +5870,19 @@ do
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
-    -- instead of it, or after it. A value that has not the type of its parameter is text.
-    function value_of_row(parameter, declared, name, value)
+    -- instead of it, or after it. A value that has not the type of its parameter is text. Of an element of a list its
+    -- name is given, with its number.
+    function value_of_row(parameter, declared, value, numbered)
         local kind, is_text = parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or (kind == NUMBER and value % 1 ~= 0) then
             local text = is_text and utf8_text(value) or number_text(value)
-            return field.other, text, name .. ": " .. text, false
+            return field.other, text, (numbered or parameter.name) .. ": " .. text, false
         end
         local label, addition = false, false
-        if name ~= parameter.field_name then
-            -- An element of a list has its number in its name.
+        if numbered then
             local symbol = parameter.enum and not parameter.is_flags and parameter.enum.names[value]
             local text = is_text and shortened(value) or number_text(value)
-            label = name .. ": " .. (symbol and format("%s (%s)", symbol, text) or text)
+            label = numbered .. ": " .. (symbol and format("%s (%s)", symbol, text) or text)
         elseif kind == FLOAT and parameter.unit then
             addition = parameter.unit
         end
@@ -5910,7 +5906,7 @@ do
     -- those that are in `complaints`, where there are any.
     local function variable_complaints(complaints, view, parameter, encoding, index)
         local is_handle = encoding.handle
-        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment
+        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment or parameter.size
         if index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
@@ -5939,7 +5935,8 @@ do
     local function check_variable(view, parameter, encoding, index, declared)
         local is_global = encoding.kind == GLOBAL
         local asked = is_global and view.globals or view.locals
-        if parameter.is_long or asked and index + parameter.size > asked or index % parameter.alignment ~= 0
+        local size = parameter.size
+        if parameter.is_long or asked and index + size > asked or index % (parameter.alignment or size) ~= 0
             or encoding.is_special then
             view.complaints = variable_complaints(view.complaints, view, parameter, encoding, index)
         end
@@ -5962,7 +5959,7 @@ do
 
     -- A range costs more than an item: that of the first byte serves the argument and its encoding.
     local function show_argument(view, parameter, encoding, value, declared, at, stop)
-        local range, size, text = buffer(base + at, 1), stop - at, encoding.text
+        local range, size, text = buffer(base + at, 1), stop - at, encoding.is_short and encoding.texts[value]
         local added
         if encoding.scope then
             text = text or encoding.texts[value]
@@ -5974,13 +5971,13 @@ do
         elseif encoding.is_number and parameter.special and parameter.kind == NUMBER then
             added = add(heading, declared, range, value, false, parameter.special[value])
         else
-            local own_field, own, label, addition = value_of_row(parameter, declared, parameter.name, value)
+            local own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
             added = add(heading, own_field, range, own, label, addition)
         end
         if size > 1 then set_len(added, size) end
         add(added, ENCODING, range, encoding.label)
         local key = parameter.key
-        if key and parameter.is_said then
+        if key then
             if said_count < MOST_VALUES then
                 if not text or parameter.enum then text = argument_text(parameter, encoding, value) end
                 said = said .. key .. text
@@ -6027,8 +6024,11 @@ do
             local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
             after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
-            local addition = operation.addition .. said
-            if addition ~= "" then append_text(heading, addition) end
+            if operation.cmd_name then
+                append_text(heading, " " .. operation.cmd_name .. said)
+            elseif said ~= "" then
+                append_text(heading, said)
+            end
             if not line then
                 line = operation.title .. said
                 layout_notes.note_first(operation)
@@ -6052,7 +6052,8 @@ do
         if count <= 2 * MOST_VALUES then
             pieces[count + 1] = key
             -- Most are short numbers and variables, whose text is made already.
-            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
+            pieces[count + 2] = not parameter.enum and encoding.is_short and encoding.texts[value]
+                or argument_text(parameter, encoding, value)
             piece_count = count + 2
         else
             pieces[count + 1] = " ..."
@@ -6076,7 +6077,7 @@ do
 
     local function say_argument(view, parameter, encoding, value, declared)
         check_argument(view, parameter, encoding, value, declared)
-        if parameter.is_said then say_phrase(parameter, encoding, value) end
+        say_phrase(parameter, encoding, value)
     end
 
     -- One serves all, as they come one after the other.
@@ -6238,9 +6239,8 @@ do
         local layout = layout_notes.layout_for(request.body)
         local line = not is_shown and say_reply(layout, message)
         if line then return line end
-        local outputs, count, first = read_reply(layout, message, is_shown)
+        local outputs, count, head = read_reply(layout, message, is_shown)
         message.outputs, message.count = outputs, count
-        local head = first and first.reply_head or "reply:"
         if count > 0 then return values_text(head, outputs, count) end
         return head .. " " .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
     end
@@ -6250,7 +6250,8 @@ do
         local parameter = output.parameter
         local name = parameter.name
         if not output.list then
-            local declared, value, label, addition = value_of_row(parameter, output.field, name, output.value)
+            local declared, value, label, addition =
+                value_of_row(parameter, output.field, output.value, parameter.numbered)
             if output.is_handle then label = name .. ": handle " .. output.value end
             add(item, declared, range, value, label, addition)
             return
@@ -6259,7 +6260,7 @@ do
         local at, step = base + HEADER_SIZE + output.index, output.size / #output.list
         for index, element in ipairs(output.list) do
             local declared, value, label, addition =
-                value_of_row(parameter, output.field, format("%s[%d]", name, index - 1), element)
+                value_of_row(parameter, output.field, element, format("%s[%d]", name, index - 1))
             add(list, declared, tvb(at + (index - 1) * step, step), value, label, addition)
         end
     end

@@ -11,10 +11,11 @@ do
 
     -- Commands of one conversation that may wait for their replies. Beyond twice as many the oldest are given up: a
     -- brick has one answer after the other. So many of them are at hand; the others, whose replies are missing nearly
-    -- always, are one text each, as Lua goes through all that it holds whenever it frees something.
+    -- always, are kept outside of Lua, which goes through all that it holds whenever it frees something.
     local MOST_WAITING, MOST_AT_HAND = 4096, 128
 
     local pack, unpack = Struct.pack, Struct.unpack
+    local put_aside = memory.new_texts()
 
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
 
@@ -41,6 +42,7 @@ do
         requests.forget()
         transfers.forget()
         bodies.forget()
+        put_aside.forget()
         paths, talks, answer, answer_place = {}, {}, nil, nil
     end
     forget_dialogues()
@@ -100,21 +102,23 @@ do
         return talks[key]
     end
 
-    -- Puts away the commands at hand, as one text each; the few with another one of their counter before them as they
-    -- are.
+    -- Puts away the commands at hand, each as the number of a text; the few with another one of their counter before
+    -- them as they are.
     local function put_away(talk)
         if talk.waiting_count + MOST_AT_HAND > MOST_WAITING then
             talk.waiting, talk.waiting_before, talk.waiting_count = {}, talk.waiting, 0
         end
         local waiting = talk.waiting
         for key, command in pairs(talk.pending) do
-            waiting[key] = command.earlier and command or pack("dd", command.place, command.time) .. command.body
+            waiting[key] = command.earlier and command
+                or put_aside.put(pack("dd", command.place, command.time) .. command.body)
         end
         talk.waiting_count = talk.waiting_count + talk.count
         talk.pending, talk.count = {}, 0
     end
 
-    local function read_command(text)
+    local function read_command(number)
+        local text = put_aside.get(number)
         local place, time, stop = unpack("dd", text)
         return { place = place, time = time, body = sub(text, stop), delay = 0 }
     end
@@ -128,7 +132,7 @@ do
         if not command then return nil end
         if talk.waiting[key] then talk.waiting_count = talk.waiting_count - 1 end
         talk.waiting[key], talk.waiting_before[key] = nil, nil
-        if type(command) == "string" then command = read_command(command) end
+        if type(command) == "number" then command = read_command(command) end
         talk.pending[key], talk.count = command, talk.count + 1
         return command
     end

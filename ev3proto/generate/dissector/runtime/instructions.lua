@@ -63,22 +63,19 @@ do
         local name, direction, type = row[1], row[2], row[3]
         local is_flags = row.enum and row.enum.is_flags
         local parameter = {
-            name = name, field_name = name, type = type, kind = kind, label_head = label .. ":",
+            name = name, type = type, kind = kind, label_head = label .. ":",
             -- Whether its field says all that there is to say of a number.
             is_plain = kind ~= TEXT_VALUE and not (row.special or is_flags) and not (row.unit and kind == FLOAT),
-            -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
-            size = SIZE_OF[type] or 1, alignment = SIZE_OF[row.validated or type] or 1,
+            size = SIZE_OF[type] or 1,
         }
+        -- The index of a variable must be a multiple of its type's size, else the brick refuses the command.
+        if row.validated then parameter.alignment = SIZE_OF[row.validated] or 1 end
         if type == DATAF then parameter.is_float = true end
-        if direction ~= OUT then parameter.is_said, parameter.key = true, " " .. name:lower() .. "=" end
+        if direction ~= OUT then parameter.key = " " .. name:lower() .. "=" end
         if row.unit then parameter.unit = row.unit end
         if direction ~= IN then
             parameter.is_output, parameter.value_key = true, " " .. value_name .. "="
             if row.length then parameter.is_long = true end
-            if row.unit then
-                parameter.unit_text = " " .. row.unit
-                parameter.unit_format = gsub(parameter.unit_text, "%%", "%%%%")
-            end
         end
         if row.enum then parameter.enum = row.enum end
         if is_flags then parameter.is_flags = true end
@@ -118,6 +115,7 @@ do
         return setmetatable({}, { __index = function(elements, number)
             local one = setmetatable({}, { __index = element })
             one.name = element.name .. "[" .. number .. "]"
+            one.numbered = one.name
             one.value_key = " " .. one.name .. "="
             one.label_head = one.name .. ":"
             elements[number] = one
@@ -130,9 +128,9 @@ do
         local direction = list.type == COUNT and row.elements or IN
         local name, text = list.name, row[4]
         local element = {
-            name = name, field_name = name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
-            is_float = type == DATAF, is_output = direction ~= IN, is_said = direction ~= OUT,
-            key = " " .. name:lower() .. "=",
+            name = name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
+            is_float = type == DATAF, is_output = direction ~= IN,
+            key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
         }
         if list.type == VALUES then
             element.field, element.kind = list.field, list.kind
@@ -176,12 +174,11 @@ do
         return lengths, types
     end
 
-    -- The parameters of an operation and their fields, all but a list of values; the list at its end, if it has one;
-    -- whether no argument tells anything of another.
+    -- The parameters of an operation, each followed by its field, all but a list of values; the list at its end, if it
+    -- has one; whether no argument tells anything of another.
     local function ready_parameters(name, cmd_name, row)
         local lengths, types = telling_of(row)
-        local fixed, declared_fields, list = {}, {}, nil
-        local is_simple = true
+        local fixed, list, is_simple = {}, nil, true
         for index = 4, #row do
             local each = row[index]
             local own, type = each[1], each[3]
@@ -200,24 +197,20 @@ do
             end
             if is_list or lengths[own] or types[own] then is_simple = false end
             if type ~= VALUES then
-                fixed[#fixed + 1], declared_fields[#fixed + 1] = parameter, declared
+                fixed[#fixed + 1] = parameter
+                fixed[#fixed + 1] = declared
             end
         end
-        return fixed, declared_fields, list, is_simple
+        return fixed, list, is_simple
     end
 
-    -- An operation: its names and its parameters.
+    -- An operation: its names, and its parameters in turn with their fields. One that stands alone has no `cmd_name`.
     local function ready_operation(opcode_name, cmd_name, row)
         local name = cmd_name and opcode_name .. "." .. cmd_name or opcode_name
-        local title = cmd_name and opcode_name .. " " .. cmd_name or opcode_name
-        local fixed, declared_fields, list, is_simple = ready_parameters(name, cmd_name, row)
-        local operation = {
-            name = name,
-            title = title, addition = cmd_name and " " .. cmd_name or "",
-            cmd_name = cmd_name,
-            fixed = fixed, fields = declared_fields, list = list,
-            reply_head = "reply to " .. title .. ":",
-        }
+        local operation, list, is_simple = ready_parameters(name, cmd_name, row)
+        operation.name, operation.title = name, gsub(name, "%.", " ")
+        if cmd_name then operation.cmd_name = cmd_name end
+        if list then operation.list = list end
         if is_simple then operation.is_simple = true end
         return operation
     end

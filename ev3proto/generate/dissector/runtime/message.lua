@@ -110,9 +110,8 @@ do
         local layout = layout_notes.layout_for(request.body)
         local line = not is_shown and say_reply(layout, message)
         if line then return line end
-        local outputs, count, first = read_reply(layout, message, is_shown)
+        local outputs, count, head = read_reply(layout, message, is_shown)
         message.outputs, message.count = outputs, count
-        local head = first and first.reply_head or "reply:"
         if count > 0 then return values_text(head, outputs, count) end
         return head .. " " .. (message.stop == HEADER_SIZE and "ok" or plural(message.stop - HEADER_SIZE, "byte"))
     end
@@ -122,7 +121,8 @@ do
         local parameter = output.parameter
         local name = parameter.name
         if not output.list then
-            local declared, value, label, addition = value_of_row(parameter, output.field, name, output.value)
+            local declared, value, label, addition =
+                value_of_row(parameter, output.field, output.value, parameter.numbered)
             if output.is_handle then label = name .. ": handle " .. output.value end
             add(item, declared, range, value, label, addition)
             return
@@ -131,7 +131,7 @@ do
         local at, step = base + HEADER_SIZE + output.index, output.size / #output.list
         for index, element in ipairs(output.list) do
             local declared, value, label, addition =
-                value_of_row(parameter, output.field, format("%s[%d]", name, index - 1), element)
+                value_of_row(parameter, output.field, element, format("%s[%d]", name, index - 1))
             add(list, declared, tvb(at + (index - 1) * step, step), value, label, addition)
         end
     end

@@ -10,19 +10,19 @@ do
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
-    -- instead of it, or after it. A value that has not the type of its parameter is text.
-    function value_of_row(parameter, declared, name, value)
+    -- instead of it, or after it. A value that has not the type of its parameter is text. Of an element of a list its
+    -- name is given, with its number.
+    function value_of_row(parameter, declared, value, numbered)
         local kind, is_text = parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or (kind == NUMBER and value % 1 ~= 0) then
             local text = is_text and utf8_text(value) or number_text(value)
-            return field.other, text, name .. ": " .. text, false
+            return field.other, text, (numbered or parameter.name) .. ": " .. text, false
         end
         local label, addition = false, false
-        if name ~= parameter.field_name then
-            -- An element of a list has its number in its name.
+        if numbered then
             local symbol = parameter.enum and not parameter.is_flags and parameter.enum.names[value]
             local text = is_text and shortened(value) or number_text(value)
-            label = name .. ": " .. (symbol and format("%s (%s)", symbol, text) or text)
+            label = numbered .. ": " .. (symbol and format("%s (%s)", symbol, text) or text)
         elseif kind == FLOAT and parameter.unit then
             addition = parameter.unit
         end
@@ -46,7 +46,7 @@ do
     -- those that are in `complaints`, where there are any.
     local function variable_complaints(complaints, view, parameter, encoding, index)
         local is_handle = encoding.handle
-        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment
+        local alignment = is_handle and SIZE_OF[HANDLE] or parameter.alignment or parameter.size
         if index % alignment ~= 0 then
             local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
             local sort = is_handle and "handle" or TYPE_NAMES[parameter.type]
@@ -75,7 +75,8 @@ do
     local function check_variable(view, parameter, encoding, index, declared)
         local is_global = encoding.kind == GLOBAL
         local asked = is_global and view.globals or view.locals
-        if parameter.is_long or asked and index + parameter.size > asked or index % parameter.alignment ~= 0
+        local size = parameter.size
+        if parameter.is_long or asked and index + size > asked or index % (parameter.alignment or size) ~= 0
             or encoding.is_special then
             view.complaints = variable_complaints(view.complaints, view, parameter, encoding, index)
         end
@@ -98,7 +99,7 @@ do
 
     -- A range costs more than an item: that of the first byte serves the argument and its encoding.
     local function show_argument(view, parameter, encoding, value, declared, at, stop)
-        local range, size, text = buffer(base + at, 1), stop - at, encoding.text
+        local range, size, text = buffer(base + at, 1), stop - at, encoding.is_short and encoding.texts[value]
         local added
         if encoding.scope then
             text = text or encoding.texts[value]
@@ -110,13 +111,13 @@ do
         elseif encoding.is_number and parameter.special and parameter.kind == NUMBER then
             added = add(heading, declared, range, value, false, parameter.special[value])
         else
-            local own_field, own, label, addition = value_of_row(parameter, declared, parameter.name, value)
+            local own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
             added = add(heading, own_field, range, own, label, addition)
         end
         if size > 1 then set_len(added, size) end
         add(added, ENCODING, range, encoding.label)
         local key = parameter.key
-        if key and parameter.is_said then
+        if key then
             if said_count < MOST_VALUES then
                 if not text or parameter.enum then text = argument_text(parameter, encoding, value) end
                 said = said .. key .. text
@@ -163,8 +164,11 @@ do
             local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
             after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
-            local addition = operation.addition .. said
-            if addition ~= "" then append_text(heading, addition) end
+            if operation.cmd_name then
+                append_text(heading, " " .. operation.cmd_name .. said)
+            elseif said ~= "" then
+                append_text(heading, said)
+            end
             if not line then
                 line = operation.title .. said
                 layout_notes.note_first(operation)
@@ -188,7 +192,8 @@ do
         if count <= 2 * MOST_VALUES then
             pieces[count + 1] = key
             -- Most are short numbers and variables, whose text is made already.
-            pieces[count + 2] = not parameter.enum and encoding.text or argument_text(parameter, encoding, value)
+            pieces[count + 2] = not parameter.enum and encoding.is_short and encoding.texts[value]
+                or argument_text(parameter, encoding, value)
             piece_count = count + 2
         else
             pieces[count + 1] = " ..."
@@ -212,7 +217,7 @@ do
 
     local function say_argument(view, parameter, encoding, value, declared)
         check_argument(view, parameter, encoding, value, declared)
-        if parameter.is_said then say_phrase(parameter, encoding, value) end
+        say_phrase(parameter, encoding, value)
     end
 
     -- One serves all, as they come one after the other.

@@ -82,7 +82,8 @@ do
         if encoding.scope then return encoding.texts[value] end
         local enum = parameter.enum
         local name = enum and not enum.is_flags and enum.names[value]
-        if name or encoding.text then return name or encoding.text end
+        if name then return name end
+        if encoding.is_short then return encoding.texts[value] end
         if encoding.kind == CONSTANT_TEXT then return shortened(value) end
         return parameter.is_float and number_text(value) or encoding.texts[value]
     end
@@ -91,10 +92,10 @@ do
         local parameter = output.parameter
         if type(value) == "string" then return shortened(value) end
         if output.is_handle then return number_text(value) end
-        local enum, unit = parameter.enum, parameter.unit_text
+        local enum, unit = parameter.enum, parameter.unit
         local name = enum and not enum.is_flags and enum.names[value]
         if name then return name end
-        return unit and number_text(value) .. unit or number_text(value)
+        return unit and number_text(value) .. " " .. unit or number_text(value)
     end
 
     function output_text(output)

@@ -11,8 +11,8 @@ local MEMORY_FIELD, DAISY_PAYLOAD = COMMAND_HEADER_SIZE - HEADER_SIZE, 3
 local ENCODINGS, READ_TYPE, unsigned16, utf8_text, select_operation, read_arguments, skim_arguments,
     read_operation, read_fields
 do
-    -- By identification byte: all that it says. Of short forms it is the value, too, and how a variable is written.
-    local SIZES, IS_VARIABLE = {}, {}
+    -- By identification byte: all that it says. Of short forms it is the value, too.
+    local SIZES, IS_VARIABLE, SHORT_VALUES = {}, {}, {}
     ENCODINGS = {}
     local SCOPES = { [LOCAL] = "LV(", [GLOBAL] = "GV(" }
 
@@ -29,21 +29,16 @@ do
     local NUMBER_TEXTS = texts_of("", "")
     local VARIABLE_TEXTS = { [LOCAL] = texts_of(SCOPES[LOCAL], ")"), [GLOBAL] = texts_of(SCOPES[GLOBAL], ")") }
     for _, row in ipairs(ENCODING_ROWS) do
+        local encoding = {
+            name = row[3], kind = row[4], width = row[5], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS,
+            label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
+            scope = SCOPES[row[4]], is_number = row[4] == CONSTANT, is_short = row.value ~= nil,
+            is_special = row.handle or row.address, handle = row.handle, address = row.address,
+        }
         for first = row[1], row[2] do
-            local encoding = {
-                name = row[3], kind = row[4], width = row[5], texts = VARIABLE_TEXTS[row[4]] or NUMBER_TEXTS,
-                label = row[3] .. (row.handle and " HND" or "") .. (row.address and " ADR" or ""),
-            }
-            if SCOPES[row[4]] then encoding.scope, IS_VARIABLE[first] = SCOPES[row[4]], true end
-            if row[4] == CONSTANT then encoding.is_number = true end
-            if row.handle or row.address then encoding.is_special = true end
-            if row.handle then encoding.handle = true end
-            if row.address then encoding.address = true end
-            if row.value then
-                encoding.value = row.value + first - row[1]
-                encoding.text = encoding.texts[encoding.value]
-            end
             ENCODINGS[first] = encoding
+            if encoding.scope then IS_VARIABLE[first] = true end
+            if encoding.is_short then SHORT_VALUES[first] = row.value + first - row[1] end
             -- Bytes of the whole argument; 0 for a string, which ends at its zero.
             SIZES[first] = row[4] == CONSTANT_TEXT and 0 or 1 + row[5]
         end
@@ -124,7 +119,7 @@ do
 
     -- What stands in the argument from one offset to another: a number, a text, or the index of a variable.
     local function value_of(text, at, stop, encoding, is_float)
-        if encoding.value then return encoding.value end
+        if encoding.is_short then return SHORT_VALUES[byte(text, at + 1)] end
         local kind, width = encoding.kind, encoding.width
         if kind == CONSTANT_TEXT then return sub(text, at + 2, stop - 1) end
         if encoding.scope then return READ_UNSIGNED[width](text, at + 1) end
@@ -144,7 +139,7 @@ do
         if not commands then return entry, at + 1 end
         -- Nearly every CMD is one byte that is its number.
         local encoding = ENCODINGS[second]
-        local operation = encoding and encoding.kind == CONSTANT and commands[encoding.value]
+        local operation = encoding and encoding.kind == CONSTANT and commands[SHORT_VALUES[second]]
         if operation then return operation, at + 2 end
         local after, offset, reason, kind = measure(text, at + 1, stop, "CMD")
         if not after then return nil, offset, reason, kind end
@@ -182,11 +177,10 @@ do
     -- first byte and after its last; with `is_brief` only variables, and numbers that say how long something is. At a
     -- fault the offset is the one after what could be read, and the fault's offset, reason and kind follow.
     function read_arguments(operation, text, at, stop, visit, context, is_brief)
-        local fixed, declared, list = operation.fixed, operation.fields, operation.list
-        local start, element_type = at, nil
+        local list, start, element_type = operation.list, at, nil
         local after, offset, reason, kind
-        for index = 1, #fixed do
-            local parameter = fixed[index]
+        for index = 1, #operation, 2 do
+            local parameter = operation[index]
             local first, low, high = byte(text, at + 1, at + 3)
             local size = SIZES[first]
             -- Most arguments are numbers and whole; the others go the long way.
@@ -199,7 +193,7 @@ do
             if visit then
                 local encoding = ENCODINGS[first]
                 if not is_brief or encoding.scope or parameter.tells_length or parameter.tells_type then
-                    local value = encoding.value
+                    local value = SHORT_VALUES[first]
                     if not value then
                         if size == 2 then
                             value = (low < 0x80 or encoding.scope) and low or low - 0x100
@@ -210,7 +204,7 @@ do
                             value = value_of(text, at, after, encoding, parameter.is_float)
                         end
                     end
-                    visit(context, parameter, encoding, value, declared[index], at, after)
+                    visit(context, parameter, encoding, value, operation[index + 1], at, after)
                     if list and parameter.tells_type and encoding.kind == CONSTANT then
                         element_type = FORMAT_TYPES[value]
                     end
@@ -220,7 +214,7 @@ do
         end
         if list then
             local count
-            count, offset, reason, kind = count_elements(text, list, fixed[#fixed], start, at, stop)
+            count, offset, reason, kind = count_elements(text, list, operation[#operation - 1], start, at, stop)
             if not count then return at, offset, reason, kind end
             local elements = list.elements_of[element_type or list.element_type]
             for index = 0, count - 1 do
@@ -243,21 +237,20 @@ do
     -- The same of an operation that is simple: no argument tells anything of another. Most are read here: each needs
     -- just the size that its first byte tells. With `is_brief` only variables are handed over.
     function skim_arguments(operation, text, at, stop, visit, context, is_brief)
-        local fixed, declared = operation.fixed, operation.fields
-        for index = 1, #fixed do
+        for index = 1, #operation, 2 do
             local first, low, high = byte(text, at + 1, at + 3)
             local size, after = SIZES[first], nil
             if size and size > 0 and at + size <= stop then
                 after = at + size
             else
                 local offset, reason, kind
-                after, offset, reason, kind = measure(text, at, stop, fixed[index].name)
+                after, offset, reason, kind = measure(text, at, stop, operation[index].name)
                 if not after then return at, offset, reason, kind end
             end
             local is_variable = IS_VARIABLE[first]
             if is_variable or not is_brief then
-                local parameter, encoding = fixed[index], ENCODINGS[first]
-                local value = encoding.value
+                local parameter, encoding = operation[index], ENCODINGS[first]
+                local value = SHORT_VALUES[first]
                 if not value then
                     if size == 2 then
                         value = (low < 0x80 or is_variable) and low or low - 0x100
@@ -268,7 +261,7 @@ do
                         value = value_of(text, at, after, encoding, parameter.is_float)
                     end
                 end
-                visit(context, parameter, encoding, value, declared[index], at, after)
+                visit(context, parameter, encoding, value, operation[index + 1], at, after)
             end
             at = after
         end

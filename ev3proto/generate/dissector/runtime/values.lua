@@ -210,12 +210,16 @@ do
         return draft
     end
 
+    local function head_of(layout)
+        return layout.first and "reply to " .. layout.first.title .. ":" or "reply:"
+    end
+
     -- The line on a reply with so plain a layout, to be filled with its values; false for any other layout: each output
     -- is one number, and nothing but a number.
     local function plain_line(layout)
         local count = layout.size / OUTPUT
         if count < 1 or count > MOST_VALUES then return false end
-        local pieces, needed = { layout.first.reply_head }, 0
+        local pieces, needed = { head_of(layout) }, 0
         for at = 1, layout.size, OUTPUT do
             local parameter, encoding = layout[at + 1], layout[at + 2]
             local type, enum = parameter.type, parameter.enum
@@ -223,7 +227,8 @@ do
             if not is_plain or encoding.handle or encoding.address then return false end
             needed = math.max(needed, layout[at + 3] + SIZE_OF[type])
             pieces[#pieces + 1] = count == 1 and " " or parameter.value_key
-            pieces[#pieces + 1] = (type == DATAF and "%.7g" or "%d") .. (parameter.unit_format or "")
+            pieces[#pieces + 1] = type == DATAF and "%.7g" or "%d"
+            if parameter.unit then pieces[#pieces + 1] = " " .. gsub(parameter.unit, "%%", "%%%%") end
         end
         layout.needed = HEADER_SIZE + needed
         return concat(pieces)
@@ -260,8 +265,8 @@ do
     -- The values found; they are overwritten by those of the next reply.
     local found = {}
 
-    -- The values in a reply by its layout, how many there are, and the command's first operation. Where the tree is
-    -- not shown, no more of them than a line says, and of lists no more elements.
+    -- The values in a reply by its layout, how many there are, and how the line on it begins. Where the tree is not
+    -- shown, no more of them than a line says, and of lists no more elements.
     function read_reply(layout, reply, is_shown)
         local count, most = 0, is_shown and math.huge or MOST_VALUES + 1
         local output = found[1] or {}
@@ -273,6 +278,6 @@ do
                 output = found[count + 1] or {}
             end
         end
-        return found, count, layout.first
+        return found, count, head_of(layout)
     end
 end

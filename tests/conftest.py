@@ -7,6 +7,7 @@ With EV3PROTO_THOROUGH it draws many, others each time, and keeps those that fai
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -24,6 +25,11 @@ from support.wireshark import Tshark
 # Hundreds of processes are started, and without compiled modules each would compile the package anew.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
+
+# What a shell starts in the background ignores Ctrl-C, and so does what that starts: tests that interrupt would wait
+# forever.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 settings.register_profile(
     "usual", max_examples=50, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]

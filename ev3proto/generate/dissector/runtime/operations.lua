@@ -87,7 +87,12 @@ do
     -- arguments, and each reads these faster here than in a table.
     local NO_LENGTHS = {}
     local shown = {}
-    local heading, buffer, base, said, said_count
+    local heading, buffer, base
+
+    -- What is said of an operation after its opcode: a space and its CMD, if it has one; from the third on the names
+    -- and values of its arguments. Joined at once, they leave no texts behind that are half of it.
+    local words, word_count = {}, 2
+    local MOST_WORDS = 2 + 2 * MOST_VALUES
 
     local function complain_of_variable(item, view)
         local complaints = view.complaints
@@ -117,14 +122,13 @@ do
         if size > 1 then set_len(added, size) end
         add(added, ENCODING, range, encoding.label)
         local key = parameter.key
-        if key then
-            if said_count < MOST_VALUES then
-                if not text or parameter.enum then text = argument_text(parameter, encoding, value) end
-                said = said .. key .. text
-            elseif said_count == MOST_VALUES then
-                said = said .. " ..."
-            end
-            said_count = said_count + 1
+        if key and word_count < MOST_WORDS then
+            if not text or parameter.enum then text = argument_text(parameter, encoding, value) end
+            words[word_count + 1], words[word_count + 2] = key, text
+            word_count = word_count + 2
+        elseif key and word_count == MOST_WORDS then
+            word_count = word_count + 1
+            words[word_count] = " ..."
         end
         if parameter.tells_length and tells_length(parameter, encoding) then
             if view.lengths == NO_LENGTHS then view.lengths = {} end
@@ -138,11 +142,16 @@ do
         return texts[count]
     end })
 
+    -- What is said of so many operations, of which this is the first; nil where there is none.
+    local function first_line(first, said, count)
+        return first and first.title .. said .. further[count]
+    end
+
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
     -- What a reply will hold is noted. Returns the line, nil where there is no operation; the offset after what could
     -- be read; the fault, where there is one.
     function show_operations(item, tvb, start, text, at, stop, globals, locals)
-        local line, count = nil, 0
+        local first, said, count = nil, "", 0
         buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
         layout_notes.start()
         while at < stop do
@@ -150,9 +159,10 @@ do
             heading = add(item, OPCODE, tvb(start + at, 1))
             local operation, after, reason, kind = select_operation(text, at, stop)
             if not operation then
-                return line and line .. further[count], at, { at = after, reason = reason, kind = kind }
+                return first_line(first, said, count), at, { at = after, reason = reason, kind = kind }
             end
-            if operation.cmd_name then
+            local name = operation.cmd_name
+            if name then
                 local range = tvb(start + at + 1, 1)
                 local cmd = add(heading, CMD, range, operation.name)
                 if after > at + 2 then
@@ -160,17 +170,14 @@ do
                     add(cmd, ENCODING, range, ENCODINGS[byte(text, at + 2)].label)
                 end
             end
-            said, said_count, shown.offset, shown.operation = "", 0, at, operation
+            words[1], words[2], word_count = name and " " or "", name or "", 2
+            shown.offset, shown.operation = at, operation
             local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
             after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
-            if operation.cmd_name then
-                append_text(heading, " " .. operation.cmd_name .. said)
-            elseif said ~= "" then
-                append_text(heading, said)
-            end
-            if not line then
-                line = operation.title .. said
+            if name or word_count > 2 then append_text(heading, concat(words, "", 1, word_count)) end
+            if not first then
+                first, said = operation, concat(words, "", 3, word_count)
                 layout_notes.note_first(operation)
             end
             if shown.lengths ~= NO_LENGTHS then
@@ -178,9 +185,11 @@ do
                 shown.lengths = NO_LENGTHS
             end
             count, at = count + 1, after
-            if reason then return line .. further[count], at, { at = offset, reason = reason, kind = kind } end
+            if reason then
+                return first_line(first, said, count), at, { at = offset, reason = reason, kind = kind }
+            end
         end
-        return line and line .. further[count], at
+        return first_line(first, said, count), at
     end
 
     -- The line on the first operation, piece by piece: SOUND TONE volume=1 frequency=440

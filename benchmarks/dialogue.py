@@ -31,6 +31,11 @@ def dialogue(count: int) -> Iterator[Segment]:
         yield Segment(False, ev3proto.direct_reply(rng.randbytes(command.global_size), counter=counter).build())
 
 
+def unanswered(count: int) -> Iterator[Segment]:
+    """Twice as many of these commands, whose replies never come: as many packets as in the dialogues."""
+    return (segment for segment in dialogue(2 * count) if segment.from_host)
+
+
 def usual_dialogue(count: int) -> Iterator[Segment]:
     """So many commands as programs send them, with replies: sensors, motors, the battery, now and then a new speed."""
     rng = random.Random(1)

@@ -20,7 +20,6 @@ def text_goes_to_brick(data: bytes) -> bool | None:
 
     Returns:
         None where they do not begin with a text.
-
     """
     if data.startswith(_REQUEST):
         return True
@@ -35,7 +34,6 @@ def goes_to_brick(data: bytes) -> bool:
 
     Returns:
         What they begin with tells it; where nothing does, they are a command's.
-
     """
     if (told := text_goes_to_brick(data)) is not None:
         return told

@@ -4153,7 +4153,7 @@ do
     end
 
     -- There are more than a thousand parameters, and the collector goes through all that Lua holds again and again.
-    -- Those that are alike in all but their fields are one: three of four are like another.
+    -- Those that are alike in all but their fields are one table, of which there are a third as many.
     local shared_parameter
     do
         local made = {}
@@ -5176,7 +5176,7 @@ do
     end
 
     -- A name of at most so many bytes as file systems take, its extension kept where that is a short one.
-    local function shortened(name)
+    local function cut_name(name)
         if #name <= MOST_NAME then return name end
         local extension = name:match("[^%.](%.[^%.]+)$") or ""
         if #extension > MOST_EXTENSION then extension = "" end
@@ -5186,7 +5186,7 @@ do
     -- The name under which a file is written: nothing of its path leads out of the folder.
     local function safe_name(path, taken)
         local name = gsub(gsub(path:match("[^/\\]*$"), "[^%w%._%- ]", "_"), "^[%. ]+", "_")
-        name = shortened(without_end(name))
+        name = cut_name(without_end(name))
         -- Windows leaves blanks before the first dot of a device's name out, too.
         local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
         if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then
@@ -5943,16 +5943,31 @@ do
         if is_global and parameter.is_output then note_output(view, parameter, encoding, index, declared) end
     end
 
-    -- What the items of an operation are added to, and what has been said of its arguments so far. There are very many
-    -- arguments, and each reads these faster here than in a table.
+    -- What is said of an operation, piece by piece: SOUND TONE volume=1 frequency=440. Two pieces are what it is, the
+    -- others the names and values of its arguments. Joined at once, they leave no texts behind that are half of it.
+    local pieces, piece_count = {}, 2
+    local MOST_PIECES = 2 + 2 * MOST_VALUES
+
+    local function say_phrase(parameter, encoding, value)
+        local key, count = parameter.key, piece_count
+        if not key or count > MOST_PIECES then return end
+        if count < MOST_PIECES then
+            pieces[count + 1] = key
+            -- Most are short numbers and variables, whose text is made already.
+            pieces[count + 2] = not parameter.enum and encoding.is_short and encoding.texts[value]
+                or argument_text(parameter, encoding, value)
+            piece_count = count + 2
+        else
+            pieces[count + 1] = " ..."
+            piece_count = count + 1
+        end
+    end
+
+    -- What the items of an operation are added to. There are very many arguments, and each reads these faster here than
+    -- in a table.
     local NO_LENGTHS = {}
     local shown = {}
     local heading, buffer, base
-
-    -- What is said of an operation after its opcode: a space and its CMD, if it has one; from the third on the names
-    -- and values of its arguments. Joined at once, they leave no texts behind that are half of it.
-    local words, word_count = {}, 2
-    local MOST_WORDS = 2 + 2 * MOST_VALUES
 
     local function complain_of_variable(item, view)
         local complaints = view.complaints
@@ -5964,10 +5979,10 @@ do
 
     -- A range costs more than an item: that of the first byte serves the argument and its encoding.
     local function show_argument(view, parameter, encoding, value, declared, at, stop)
-        local range, size, text = buffer(base + at, 1), stop - at, encoding.is_short and encoding.texts[value]
+        local range, size = buffer(base + at, 1), stop - at
         local added
         if encoding.scope then
-            text = text or encoding.texts[value]
+            local text = encoding.texts[value]
             added = add(heading, VARIABLE, range, text, parameter.label_head, text)
             check_variable(view, parameter, encoding, value, declared)
             if view.complaints then complain_of_variable(added, view) end
@@ -5981,15 +5996,7 @@ do
         end
         if size > 1 then set_len(added, size) end
         add(added, ENCODING, range, encoding.label)
-        local key = parameter.key
-        if key and word_count < MOST_WORDS then
-            if not text or parameter.enum then text = argument_text(parameter, encoding, value) end
-            words[word_count + 1], words[word_count + 2] = key, text
-            word_count = word_count + 2
-        elseif key and word_count == MOST_WORDS then
-            word_count = word_count + 1
-            words[word_count] = " ..."
-        end
+        if parameter.key then say_phrase(parameter, encoding, value) end
         if parameter.tells_length and tells_length(parameter, encoding) then
             if view.lengths == NO_LENGTHS then view.lengths = {} end
             view.lengths[parameter.name] = value
@@ -6030,14 +6037,14 @@ do
                     add(cmd, ENCODING, range, ENCODINGS[byte(text, at + 2)].label)
                 end
             end
-            words[1], words[2], word_count = name and " " or "", name or "", 2
+            pieces[1], pieces[2], piece_count = name and " " or "", name or "", 2
             shown.offset, shown.operation = at, operation
             local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
             after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
-            if name or word_count > 2 then append_text(heading, concat(words, "", 1, word_count)) end
+            if name or piece_count > 2 then append_text(heading, concat(pieces, "", 1, piece_count)) end
             if not first then
-                first, said = operation, concat(words, "", 3, word_count)
+                first, said = operation, concat(pieces, "", 3, piece_count)
                 layout_notes.note_first(operation)
             end
             if shown.lengths ~= NO_LENGTHS then
@@ -6050,24 +6057,6 @@ do
             end
         end
         return first_line(first, said, count), at
-    end
-
-    -- The line on the first operation, piece by piece: SOUND TONE volume=1 frequency=440
-    local pieces, piece_count = {}, 0
-
-    local function say_phrase(parameter, encoding, value)
-        local key, count = parameter.key, piece_count
-        if not key or count > 2 * MOST_VALUES + 1 then return end
-        if count <= 2 * MOST_VALUES then
-            pieces[count + 1] = key
-            -- Most are short numbers and variables, whose text is made already.
-            pieces[count + 2] = not parameter.enum and encoding.is_short and encoding.texts[value]
-                or argument_text(parameter, encoding, value)
-            piece_count = count + 2
-        else
-            pieces[count + 1] = " ..."
-            piece_count = count + 1
-        end
     end
 
     -- Without a tree: what is wrong with any argument, and what a reply will hold.
@@ -6096,7 +6085,7 @@ do
     -- What a reply will hold is noted. Returns the line, nil where there is no operation; the fault; the complaints.
     function say_operations(text, at, stop, globals, locals)
         local first, count, lengths, fault = nil, 0, view.lengths, nil
-        view.globals, view.locals, view.complaints, view.is_beyond, piece_count = globals, locals, nil, false, 1
+        view.globals, view.locals, view.complaints, view.is_beyond, piece_count = globals, locals, nil, false, 2
         layout_notes.start()
         while at < stop do
             local operation, after, offset, reason, kind = select_operation(text, at, stop)
@@ -6129,7 +6118,7 @@ do
         local line
         if first then
             layout_notes.note_first(first)
-            pieces[1], pieces[piece_count + 1] = first.title, further[count]
+            pieces[1], pieces[2], pieces[piece_count + 1] = first.title, "", further[count]
             line = concat(pieces, "", 1, piece_count + 1)
         end
         return line, fault, view.complaints

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import struct
 import subprocess
+from collections.abc import Iterable
 from pathlib import Path
 
 from support.frames import Segment, tcp_capture
@@ -141,30 +142,29 @@ def test_the_info_column_is_bounded(tshark: Tshark) -> None:
     assert said.endswith(f"; and {4000 - shown} more")
 
 
-def test_only_so_many_commands_wait_for_their_replies(tshark: Tshark) -> None:
-    """4,096 of one connection at least, twice as many at most; the oldest are given up."""
+def answered_commands(tshark: Tshark, commands: Iterable[int], replies: Iterable[int]) -> list[str]:
+    """Sends commands with these counters, then the replies: of each its counter, and the packet with its command."""
     capture = Capture(RAW_IP)
     connection = Connection(capture)
-    for counter in range(9000):
+    for counter in commands:
         connection.send(struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60"))
-    for counter in (0, 9000 - 8192 - 1, 9000 - 4096, 8999):
+    for counter in replies:
         connection.receive(struct.pack("<HHBf", 7, counter, 0x02, 7.5))
     path = tshark.place(capture.data(), "waiting.pcap")
-    said = tshark.run(path, "-Y", "tcp.srcport == 5555", "-T", "fields", "-e", "ev3.msg_num", "-e", "ev3.request_in")
-    assert said.splitlines() == ["0\t", "807\t", "4904\t4905", "8999\t9000"]
+    words = ("-Y", "tcp.srcport == 5555", "-T", "fields", "-e", "ev3.msg_num", "-e", "ev3.request_in")
+    return tshark.run(path, *words).splitlines()
+
+
+def test_only_so_many_commands_wait_for_their_replies(tshark: Tshark) -> None:
+    """4,096 of one connection at least, twice as many at most; the oldest are given up."""
+    said = answered_commands(tshark, range(9000), (0, 9000 - 8192 - 1, 9000 - 4096, 8999))
+    assert said == ["0\t", "807\t", "4904\t4905", "8999\t9000"]
 
 
 def test_commands_that_wait_long_keep_those_before_them(tshark: Tshark) -> None:
     """Two with one counter, then 300 with others: the first reply is that of the newer one."""
-    capture = Capture(RAW_IP)
-    connection = Connection(capture)
-    for counter in (5, 5, *range(1000, 1300)):
-        connection.send(struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60"))
-    for counter in (5, 1000, 5, 1299):
-        connection.receive(struct.pack("<HHBf", 7, counter, 0x02, 7.5))
-    path = tshark.place(capture.data(), "waiting-long.pcap")
-    said = tshark.run(path, "-Y", "tcp.srcport == 5555", "-T", "fields", "-e", "ev3.msg_num", "-e", "ev3.request_in")
-    assert said.splitlines() == ["5\t2", "1000\t3", "5\t1", "1299\t302"]
+    said = answered_commands(tshark, (5, 5, *range(1000, 1300)), (5, 1000, 5, 1299))
+    assert said == ["5\t2", "1000\t3", "5\t1", "1299\t302"]
 
 
 def test_pieces_of_frames_cost_little(tshark: Tshark) -> None:

@@ -9,11 +9,12 @@ from __future__ import annotations
 from ev3proto.capture.carriers.claims import Claim, is_proof
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.carriers.wifi.tcp import SEGMENT_SIZE, Segment
+from ev3proto.capture.carriers.wifi.ways import may_come_from_brick, may_go_to_brick
 from ev3proto.capture.finding import count_telling
 from ev3proto.capture.record import Direction, Event, Record, Skipped
 from ev3proto.capture.weighing import Accepts, Verdict, Weigher, Weight
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.tables.frame import MAX_FRAME, MessageType
+from ev3proto.tables.frame import MAX_FRAME
 
 _HELD_SIZE = 700
 """Bytes of memory that something found takes while it is held back, besides its bytes, about."""
@@ -29,7 +30,7 @@ class _Side:
     def __init__(self, direction: Direction) -> None:
         self.direction = direction
         self.to_brick = direction is Direction.SENT
-        self.accepts: Accepts = _goes_to_brick if self.to_brick else _comes_from_brick
+        self.accepts: Accepts = may_go_to_brick if self.to_brick else may_come_from_brick
         self.parts: list[Segment] = []  # of what may be a frame, while the connection is not ours
         self.has_begun = False  # something of the claim that stands was given
         self.rest = 0  # bytes that may be left of a frame of which some are missing in the capture
@@ -334,12 +335,3 @@ def _fed(stream: Stream, parts: list[Segment]) -> list[Event]:
 
 def _size_of(event: Event) -> int:
     return _HELD_SIZE + len(event.frame if isinstance(event, Record) else event.data)
-
-
-def _goes_to_brick(member: MessageType) -> bool:
-    """Bricks in a chain send commands both ways."""
-    return member.is_command or member.carries == "daisy"
-
-
-def _comes_from_brick(member: MessageType) -> bool:
-    return not member.is_command or member.carries == "daisy"

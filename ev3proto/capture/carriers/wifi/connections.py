@@ -27,7 +27,7 @@ from ev3proto.capture.carriers.wifi.internet import (
     transport,
 )
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
-from ev3proto.capture.carriers.wifi.ways import goes_to_brick, text_goes_to_brick
+from ev3proto.capture.carriers.wifi.ways import frame_goes_to_brick, text_goes_to_brick
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
@@ -192,7 +192,7 @@ class Connections:
         if (told := text_goes_to_brick(data)) is not None:
             return told
         if is_target:
-            return not is_source or goes_to_brick(data)
+            return not is_source or frame_goes_to_brick(data)
         return not is_source and self._elsewhere.get(_both_ways(ends)) == target_of(ends)
 
     def _segment(self, packet: Packet, segment: Transport, half: _Half | None) -> Iterable[Event]:

@@ -6,7 +6,7 @@ from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, field
 
 from ev3proto.bounded import Bounded
-from ev3proto.capture.carriers.wifi.ways import goes_to_brick, text_goes_to_brick
+from ev3proto.capture.carriers.wifi.ways import frame_goes_to_brick, text_goes_to_brick
 from ev3proto.capture.record import Announcement, Direction, Event, Route, Said, Skipped
 from ev3proto.capture.wireshark.common import MOST_CONNECTIONS, Common, parsed
 from ev3proto.capture.wireshark.row import Row
@@ -114,7 +114,7 @@ class Rows:
         if told is not None:
             return told
         is_source, is_target = source_port in self._common.ports, target_port in self._common.ports
-        return is_target if is_source != is_target or not found else goes_to_brick(found[0])
+        return is_target if is_source != is_target or not found else frame_goes_to_brick(found[0])
 
     def _lost(self, half: _Half) -> Iterator[Event]:
         size, numbers, time_ns = half.segments.lost()

@@ -8,8 +8,18 @@ from ev3proto.tables.frame import MessageType
 
 _REQUEST = UNLOCK_REQUEST.encode()
 
-# Bricks in a chain answer each other both ways.
-_REPLIES = frozenset(member.value for member in MessageType if not member.is_command and member.carries != "daisy")
+
+def may_go_to_brick(member: MessageType) -> bool:
+    """Whether messages of a type go to the brick. Bricks in a chain send commands both ways."""
+    return member.is_command or member.carries == "daisy"
+
+
+def may_come_from_brick(member: MessageType) -> bool:
+    """Whether messages of a type come from the brick."""
+    return not member.is_command or member.carries == "daisy"
+
+
+_REPLIES = frozenset(member.value for member in MessageType if not may_go_to_brick(member))
 
 
 def text_goes_to_brick(data: bytes) -> bool | None:
@@ -26,15 +36,13 @@ def text_goes_to_brick(data: bytes) -> bool | None:
     return False if data.startswith(ACCEPT) else None
 
 
-def goes_to_brick(data: bytes) -> bool:
-    """Whether data go to the brick: all but replies, and its answer to the unlock text.
+def frame_goes_to_brick(data: bytes) -> bool:
+    """Whether data that begin with no text go to the brick: all but replies.
 
     Args:
         data: The first that were seen of a direction.
 
     Returns:
-        What they begin with tells it; where nothing does, they are a command's.
+        What the type of the first frame tells; where none is there, it is a command's.
     """
-    if (told := text_goes_to_brick(data)) is not None:
-        return told
     return len(data) < HEADER_SIZE or unpack_header(data, 0)[2] not in _REPLIES

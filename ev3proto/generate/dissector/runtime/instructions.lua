@@ -87,7 +87,7 @@ do
     end
 
     -- There are more than a thousand parameters, and the collector goes through all that Lua holds again and again.
-    -- Those that are alike in all but their fields are one: three of four are like another.
+    -- Those that are alike in all but their fields are one table, of which there are a third as many.
     local shared_parameter
     do
         local made = {}

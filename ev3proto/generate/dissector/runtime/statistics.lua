@@ -179,7 +179,7 @@ do
     end
 
     -- A name of at most so many bytes as file systems take, its extension kept where that is a short one.
-    local function shortened(name)
+    local function cut_name(name)
         if #name <= MOST_NAME then return name end
         local extension = name:match("[^%.](%.[^%.]+)$") or ""
         if #extension > MOST_EXTENSION then extension = "" end
@@ -189,7 +189,7 @@ do
     -- The name under which a file is written: nothing of its path leads out of the folder.
     local function safe_name(path, taken)
         local name = gsub(gsub(path:match("[^/\\]*$"), "[^%w%._%- ]", "_"), "^[%. ]+", "_")
-        name = shortened(without_end(name))
+        name = cut_name(without_end(name))
         -- Windows leaves blanks before the first dot of a device's name out, too.
         local stem = gsub(name:match("^[^%.]*"):upper(), " +$", "")
         if name == "" or stem:match("^CO[MN]%d?$") or stem:match("^LPT%d$") or stem:match("^[PANX][RUL][NXL]$") then

@@ -4340,55 +4340,86 @@ local instructions = INSTRUCTION_SETS[dialect]
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local memory, row_of, place_of, number_of
+local memory, place_of, number_of
 do
     memory = {}
 
-    -- What was found out of the bodies of the last commands, as a dialogue says the same again and again. Each has a
-    -- row, which some of its bytes tell, and takes it from the one before; in each column is what is known of it, or
-    -- false. So what comes once costs little, and no table grows for it.
-    local ROWS = 1024
-    local bodies, columns = {}, {}
-    local last_body, last_row
+    -- What was found out of the bodies of commands, as a dialogue says the same again and again. A body has a row,
+    -- which some of its bytes tell. One that comes to its row twice, with no other between, has an entry there from
+    -- then on; so what comes once costs little, and no table grows for it. An entry has what others find out of it:
+    --   line      what is said of it in one line
+    --   trouble   what is wrong with it, where something is: `fault`, `complaints`
+    --   steps     what it adds to the tree
+    --   layout    that of its replies
+    --   number    under which it is kept for good
+    local ROWS = 8191
+    local entries, keys = {}, {}
 
-    local function clear(column)
+    -- Once the lists that entries keep have so many elements together, there is no room for another one. After so many
+    -- that found none all is forgotten: by then the dialogue may be another one.
+    local MOST_ELEMENTS, MOST_REFUSED = 0x10000, 0x2000
+    local elements, refused = 0, 0
+
+    -- Of the body that was asked for last: a command and its reply ask several times.
+    local last_body, last_entry
+
+    function memory.forget_entries()
         for row = 1, ROWS do
-            column[row] = false
+            entries[row], keys[row] = false, 0
         end
-        return column
+        elements, refused, last_body, last_entry = 0, 0, nil, nil
     end
-    clear(bodies)
-
-    function memory.new_column()
-        local column = clear({})
-        columns[#columns + 1] = column
-        return column
-    end
+    memory.forget_entries()
 
     -- Bytes near the start and at the end, as bodies are alike in others. A few are so short that some are missing.
-    local function new_row(body)
+    local function key_of(body)
         local a, b, c, d, e = byte(body, 3, 7)
         local y, z = byte(body, -2, -1)
-        if not e then return 1 + (31 * (a or 0) + 257 * (b or 0) + 7 * (c or 0) + 61 * (d or 0)) % ROWS end
-        return 1 + (#body + 5 * a + 31 * b + 7 * c + 61 * d + 127 * e + 257 * y + 11 * z) % ROWS
+        if not e then return (a or 0) + 0x100 * (b or 0) + 0x10000 * (c or 0) + 0x1000000 * (d or 0) end
+        return #body + 0x101 * a + 0x1003 * b + 0x10007 * c + 0x10000D * d + 0x1000015 * e + 0x3000011 * y
+            + 0x700001F * z
     end
 
-    function row_of(body)
-        if body == last_body then return last_row end
-        local row = new_row(body)
-        if bodies[row] ~= body then
-            bodies[row] = body
-            for index = 1, #columns do
-                columns[index][row] = false
+    -- Its entry, if it has one.
+    function memory.entry_of(body)
+        if body == last_body then return last_entry end
+        local entry = entries[1 + key_of(body) % ROWS]
+        last_body, last_entry = body, entry and entry.body == body and entry or nil
+        return last_entry
+    end
+
+    -- The same when a command comes.
+    function memory.meet(body)
+        local key = key_of(body)
+        local row = 1 + key % ROWS
+        local entry = entries[row]
+        if not entry or entry.body ~= body then
+            if keys[row] == key then
+                if entry then elements = elements - entry.count end
+                entry = {
+                    body = body, line = false, trouble = false, steps = false, layout = false, number = false,
+                    count = 0,
+                }
+                entries[row] = entry
+            else
+                keys[row], entry = key, nil
             end
         end
-        last_body, last_row = body, row
-        return row
+        last_body, last_entry = body, entry
+        return entry
     end
 
-    function memory.forget_rows()
-        last_body = nil
-        clear(bodies)
+    -- Whether entries may keep more lists.
+    function memory.has_room()
+        if elements < MOST_ELEMENTS then return true end
+        refused = refused + 1
+        if refused > MOST_REFUSED then memory.forget_entries() end
+        return false
+    end
+
+    -- Says that an entry keeps a list of so many elements from now on.
+    function memory.count_elements(entry, count)
+        entry.count, elements = entry.count + count, elements + count
     end
 
     -- A message's place is the number of its packet and its offset there, in one number.
@@ -5297,7 +5328,6 @@ do
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
     local requests, bodies = memory.new_notes(3), memory.new_texts()
-    local body_numbers = memory.new_column()
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
     -- known.
@@ -5327,14 +5357,11 @@ do
         return command and { place = command, delay = delay, body = bodies.get(body) }
     end
 
-    -- The number of a body that is kept. One that comes again soon has the number that it had.
+    -- The number of a body that is kept. One that comes again and again has the number that it had.
     local function number_of_body(body)
-        local row = row_of(body)
-        local number = body_numbers[row]
-        if not number then
-            number = bodies.put(body)
-            body_numbers[row] = number
-        end
+        local entry = memory.entry_of(body)
+        local number = entry and entry.number or bodies.put(body)
+        if entry then entry.number = number end
         return number
     end
 
@@ -5642,7 +5669,6 @@ do
 
     local function finish_draft()
         draft.size, draft.first, draft.lengths = draft_size, draft_first, draft_lengths
-        draft.line, draft.is_used = nil, nil
         -- Where the outputs of the last operation end.
         draft[draft_size + 1] = false
     end
@@ -5650,7 +5676,7 @@ do
     -- The draft in a table of its own, written at once, as a table that grows is laid out anew.
     local function copy_of_draft()
         return {
-            size = draft_size, first = draft_first, lengths = draft_lengths, is_used = draft.is_used,
+            size = draft_size, first = draft_first, lengths = draft_lengths, is_kept = true,
             unpack(draft, 1, draft_size),
         }
     end
@@ -5750,40 +5776,22 @@ do
         finish_draft()
     end
 
-    -- Those of commands that came more than once, of so many entries in all; else whether one was noted, or asked for.
-    local layouts, NOTED, ASKED = memory.new_column(), "noted", "asked"
-    local MOST_KEPT = 0x4000 * OUTPUT
-    local kept = 0
-
     -- Says that the layout was noted of which a reply will ask: nearly always before another one is.
     function layout_notes.keep(body)
-        local row = row_of(body)
         draft_body = body
         finish_draft()
-        layouts[row] = layouts[row] or NOTED
-    end
-
-    local function keep_draft(row)
-        kept = kept + draft_size
-        if kept > MOST_KEPT then
-            memory.forget_rows()
-            kept = draft_size
-        end
-        local layout = copy_of_draft()
-        layouts[row] = layout
-        return layout
     end
 
     -- The layout of the replies to a command, by what follows its header. One that is not kept lasts until the next
     -- command is read.
     function layout_notes.layout_for(body)
-        local row = row_of(body)
-        local known = layouts[row]
-        if known and known ~= NOTED and known ~= ASKED then return known end
-        if not known or body ~= draft_body then draft_layout(body) end
-        if known == ASKED then return keep_draft(row) end
-        layouts[row] = ASKED
-        return draft
+        local entry = memory.entry_of(body)
+        if entry and entry.layout then return entry.layout end
+        if body ~= draft_body then draft_layout(body) end
+        if not entry or not memory.has_room() then return draft end
+        memory.count_elements(entry, draft_size)
+        entry.layout = copy_of_draft()
+        return entry.layout
     end
 
     local function head_of(layout)
@@ -5812,14 +5820,13 @@ do
 
     local values = {}
 
-    -- The line on a reply, where its layout was asked for before and is a plain one; else nil.
+    -- The line on a reply, where its layout is kept and a plain one; else nil.
     function say_reply(layout, reply)
+        if not layout.is_kept then return nil end
         local line = layout.line
         if line == nil then
-            -- A command that comes once is not worth it.
-            if layout.is_used then layout.line = plain_line(layout) end
-            layout.is_used = true
-            return nil
+            line = plain_line(layout)
+            layout.line = line
         end
         if not line or reply.stop < layout.needed then return nil end
         local text, count = reply.text, 0
@@ -5863,7 +5870,7 @@ end
 -- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
 -- in the tree.
 
-local value_of_row, say_operations, show_operations
+local value_of_row, say_operations, show_operations, show_steps
 do
     local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
@@ -5963,39 +5970,78 @@ do
         end
     end
 
+    -- An argument, what is wrong with it, and its encoding. All but its value may be missing: what is shown instead of
+    -- that or after it, complaints, and the encoding. A range costs more than an item: one serves both.
+    local function add_argument(heading, range, size, declared, value, label, addition, complaints, encoding)
+        local added
+        if label or addition then
+            added = add(heading, declared, range, value, label, addition)
+        else
+            added = add(heading, declared, range, value)
+        end
+        if size > 1 then set_len(added, size) end
+        for index = 1, complaints and #complaints or 0, 2 do
+            complain(added, complaints[index], complaints[index + 1])
+        end
+        if encoding then add(added, ENCODING, range, encoding) end
+    end
+
+    -- What a command adds to the tree, step by step, so that one that comes again is not read again. Each step is so
+    -- many entries. Of an argument these are its offset and all that is added of it; of an operation its offset, size,
+    -- no field, and what its heading says after the opcode.
+    local STEP = 8
+    local steps, step_count
+
+    local function note_step(at, size, declared, value, label, addition, complaints, encoding)
+        local count = step_count
+        steps[count + 1], steps[count + 2], steps[count + 3], steps[count + 4] = at, size, declared, value
+        steps[count + 5], steps[count + 6] = label, addition
+        steps[count + 7], steps[count + 8] = complaints, encoding
+        step_count = count + STEP
+    end
+
+    -- Adds what was noted of a command, and returns its line.
+    function show_steps(known, item, tvb, start)
+        local heading
+        for index = 1, known.count, STEP do
+            local at, size, declared, value = known[index], known[index + 1], known[index + 2], known[index + 3]
+            local range = tvb(start + at, 1)
+            if declared then
+                add_argument(heading, range, size, declared, value, known[index + 4], known[index + 5],
+                    known[index + 6], known[index + 7])
+            else
+                heading = add(item, OPCODE, range)
+                if size > 1 then set_len(heading, size) end
+                if value ~= "" then append_text(heading, value) end
+            end
+        end
+        return known.line
+    end
+
     -- What the items of an operation are added to. There are very many arguments, and each reads these faster here than
     -- in a table.
     local NO_LENGTHS = {}
     local shown = {}
     local heading, buffer, base
 
-    local function complain_of_variable(item, view)
-        local complaints = view.complaints
-        for index = 1, #complaints, 2 do
-            complain(item, complaints[index], complaints[index + 1])
-        end
-        view.complaints = nil
-    end
-
-    -- A range costs more than an item: that of the first byte serves the argument and its encoding.
     local function show_argument(view, parameter, encoding, value, declared, at, stop)
-        local range, size = buffer(base + at, 1), stop - at
-        local added
+        local own_field, own, label, addition, complaints = declared, value, false, false, false
         if encoding.scope then
-            local text = encoding.texts[value]
-            added = add(heading, VARIABLE, range, text, parameter.label_head, text)
+            own = encoding.texts[value]
+            own_field, label, addition = VARIABLE, parameter.label_head, own
             check_variable(view, parameter, encoding, value, declared)
-            if view.complaints then complain_of_variable(added, view) end
-        elseif encoding.is_number and parameter.is_plain then
-            added = add(heading, declared, range, value)
-        elseif encoding.is_number and parameter.special and parameter.kind == NUMBER then
-            added = add(heading, declared, range, value, false, parameter.special[value])
-        else
-            local own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
-            added = add(heading, own_field, range, own, label, addition)
+            complaints = view.complaints or false
+            view.complaints = nil
+        elseif not (encoding.is_number and parameter.is_plain) then
+            if encoding.is_number and parameter.special and parameter.kind == NUMBER then
+                addition = parameter.special[value] or false
+            else
+                own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
+            end
         end
-        if size > 1 then set_len(added, size) end
-        add(added, ENCODING, range, encoding.label)
+        local size, name = stop - at, encoding.label
+        add_argument(heading, buffer(base + at, 1), size, own_field, own, label, addition, complaints, name)
+        if steps then note_step(at, size, own_field, own, label, addition, complaints, name) end
         if parameter.key then say_phrase(parameter, encoding, value) end
         if parameter.tells_length and tells_length(parameter, encoding) then
             if view.lengths == NO_LENGTHS then view.lengths = {} end
@@ -6009,40 +6055,43 @@ do
         return texts[count]
     end })
 
-    -- What is said of so many operations, of which this is the first; nil where there is none.
-    local function first_line(first, said, count)
-        return first and first.title .. said .. further[count]
-    end
-
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
-    -- What a reply will hold is noted. Returns the line, nil where there is no operation; the offset after what could
-    -- be read; the fault, where there is one.
-    function show_operations(item, tvb, start, text, at, stop, globals, locals)
-        local first, said, count = nil, "", 0
+    -- What a reply will hold is noted. Returns the line, empty where there is no operation; the offset after what could
+    -- be read; the fault, where there is one; the steps, where these are to be noted.
+    function show_operations(item, tvb, start, text, at, stop, globals, locals, is_noted)
+        local first, said, count, fault = nil, "", 0, nil
+        steps, step_count = is_noted and {} or nil, 0
         buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
         layout_notes.start()
-        while at < stop do
+        while at < stop and not fault do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
             heading = add(item, OPCODE, tvb(start + at, 1))
             local operation, after, reason, kind = select_operation(text, at, stop)
             if not operation then
-                return first_line(first, said, count), at, { at = after, reason = reason, kind = kind }
+                fault = { at = after, reason = reason, kind = kind }
+                break
             end
+            local step = step_count
+            if steps then note_step(at, 1, false, "", false, false, false, false) end
             local name = operation.cmd_name
             if name then
-                local range = tvb(start + at + 1, 1)
-                local cmd = add(heading, CMD, range, operation.name)
-                if after > at + 2 then
-                    set_len(cmd, after - at - 1)
-                    add(cmd, ENCODING, range, ENCODINGS[byte(text, at + 2)].label)
-                end
+                local size = after - at - 1
+                local encoding = size > 1 and ENCODINGS[byte(text, at + 2)].label
+                local range, own = tvb(start + at + 1, 1), operation.name
+                add_argument(heading, range, size, CMD, own, false, false, false, encoding)
+                if steps then note_step(at + 1, size, CMD, own, false, false, false, encoding) end
             end
             pieces[1], pieces[2], piece_count = name and " " or "", name or "", 2
             shown.offset, shown.operation = at, operation
             local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
             after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
-            if name or piece_count > 2 then append_text(heading, concat(pieces, "", 1, piece_count)) end
+            if name or piece_count > 2 then
+                local heading_text = concat(pieces, "", 1, piece_count)
+                append_text(heading, heading_text)
+                if steps then steps[step + 4] = heading_text end
+            end
+            if steps then steps[step + 2] = after - at end
             if not first then
                 first, said = operation, concat(pieces, "", 3, piece_count)
                 layout_notes.note_first(operation)
@@ -6052,11 +6101,11 @@ do
                 shown.lengths = NO_LENGTHS
             end
             count, at = count + 1, after
-            if reason then
-                return first_line(first, said, count), at, { at = offset, reason = reason, kind = kind }
-            end
+            if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
-        return first_line(first, said, count), at
+        local line = first and first.title .. said .. further[count] or ""
+        if steps then steps.line, steps.count = line, step_count end
+        return line, at, fault, steps
     end
 
     -- Without a tree: what is wrong with any argument, and what a reply will hold.
@@ -6082,7 +6131,7 @@ do
     local view = { is_line = true, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted. Returns the line, nil where there is no operation; the fault; the complaints.
+    -- What a reply will hold is noted. Returns the line, empty where there is no operation; the fault; the complaints.
     function say_operations(text, at, stop, globals, locals)
         local first, count, lengths, fault = nil, 0, view.lengths, nil
         view.globals, view.locals, view.complaints, view.is_beyond, piece_count = globals, locals, nil, false, 2
@@ -6115,7 +6164,7 @@ do
             end
             at = after
         end
-        local line
+        local line = ""
         if first then
             layout_notes.note_first(first)
             pieces[1], pieces[2], pieces[piece_count + 1] = first.title, "", further[count]
@@ -6155,12 +6204,10 @@ do
         message.complaints[#message.complaints + 1] = text
     end
 
-    -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
-    -- was there once, as it may be the only time.
-    local lines, troubles = memory.new_column(), memory.new_column()
-
-    local function line_of(message, line, fault)
-        return line or fault and message.type.name or "no operations"
+    -- `said` is said of its operations, nothing where there is none.
+    local function line_of(message, said, fault)
+        if said ~= "" then return said end
+        return fault and message.type.name or "no operations"
     end
 
     local function say_cut_command(message)
@@ -6178,27 +6225,21 @@ do
     local function say_direct_command(message)
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
-        local row = row_of(body)
-        local line, trouble = lines[row], troubles[row]
-        if line then
+        local entry = memory.meet(body)
+        if entry and entry.line then
+            local trouble = entry.trouble
             if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
-            return line
+            return line_of(message, entry.line, message.fault)
         end
-        local first, fault, complaints =
+        local line, fault, complaints =
             say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
         if message.type.wants_reply then layout_notes.keep(body) end
-        line = line_of(message, first, fault)
-        if not fault and not complaints then
-            lines[row] = line
-            return line
-        end
         message.fault, message.complaints = fault, complaints
-        if trouble then
-            lines[row], troubles[row] = line, { fault = fault, complaints = complaints }
-        else
-            troubles[row] = true
+        if entry then
+            entry.line = line
+            if fault or complaints then entry.trouble = { fault = fault, complaints = complaints } end
         end
-        return line
+        return line_of(message, line, fault)
     end
 
     -- A direct command is said and added at once: it is read but once.
@@ -6209,15 +6250,24 @@ do
             return say_cut_command(message)
         end
         local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
-        local memory = add_le(item, field.memory_sizes, range)
-        add_le(memory, field.globals, range)
-        add_le(memory, field.locals, range)
-        local line, after, fault =
-            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, asked_memory(text))
+        local asked = add_le(item, field.memory_sizes, range)
+        add_le(asked, field.globals, range)
+        add_le(asked, field.locals, range)
+        local entry = memory.meet(message.body)
+        if entry and entry.steps then
+            return line_of(message, show_steps(entry.steps, item, tvb, base))
+        end
+        local is_noted = entry ~= nil and memory.has_room()
+        local globals, locals = asked_memory(text)
+        local line, after, fault, steps =
+            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, globals, locals, is_noted)
         if message.type.wants_reply then layout_notes.keep(message.body) end
         if fault then
             message.fault = fault
             add_rest(item, tvb, base, after, stop)
+        elseif is_noted then
+            memory.count_elements(entry, steps.count)
+            entry.steps = steps
         end
         return line_of(message, line, fault)
     end
@@ -8497,7 +8547,7 @@ do
 
     function ev3.init()
         forget_dialogues()
-        memory.forget_rows()
+        memory.forget_entries()
         statistics.forget()
         statistics.print_at_end()
         each_carrier("forget")
@@ -8521,6 +8571,6 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        memory.forget_rows()
+        memory.forget_entries()
     end
 end

@@ -25,7 +25,6 @@ do
     -- Of a reply that has a command: the place of that, the seconds that the reply took, and all that follows the
     -- command's header.
     local requests, bodies = memory.new_notes(3), memory.new_texts()
-    local body_numbers = memory.new_column()
 
     -- Of a message on a file: the file's path, by its number here, the bytes done, and the size; -1 where that is not
     -- known.
@@ -55,14 +54,11 @@ do
         return command and { place = command, delay = delay, body = bodies.get(body) }
     end
 
-    -- The number of a body that is kept. One that comes again soon has the number that it had.
+    -- The number of a body that is kept. One that comes again and again has the number that it had.
     local function number_of_body(body)
-        local row = row_of(body)
-        local number = body_numbers[row]
-        if not number then
-            number = bodies.put(body)
-            body_numbers[row] = number
-        end
+        local entry = memory.entry_of(body)
+        local number = entry and entry.number or bodies.put(body)
+        if entry then entry.number = number end
         return number
     end
 

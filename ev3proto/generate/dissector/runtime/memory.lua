@@ -2,55 +2,86 @@
 --
 -- What is worth keeping of a capture, in little space however long it is.
 
-local memory, row_of, place_of, number_of
+local memory, place_of, number_of
 do
     memory = {}
 
-    -- What was found out of the bodies of the last commands, as a dialogue says the same again and again. Each has a
-    -- row, which some of its bytes tell, and takes it from the one before; in each column is what is known of it, or
-    -- false. So what comes once costs little, and no table grows for it.
-    local ROWS = 1024
-    local bodies, columns = {}, {}
-    local last_body, last_row
+    -- What was found out of the bodies of commands, as a dialogue says the same again and again. A body has a row,
+    -- which some of its bytes tell. One that comes to its row twice, with no other between, has an entry there from
+    -- then on; so what comes once costs little, and no table grows for it. An entry has what others find out of it:
+    --   line      what is said of it in one line
+    --   trouble   what is wrong with it, where something is: `fault`, `complaints`
+    --   steps     what it adds to the tree
+    --   layout    that of its replies
+    --   number    under which it is kept for good
+    local ROWS = 8191
+    local entries, keys = {}, {}
 
-    local function clear(column)
+    -- Once the lists that entries keep have so many elements together, there is no room for another one. After so many
+    -- that found none all is forgotten: by then the dialogue may be another one.
+    local MOST_ELEMENTS, MOST_REFUSED = 0x10000, 0x2000
+    local elements, refused = 0, 0
+
+    -- Of the body that was asked for last: a command and its reply ask several times.
+    local last_body, last_entry
+
+    function memory.forget_entries()
         for row = 1, ROWS do
-            column[row] = false
+            entries[row], keys[row] = false, 0
         end
-        return column
+        elements, refused, last_body, last_entry = 0, 0, nil, nil
     end
-    clear(bodies)
-
-    function memory.new_column()
-        local column = clear({})
-        columns[#columns + 1] = column
-        return column
-    end
+    memory.forget_entries()
 
     -- Bytes near the start and at the end, as bodies are alike in others. A few are so short that some are missing.
-    local function new_row(body)
+    local function key_of(body)
         local a, b, c, d, e = byte(body, 3, 7)
         local y, z = byte(body, -2, -1)
-        if not e then return 1 + (31 * (a or 0) + 257 * (b or 0) + 7 * (c or 0) + 61 * (d or 0)) % ROWS end
-        return 1 + (#body + 5 * a + 31 * b + 7 * c + 61 * d + 127 * e + 257 * y + 11 * z) % ROWS
+        if not e then return (a or 0) + 0x100 * (b or 0) + 0x10000 * (c or 0) + 0x1000000 * (d or 0) end
+        return #body + 0x101 * a + 0x1003 * b + 0x10007 * c + 0x10000D * d + 0x1000015 * e + 0x3000011 * y
+            + 0x700001F * z
     end
 
-    function row_of(body)
-        if body == last_body then return last_row end
-        local row = new_row(body)
-        if bodies[row] ~= body then
-            bodies[row] = body
-            for index = 1, #columns do
-                columns[index][row] = false
+    -- Its entry, if it has one.
+    function memory.entry_of(body)
+        if body == last_body then return last_entry end
+        local entry = entries[1 + key_of(body) % ROWS]
+        last_body, last_entry = body, entry and entry.body == body and entry or nil
+        return last_entry
+    end
+
+    -- The same when a command comes.
+    function memory.meet(body)
+        local key = key_of(body)
+        local row = 1 + key % ROWS
+        local entry = entries[row]
+        if not entry or entry.body ~= body then
+            if keys[row] == key then
+                if entry then elements = elements - entry.count end
+                entry = {
+                    body = body, line = false, trouble = false, steps = false, layout = false, number = false,
+                    count = 0,
+                }
+                entries[row] = entry
+            else
+                keys[row], entry = key, nil
             end
         end
-        last_body, last_row = body, row
-        return row
+        last_body, last_entry = body, entry
+        return entry
     end
 
-    function memory.forget_rows()
-        last_body = nil
-        clear(bodies)
+    -- Whether entries may keep more lists.
+    function memory.has_room()
+        if elements < MOST_ELEMENTS then return true end
+        refused = refused + 1
+        if refused > MOST_REFUSED then memory.forget_entries() end
+        return false
+    end
+
+    -- Says that an entry keeps a list of so many elements from now on.
+    function memory.count_elements(entry, count)
+        entry.count, elements = entry.count + count, elements + count
     end
 
     -- A message's place is the number of its packet and its offset there, in one number.

@@ -28,12 +28,10 @@ do
         message.complaints[#message.complaints + 1] = text
     end
 
-    -- What was said of commands in one line, and what is wrong with them, where something is; true where such a command
-    -- was there once, as it may be the only time.
-    local lines, troubles = memory.new_column(), memory.new_column()
-
-    local function line_of(message, line, fault)
-        return line or fault and message.type.name or "no operations"
+    -- `said` is said of its operations, nothing where there is none.
+    local function line_of(message, said, fault)
+        if said ~= "" then return said end
+        return fault and message.type.name or "no operations"
     end
 
     local function say_cut_command(message)
@@ -51,27 +49,21 @@ do
     local function say_direct_command(message)
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
-        local row = row_of(body)
-        local line, trouble = lines[row], troubles[row]
-        if line then
+        local entry = memory.meet(body)
+        if entry and entry.line then
+            local trouble = entry.trouble
             if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
-            return line
+            return line_of(message, entry.line, message.fault)
         end
-        local first, fault, complaints =
+        local line, fault, complaints =
             say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
         if message.type.wants_reply then layout_notes.keep(body) end
-        line = line_of(message, first, fault)
-        if not fault and not complaints then
-            lines[row] = line
-            return line
-        end
         message.fault, message.complaints = fault, complaints
-        if trouble then
-            lines[row], troubles[row] = line, { fault = fault, complaints = complaints }
-        else
-            troubles[row] = true
+        if entry then
+            entry.line = line
+            if fault or complaints then entry.trouble = { fault = fault, complaints = complaints } end
         end
-        return line
+        return line_of(message, line, fault)
     end
 
     -- A direct command is said and added at once: it is read but once.
@@ -82,15 +74,24 @@ do
             return say_cut_command(message)
         end
         local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
-        local memory = add_le(item, field.memory_sizes, range)
-        add_le(memory, field.globals, range)
-        add_le(memory, field.locals, range)
-        local line, after, fault =
-            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, asked_memory(text))
+        local asked = add_le(item, field.memory_sizes, range)
+        add_le(asked, field.globals, range)
+        add_le(asked, field.locals, range)
+        local entry = memory.meet(message.body)
+        if entry and entry.steps then
+            return line_of(message, show_steps(entry.steps, item, tvb, base))
+        end
+        local is_noted = entry ~= nil and memory.has_room()
+        local globals, locals = asked_memory(text)
+        local line, after, fault, steps =
+            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, globals, locals, is_noted)
         if message.type.wants_reply then layout_notes.keep(message.body) end
         if fault then
             message.fault = fault
             add_rest(item, tvb, base, after, stop)
+        elseif is_noted then
+            memory.count_elements(entry, steps.count)
+            entry.steps = steps
         end
         return line_of(message, line, fault)
     end

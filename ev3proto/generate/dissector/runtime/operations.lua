@@ -3,7 +3,7 @@
 -- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
 -- in the tree.
 
-local value_of_row, say_operations, show_operations
+local value_of_row, say_operations, show_operations, show_steps
 do
     local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
@@ -103,39 +103,78 @@ do
         end
     end
 
+    -- An argument, what is wrong with it, and its encoding. All but its value may be missing: what is shown instead of
+    -- that or after it, complaints, and the encoding. A range costs more than an item: one serves both.
+    local function add_argument(heading, range, size, declared, value, label, addition, complaints, encoding)
+        local added
+        if label or addition then
+            added = add(heading, declared, range, value, label, addition)
+        else
+            added = add(heading, declared, range, value)
+        end
+        if size > 1 then set_len(added, size) end
+        for index = 1, complaints and #complaints or 0, 2 do
+            complain(added, complaints[index], complaints[index + 1])
+        end
+        if encoding then add(added, ENCODING, range, encoding) end
+    end
+
+    -- What a command adds to the tree, step by step, so that one that comes again is not read again. Each step is so
+    -- many entries. Of an argument these are its offset and all that is added of it; of an operation its offset, size,
+    -- no field, and what its heading says after the opcode.
+    local STEP = 8
+    local steps, step_count
+
+    local function note_step(at, size, declared, value, label, addition, complaints, encoding)
+        local count = step_count
+        steps[count + 1], steps[count + 2], steps[count + 3], steps[count + 4] = at, size, declared, value
+        steps[count + 5], steps[count + 6] = label, addition
+        steps[count + 7], steps[count + 8] = complaints, encoding
+        step_count = count + STEP
+    end
+
+    -- Adds what was noted of a command, and returns its line.
+    function show_steps(known, item, tvb, start)
+        local heading
+        for index = 1, known.count, STEP do
+            local at, size, declared, value = known[index], known[index + 1], known[index + 2], known[index + 3]
+            local range = tvb(start + at, 1)
+            if declared then
+                add_argument(heading, range, size, declared, value, known[index + 4], known[index + 5],
+                    known[index + 6], known[index + 7])
+            else
+                heading = add(item, OPCODE, range)
+                if size > 1 then set_len(heading, size) end
+                if value ~= "" then append_text(heading, value) end
+            end
+        end
+        return known.line
+    end
+
     -- What the items of an operation are added to. There are very many arguments, and each reads these faster here than
     -- in a table.
     local NO_LENGTHS = {}
     local shown = {}
     local heading, buffer, base
 
-    local function complain_of_variable(item, view)
-        local complaints = view.complaints
-        for index = 1, #complaints, 2 do
-            complain(item, complaints[index], complaints[index + 1])
-        end
-        view.complaints = nil
-    end
-
-    -- A range costs more than an item: that of the first byte serves the argument and its encoding.
     local function show_argument(view, parameter, encoding, value, declared, at, stop)
-        local range, size = buffer(base + at, 1), stop - at
-        local added
+        local own_field, own, label, addition, complaints = declared, value, false, false, false
         if encoding.scope then
-            local text = encoding.texts[value]
-            added = add(heading, VARIABLE, range, text, parameter.label_head, text)
+            own = encoding.texts[value]
+            own_field, label, addition = VARIABLE, parameter.label_head, own
             check_variable(view, parameter, encoding, value, declared)
-            if view.complaints then complain_of_variable(added, view) end
-        elseif encoding.is_number and parameter.is_plain then
-            added = add(heading, declared, range, value)
-        elseif encoding.is_number and parameter.special and parameter.kind == NUMBER then
-            added = add(heading, declared, range, value, false, parameter.special[value])
-        else
-            local own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
-            added = add(heading, own_field, range, own, label, addition)
+            complaints = view.complaints or false
+            view.complaints = nil
+        elseif not (encoding.is_number and parameter.is_plain) then
+            if encoding.is_number and parameter.special and parameter.kind == NUMBER then
+                addition = parameter.special[value] or false
+            else
+                own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
+            end
         end
-        if size > 1 then set_len(added, size) end
-        add(added, ENCODING, range, encoding.label)
+        local size, name = stop - at, encoding.label
+        add_argument(heading, buffer(base + at, 1), size, own_field, own, label, addition, complaints, name)
+        if steps then note_step(at, size, own_field, own, label, addition, complaints, name) end
         if parameter.key then say_phrase(parameter, encoding, value) end
         if parameter.tells_length and tells_length(parameter, encoding) then
             if view.lengths == NO_LENGTHS then view.lengths = {} end
@@ -149,40 +188,43 @@ do
         return texts[count]
     end })
 
-    -- What is said of so many operations, of which this is the first; nil where there is none.
-    local function first_line(first, said, count)
-        return first and first.title .. said .. further[count]
-    end
-
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
-    -- What a reply will hold is noted. Returns the line, nil where there is no operation; the offset after what could
-    -- be read; the fault, where there is one.
-    function show_operations(item, tvb, start, text, at, stop, globals, locals)
-        local first, said, count = nil, "", 0
+    -- What a reply will hold is noted. Returns the line, empty where there is no operation; the offset after what could
+    -- be read; the fault, where there is one; the steps, where these are to be noted.
+    function show_operations(item, tvb, start, text, at, stop, globals, locals, is_noted)
+        local first, said, count, fault = nil, "", 0, nil
+        steps, step_count = is_noted and {} or nil, 0
         buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
         layout_notes.start()
-        while at < stop do
+        while at < stop and not fault do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
             heading = add(item, OPCODE, tvb(start + at, 1))
             local operation, after, reason, kind = select_operation(text, at, stop)
             if not operation then
-                return first_line(first, said, count), at, { at = after, reason = reason, kind = kind }
+                fault = { at = after, reason = reason, kind = kind }
+                break
             end
+            local step = step_count
+            if steps then note_step(at, 1, false, "", false, false, false, false) end
             local name = operation.cmd_name
             if name then
-                local range = tvb(start + at + 1, 1)
-                local cmd = add(heading, CMD, range, operation.name)
-                if after > at + 2 then
-                    set_len(cmd, after - at - 1)
-                    add(cmd, ENCODING, range, ENCODINGS[byte(text, at + 2)].label)
-                end
+                local size = after - at - 1
+                local encoding = size > 1 and ENCODINGS[byte(text, at + 2)].label
+                local range, own = tvb(start + at + 1, 1), operation.name
+                add_argument(heading, range, size, CMD, own, false, false, false, encoding)
+                if steps then note_step(at + 1, size, CMD, own, false, false, false, encoding) end
             end
             pieces[1], pieces[2], piece_count = name and " " or "", name or "", 2
             shown.offset, shown.operation = at, operation
             local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
             after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
-            if name or piece_count > 2 then append_text(heading, concat(pieces, "", 1, piece_count)) end
+            if name or piece_count > 2 then
+                local heading_text = concat(pieces, "", 1, piece_count)
+                append_text(heading, heading_text)
+                if steps then steps[step + 4] = heading_text end
+            end
+            if steps then steps[step + 2] = after - at end
             if not first then
                 first, said = operation, concat(pieces, "", 3, piece_count)
                 layout_notes.note_first(operation)
@@ -192,11 +234,11 @@ do
                 shown.lengths = NO_LENGTHS
             end
             count, at = count + 1, after
-            if reason then
-                return first_line(first, said, count), at, { at = offset, reason = reason, kind = kind }
-            end
+            if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
-        return first_line(first, said, count), at
+        local line = first and first.title .. said .. further[count] or ""
+        if steps then steps.line, steps.count = line, step_count end
+        return line, at, fault, steps
     end
 
     -- Without a tree: what is wrong with any argument, and what a reply will hold.
@@ -222,7 +264,7 @@ do
     local view = { is_line = true, lengths = {} }
 
     -- The same without a tree: all that one line says is the first operation with its arguments, and how many follow.
-    -- What a reply will hold is noted. Returns the line, nil where there is no operation; the fault; the complaints.
+    -- What a reply will hold is noted. Returns the line, empty where there is no operation; the fault; the complaints.
     function say_operations(text, at, stop, globals, locals)
         local first, count, lengths, fault = nil, 0, view.lengths, nil
         view.globals, view.locals, view.complaints, view.is_beyond, piece_count = globals, locals, nil, false, 2
@@ -255,7 +297,7 @@ do
             end
             at = after
         end
-        local line
+        local line = ""
         if first then
             layout_notes.note_first(first)
             pieces[1], pieces[2], pieces[piece_count + 1] = first.title, "", further[count]

@@ -39,7 +39,7 @@ do
 
     function ev3.init()
         forget_dialogues()
-        memory.forget_rows()
+        memory.forget_entries()
         statistics.forget()
         statistics.print_at_end()
         each_carrier("forget")
@@ -63,6 +63,6 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        memory.forget_rows()
+        memory.forget_entries()
     end
 end

@@ -66,7 +66,6 @@ do
 
     local function finish_draft()
         draft.size, draft.first, draft.lengths = draft_size, draft_first, draft_lengths
-        draft.line, draft.is_used = nil, nil
         -- Where the outputs of the last operation end.
         draft[draft_size + 1] = false
     end
@@ -74,7 +73,7 @@ do
     -- The draft in a table of its own, written at once, as a table that grows is laid out anew.
     local function copy_of_draft()
         return {
-            size = draft_size, first = draft_first, lengths = draft_lengths, is_used = draft.is_used,
+            size = draft_size, first = draft_first, lengths = draft_lengths, is_kept = true,
             unpack(draft, 1, draft_size),
         }
     end
@@ -174,40 +173,22 @@ do
         finish_draft()
     end
 
-    -- Those of commands that came more than once, of so many entries in all; else whether one was noted, or asked for.
-    local layouts, NOTED, ASKED = memory.new_column(), "noted", "asked"
-    local MOST_KEPT = 0x4000 * OUTPUT
-    local kept = 0
-
     -- Says that the layout was noted of which a reply will ask: nearly always before another one is.
     function layout_notes.keep(body)
-        local row = row_of(body)
         draft_body = body
         finish_draft()
-        layouts[row] = layouts[row] or NOTED
-    end
-
-    local function keep_draft(row)
-        kept = kept + draft_size
-        if kept > MOST_KEPT then
-            memory.forget_rows()
-            kept = draft_size
-        end
-        local layout = copy_of_draft()
-        layouts[row] = layout
-        return layout
     end
 
     -- The layout of the replies to a command, by what follows its header. One that is not kept lasts until the next
     -- command is read.
     function layout_notes.layout_for(body)
-        local row = row_of(body)
-        local known = layouts[row]
-        if known and known ~= NOTED and known ~= ASKED then return known end
-        if not known or body ~= draft_body then draft_layout(body) end
-        if known == ASKED then return keep_draft(row) end
-        layouts[row] = ASKED
-        return draft
+        local entry = memory.entry_of(body)
+        if entry and entry.layout then return entry.layout end
+        if body ~= draft_body then draft_layout(body) end
+        if not entry or not memory.has_room() then return draft end
+        memory.count_elements(entry, draft_size)
+        entry.layout = copy_of_draft()
+        return entry.layout
     end
 
     local function head_of(layout)
@@ -236,14 +217,13 @@ do
 
     local values = {}
 
-    -- The line on a reply, where its layout was asked for before and is a plain one; else nil.
+    -- The line on a reply, where its layout is kept and a plain one; else nil.
     function say_reply(layout, reply)
+        if not layout.is_kept then return nil end
         local line = layout.line
         if line == nil then
-            -- A command that comes once is not worth it.
-            if layout.is_used then layout.line = plain_line(layout) end
-            layout.is_used = true
-            return nil
+            line = plain_line(layout)
+            layout.line = line
         end
         if not line or reply.stop < layout.needed then return nil end
         local text, count = reply.text, 0

@@ -73,8 +73,7 @@ do
     -- The draft in a table of its own, written at once, as a table that grows is laid out anew.
     local function copy_of_draft()
         return {
-            size = draft_size, first = draft_first, lengths = draft_lengths, is_kept = true,
-            unpack(draft, 1, draft_size),
+            size = draft_size, first = draft_first, lengths = draft_lengths, unpack(draft, 1, draft_size),
         }
     end
 
@@ -219,7 +218,7 @@ do
 
     -- The line on a reply, where its layout is kept and a plain one; else nil.
     function say_reply(layout, reply)
-        if not layout.is_kept then return nil end
+        if layout == draft then return nil end
         local line = layout.line
         if line == nil then
             line = plain_line(layout)

@@ -236,167 +236,201 @@ local FORMAT_TYPES = {
 -- Operations ---------------------------------------------------------------------------------------------------------
 --
 -- Opcode, name, what it does; then either parameters or, for a family, its commands, which have those. A
--- parameter is its name, direction, type and meaning.
+-- parameter is its name, direction, type and meaning. Parameters are text, which is read when an operation
+-- is first met.
 
 local OPERATIONS = {
-    { 0x00, "ERROR", "Ends the program with a failure; never valid on the wire" },
-    { 0x01, "NOP", "Does nothing; a harmless way to see whether the brick answers" },
+    { 0x00, "ERROR", "Ends the program with a failure; never valid on the wire", [[]] },
+    { 0x01, "NOP", "Does nothing; a harmless way to see whether the brick answers", [[]] },
     {
         0x02, "PROGRAM_STOP", "Stops the program of a slot",
-        {
-            "PRGID", IN, DATA16, "program slot to stop", enum = ENUMERATIONS.SLOT,
-            special = { [0] = "all programs", [-1] = "the program that says so" },
-        },
+        [[
+            {
+                "PRGID", IN, DATA16, "program slot to stop", enum = ENUMERATIONS.SLOT,
+                special = { [0] = "all programs", [-1] = "the program that says so" },
+            },
+        ]],
     },
     {
         0x03, "PROGRAM_START", "Starts a loaded program; by direct command only while no user program runs",
-        { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-        { "SIZE", IN, DATA32, "size of the image; read and ignored", unit = "bytes" },
-        { "IP", IN, DATA32, "address of the image, as FILE.LOAD_IMAGE returned it" },
-        { "DEBUG", IN, DATA8, "how to run it", special = { [0] = "run", [1] = "debug", [2] = "load, do not run" } },
+        [[
+            { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+            { "SIZE", IN, DATA32, "size of the image; read and ignored", unit = "bytes" },
+            { "IP", IN, DATA32, "address of the image, as FILE.LOAD_IMAGE returned it" },
+            { "DEBUG", IN, DATA8, "how to run it", special = { [0] = "run", [1] = "debug", [2] = "load, do not run" } },
+        ]],
     },
     {
         0x04, "OBJECT_STOP", "Stops an object of the own program",
-        { "OBJID", IN, DATA16, "object of the program, counted from 1" },
+        [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]],
     },
     {
         0x05, "OBJECT_START", "Starts an object of the own program",
-        { "OBJID", IN, DATA16, "object of the program, counted from 1" },
+        [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]],
     },
     {
         0x06, "OBJECT_TRIG", "Counts an object's trigger down; at zero the object starts",
-        { "OBJID", IN, DATA16, "object of the program, counted from 1" },
+        [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]],
     },
     {
         0x07, "OBJECT_WAIT", "Waits until an object has ended",
-        { "OBJID", IN, DATA16, "object of the program, counted from 1" },
+        [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]],
     },
-    { 0x08, "RETURN", "Returns from a subroutine to its caller" },
+    { 0x08, "RETURN", "Returns from a subroutine to its caller", [[]] },
     {
         0x09, "CALL", "Calls a subroutine of the own program; waits while another thread is in it",
-        { "OBJID", IN, DATA16, "object that is the subroutine, counted from 1" },
-        {
-            "PARAMETERS", IN, COUNT, "how many parameters follow; the subroutine declares their types and directions",
-            element = DATA32, elements = IN,
-        },
+        [[
+            { "OBJID", IN, DATA16, "object that is the subroutine, counted from 1" },
+            {
+                "PARAMETERS", IN, COUNT,
+                "how many parameters follow; the subroutine declares their types and directions", element = DATA32,
+                elements = IN,
+            },
+        ]],
     },
-    { 0x0A, "OBJECT_END", "Ends the object; the firmware puts one after every direct command" },
-    { 0x0B, "SLEEP", "Gives up the rest of the thread's time slice" },
+    { 0x0A, "OBJECT_END", "Ends the object; the firmware puts one after every direct command", [[]] },
+    { 0x0B, "SLEEP", "Gives up the rest of the thread's time slice", [[]] },
     {
         0x0C, "PROGRAM_INFO", "Asks about a program or controls its objects",
         commands = {
             {
                 0, "OBJ_STOP", "Stops an object of a running program",
-                { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-                { "OBJID", IN, DATA16, "object of the program, counted from 1" },
+                [[
+                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    { "OBJID", IN, DATA16, "object of the program, counted from 1" },
+                ]],
             },
             {
                 4, "OBJ_START", "Starts an object of a running program from its beginning",
-                { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-                { "OBJID", IN, DATA16, "object of the program, counted from 1" },
+                [[
+                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    { "OBJID", IN, DATA16, "object of the program, counted from 1" },
+                ]],
             },
             {
                 22, "GET_STATUS", "Asks whether a program runs",
-                { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-                { "DATA", OUT, DATA8, "state of the program", enum = ENUMERATIONS.OBJSTAT },
+                [[
+                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    { "DATA", OUT, DATA8, "state of the program", enum = ENUMERATIONS.OBJSTAT },
+                ]],
             },
             {
                 23, "GET_SPEED", "Asks how fast a program runs",
-                { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-                { "DATA", OUT, DATA32, "speed since the program started", unit = "instructions/s" },
+                [[
+                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    { "DATA", OUT, DATA32, "speed since the program started", unit = "instructions/s" },
+                ]],
             },
             {
                 24, "GET_PRGRESULT", "Asks how a program ended",
-                { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-                { "DATA", OUT, DATA8, "OK, BUSY (still running) or FAIL", enum = ENUMERATIONS.RESULT },
+                [[
+                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    { "DATA", OUT, DATA8, "OK, BUSY (still running) or FAIL", enum = ENUMERATIONS.RESULT },
+                ]],
             },
             {
                 25, "SET_INSTR", "Sets how many instructions the calling thread may still run in its time slice",
-                { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT } ]],
             },
             {
                 26, "GET_PRGNAME", "Asks for the name of a program",
-                { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-                { "NAME", OUT, STRING, "name of the program, ended by its zero" },
+                [[
+                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    { "NAME", OUT, STRING, "name of the program, ended by its zero" },
+                ]],
                 dialects = { "xtended", "compat" },
             },
         },
     },
     {
         0x0D, "LABEL", "Marks a place that jumps can name; does nothing itself",
-        { "NO", IN, LABEL, "number of the label" },
+        [[ { "NO", IN, LABEL, "number of the label" } ]],
     },
     {
         0x0E, "PROBE", "Prints a program's memory on the brick's debug terminal",
-        { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-        { "OBJID", IN, DATA16, "object whose local memory to print", special = { [0] = "the global memory" } },
-        { "OFFSET", IN, DATA32, "where to begin", unit = "bytes" },
-        { "SIZE", IN, DATA32, "how much to print", unit = "bytes", special = { [0] = "all, 1024 at most" } },
+        [[
+            { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+            { "OBJID", IN, DATA16, "object whose local memory to print", special = { [0] = "the global memory" } },
+            { "OFFSET", IN, DATA32, "where to begin", unit = "bytes" },
+            { "SIZE", IN, DATA32, "how much to print", unit = "bytes", special = { [0] = "all, 1024 at most" } },
+        ]],
     },
     {
         0x0F, "DO", "Runs byte code that is already in memory, ending what the slot ran before",
-        { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-        { "IMAGE", IN, DATA32, "address of the byte code image" },
-        { "GLOBAL", IN, DATA32, "address of the global memory it uses" },
+        [[
+            { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+            { "IMAGE", IN, DATA32, "address of the byte code image" },
+            { "GLOBAL", IN, DATA32, "address of the global memory it uses" },
+        ]],
     },
     {
         0x60, "SYSTEM", "Runs a shell command on the brick's Linux and waits for its end",
-        { "COMMAND", IN, STRING, "the command line" },
-        {
-            "STATUS", OUT, DATA32, "wait status as C's system() gives it: 256 times the exit code",
-            special = { [0] = "success", [-1] = "could not run" },
-        },
+        [[
+            { "COMMAND", IN, STRING, "the command line" },
+            {
+                "STATUS", OUT, DATA32, "wait status as C's system() gives it: 256 times the exit code",
+                special = { [0] = "success", [-1] = "could not run" },
+            },
+        ]],
     },
     {
         0x61, "PORT_CNV_OUTPUT", "Splits a motor port number as LEGO's editor writes it",
-        { "PortIn", IN, DATA32, "three decimal digits, each 1-4: layer, first port, second port (123: B and C)" },
-        { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" } },
-        { "Bitfield", OUT, DATA8, "motor ports as bits: A=1 B=2 C=4 D=8" },
-        {
-            "Inverted", OUT, DATA8, "whether the first port comes after the second, as in C and A",
-            special = { [0] = "no", [1] = "yes" },
-        },
+        [[
+            { "PortIn", IN, DATA32, "three decimal digits, each 1-4: layer, first port, second port (123: B and C)" },
+            { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" } },
+            { "Bitfield", OUT, DATA8, "motor ports as bits: A=1 B=2 C=4 D=8" },
+            {
+                "Inverted", OUT, DATA8, "whether the first port comes after the second, as in C and A",
+                special = { [0] = "no", [1] = "yes" },
+            },
+        ]],
     },
     {
         0x62, "PORT_CNV_INPUT", "Splits a sensor port number as LEGO's editor writes it",
-        { "PortIn", IN, DATA32, "three decimal digits: layer 1-4, any, port 1-4 (103: port 3)" },
-        { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" } },
-        { "PortOut", OUT, DATA8, "sensor port less one, as INPUT_* takes it" },
+        [[
+            { "PortIn", IN, DATA32, "three decimal digits: layer 1-4, any, port 1-4 (103: port 3)" },
+            { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" } },
+            { "PortOut", OUT, DATA8, "sensor port less one, as INPUT_* takes it" },
+        ]],
     },
     {
         0x63, "NOTE_TO_FREQ", "Converts the name of a note to its frequency",
-        { "NOTE", IN, STRING, "C4 to B6, sharps as C#4" },
-        { "FREQ", OUT, DATA16, "frequency; 440 for a note it does not know", unit = "Hz" },
+        [[
+            { "NOTE", IN, STRING, "C4 to B6, sharps as C#4" },
+            { "FREQ", OUT, DATA16, "frequency; 440 for a note it does not know", unit = "Hz" },
+        ]],
     },
     {
         0x7C, "INFO", "Reads and sets the error log, the volume and the time to power off",
         commands = {
             {
                 1, "SET_ERROR", "Puts an error into the brick's error log",
-                { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "nothing is logged" } },
+                [[ { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "nothing is logged" } } ]],
             },
             {
                 2, "GET_ERROR", "Takes the oldest error out of the brick's error log",
-                { "NUMBER", OUT, DATA8, "number of the error", special = { [0] = "the log is empty" } },
+                [[ { "NUMBER", OUT, DATA8, "number of the error", special = { [0] = "the log is empty" } } ]],
             },
             {
                 3, "ERRORTEXT", "Converts the number of an error to its name",
-                { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "gives an empty text" } },
-                {
-                    "LENGTH", IN, DATA8, "room for the text, with its zero", unit = "bytes",
-                    special = { [-1] = "no limit" },
-                },
-                { "DESTINATION", OUT, STRING, "name of the error, less than 32 characters", length = "LENGTH" },
+                [[
+                    { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "gives an empty text" } },
+                    {
+                        "LENGTH", IN, DATA8, "room for the text, with its zero", unit = "bytes",
+                        special = { [-1] = "no limit" },
+                    },
+                    { "DESTINATION", OUT, STRING, "name of the error, less than 32 characters", length = "LENGTH" },
+                ]],
             },
-            { 4, "GET_VOLUME", "Reads the volume setting", { "VALUE", OUT, DATA8, "how loud", unit = "%" } },
-            { 5, "SET_VOLUME", "Changes the volume setting", { "VALUE", IN, DATA8, "how loud", unit = "%" } },
+            { 4, "GET_VOLUME", "Reads the volume setting", [[ { "VALUE", OUT, DATA8, "how loud", unit = "%" } ]] },
+            { 5, "SET_VOLUME", "Changes the volume setting", [[ { "VALUE", IN, DATA8, "how loud", unit = "%" } ]] },
             {
                 6, "GET_MINUTES", "Reads after how long without use the brick powers off",
-                { "VALUE", OUT, DATA8, "time without use", unit = "min", special = { [0] = "never" } },
+                [[ { "VALUE", OUT, DATA8, "time without use", unit = "min", special = { [0] = "never" } } ]],
             },
             {
                 7, "SET_MINUTES", "Changes after how long without use the brick powers off",
-                { "VALUE", IN, DATA8, "time without use", unit = "min", special = { [0] = "never" } },
+                [[ { "VALUE", IN, DATA8, "time without use", unit = "min", special = { [0] = "never" } } ]],
             },
         },
     },
@@ -405,1326 +439,1614 @@ local OPERATIONS = {
         commands = {
             {
                 1, "GET_SIZE", "Measures a text",
-                { "SOURCE1", IN, STRING, "text to work on" },
-                { "SIZE", OUT, DATA16, "its length without the zero", unit = "bytes" },
+                [[
+                    { "SOURCE1", IN, STRING, "text to work on" },
+                    { "SIZE", OUT, DATA16, "its length without the zero", unit = "bytes" },
+                ]],
             },
             {
                 2, "ADD", "Joins two texts",
-                { "SOURCE1", IN, STRING, "first part" },
-                { "SOURCE2", IN, STRING, "second part" },
-                { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                [[
+                    { "SOURCE1", IN, STRING, "first part" },
+                    { "SOURCE2", IN, STRING, "second part" },
+                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                ]],
             },
             {
                 3, "COMPARE", "Tells whether two texts are the same, upper and lower case kept apart",
-                { "SOURCE1", IN, STRING, "one text" },
-                { "SOURCE2", IN, STRING, "the other text" },
-                { "RESULT", OUT, DATA8, "whether they match", special = { [0] = "different", [1] = "the same" } },
+                [[
+                    { "SOURCE1", IN, STRING, "one text" },
+                    { "SOURCE2", IN, STRING, "the other text" },
+                    { "RESULT", OUT, DATA8, "whether they match", special = { [0] = "different", [1] = "the same" } },
+                ]],
             },
             {
                 5, "DUPLICATE", "Copies a text",
-                { "SOURCE1", IN, STRING, "text to work on" },
-                { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                [[
+                    { "SOURCE1", IN, STRING, "text to work on" },
+                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                ]],
             },
             {
                 6, "VALUE_TO_STRING", "Writes a floating-point number as text, without zeros at its end",
-                { "VALUE", IN, DATAF, "number to write; NaN becomes ----" },
-                { "FIGURES", IN, DATA8, "width with the point; negative aligns left", unit = "characters" },
-                { "DECIMALS", IN, DATA8, "digits after the point" },
-                { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                [[
+                    { "VALUE", IN, DATAF, "number to write; NaN becomes ----" },
+                    { "FIGURES", IN, DATA8, "width with the point; negative aligns left", unit = "characters" },
+                    { "DECIMALS", IN, DATA8, "digits after the point" },
+                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                ]],
             },
             {
                 7, "STRING_TO_VALUE", "Reads a number from a text",
-                { "SOURCE1", IN, STRING, "text to read; a comma counts as decimal point" },
-                { "DESTINATION", OUT, DATAF, "the number" },
+                [[
+                    { "SOURCE1", IN, STRING, "text to read; a comma counts as decimal point" },
+                    { "DESTINATION", OUT, DATAF, "the number" },
+                ]],
             },
             {
                 8, "STRIP", "Removes every space from a text",
-                { "SOURCE1", IN, STRING, "text to work on" },
-                { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                [[
+                    { "SOURCE1", IN, STRING, "text to work on" },
+                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                ]],
             },
             {
                 9, "NUMBER_TO_STRING", "Writes a whole number as text, with zeros in front",
-                { "VALUE", IN, DATA16, "number to write" },
-                { "FIGURES", IN, DATA8, "width of the text", unit = "characters" },
-                { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                [[
+                    { "VALUE", IN, DATA16, "number to write" },
+                    { "FIGURES", IN, DATA8, "width of the text", unit = "characters" },
+                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                ]],
             },
             {
                 10, "SUB", "Takes from a text what comes after another text found in it",
-                { "SOURCE1", IN, STRING, "text to search" },
-                { "SOURCE2", IN, STRING, "text to find; it should be there" },
-                { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                [[
+                    { "SOURCE1", IN, STRING, "text to search" },
+                    { "SOURCE2", IN, STRING, "text to find; it should be there" },
+                    { "DESTINATION", OUT, STRING, "resulting text, ended by its zero" },
+                ]],
             },
             {
                 11, "VALUE_FORMATTED", "Writes a floating-point number as text in a format of C's printf",
-                { "VALUE", IN, DATAF, "number to write" },
-                { "FORMAT", IN, STRING, "format, such as %5.2f" },
-                { "SIZE", IN, DATA8, "room for the text, with its zero", unit = "bytes" },
-                { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" },
+                [[
+                    { "VALUE", IN, DATAF, "number to write" },
+                    { "FORMAT", IN, STRING, "format, such as %5.2f" },
+                    { "SIZE", IN, DATA8, "room for the text, with its zero", unit = "bytes" },
+                    { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" },
+                ]],
             },
             {
                 12, "NUMBER_FORMATTED", "Writes a whole number as text in a format of C's printf",
-                { "VALUE", IN, DATA32, "number to write" },
-                { "FORMAT", IN, STRING, "format, such as %05d or %X" },
-                { "SIZE", IN, DATA8, "room for the text, with its zero", unit = "bytes" },
-                { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" },
+                [[
+                    { "VALUE", IN, DATA32, "number to write" },
+                    { "FORMAT", IN, STRING, "format, such as %05d or %X" },
+                    { "SIZE", IN, DATA8, "room for the text, with its zero", unit = "bytes" },
+                    { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" },
+                ]],
             },
         },
     },
-    { 0x88, "BP0", "Stops at breakpoint 0; BP_SET puts it over the instruction it replaces" },
-    { 0x89, "BP1", "Stops at breakpoint 1; BP_SET puts it over the instruction it replaces" },
-    { 0x8A, "BP2", "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces" },
-    { 0x8B, "BP3", "Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces" },
+    { 0x88, "BP0", "Stops at breakpoint 0; BP_SET puts it over the instruction it replaces", [[]] },
+    { 0x89, "BP1", "Stops at breakpoint 1; BP_SET puts it over the instruction it replaces", [[]] },
+    { 0x8A, "BP2", "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces", [[]] },
+    { 0x8B, "BP3", "Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces", [[]] },
     {
         0x8C, "BP_SET", "Sets or removes a breakpoint in a running program",
-        { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
-        { "NO", IN, DATA8, "number of the breakpoint", special = { [3] = "pulse on test pin TP4, no stop" } },
-        { "ADDRESS", IN, DATA32, "where in the image", unit = "bytes", special = { [0] = "remove the breakpoint" } },
+        [[
+            { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+            { "NO", IN, DATA8, "number of the breakpoint", special = { [3] = "pulse on test pin TP4, no stop" } },
+            {
+                "ADDRESS", IN, DATA32, "where in the image", unit = "bytes",
+                special = { [0] = "remove the breakpoint" },
+            },
+        ]],
     },
     {
         0xF0, "DYNLOAD_VMLOAD", "Loads an additional virtual machine; fails while another one is loaded",
-        { "VMINDEX", IN, DATA8, "which one", special = { [0] = "RobotC", [1] = "LabVIEW" } },
-        { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
+        [[
+            { "VMINDEX", IN, DATA8, "which one", special = { [0] = "RobotC", [1] = "LabVIEW" } },
+            { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
+        ]],
         dialects = { "xtended", "compat" },
     },
-    { 0xF1, "DYNLOAD_VMEXIT", "Unloads the additional virtual machine", dialects = { "xtended", "compat" } },
+    { 0xF1, "DYNLOAD_VMEXIT", "Unloads the additional virtual machine", [[]], dialects = { "xtended", "compat" } },
     {
         0xF2, "DYNLOAD_ENTRY_0", "Calls entry point 0 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF3, "DYNLOAD_ENTRY_1", "Calls entry point 1 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF4, "DYNLOAD_ENTRY_2", "Calls entry point 2 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF5, "DYNLOAD_ENTRY_3", "Calls entry point 3 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF6, "DYNLOAD_ENTRY_4", "Calls entry point 4 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF7, "DYNLOAD_ENTRY_5", "Calls entry point 5 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF8, "DYNLOAD_ENTRY_6", "Calls entry point 6 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xF9, "DYNLOAD_ENTRY_7", "Calls entry point 7 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xFA, "DYNLOAD_ENTRY_8", "Calls entry point 8 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xFB, "DYNLOAD_ENTRY_9", "Calls entry point 9 of the additional virtual machine that is loaded",
-        { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
-        { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
-        { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
-        { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        [[
+            { "CMD", IN, DATA8, "function to call, as that machine numbers them" },
+            { "LENGTH_IN", IN, DATA8, "how much data is handed over" },
+            { "LENGTH_OUT", OUT, DATA16, "how many elements came back" },
+            { "VALUE", OUT, ARRAY_TYPED, "what came back; the type depends on CMD", length = "LENGTH_OUT" },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xFC, "DYNLOAD_GET_VM", "Asks which additional virtual machine is loaded",
-        { "RESULT", OUT, DATA8, "which one", special = { [-1] = "none", [0] = "RobotC", [1] = "LabVIEW" } },
+        [[ { "RESULT", OUT, DATA8, "which one", special = { [-1] = "none", [0] = "RobotC", [1] = "LabVIEW" } } ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xFF, "TST", "Tests the hardware, as the factory does; all but TST_OPEN fail unless opened before",
         commands = {
-            { 10, "TST_OPEN", "Allows test commands for 10 seconds; each one renews the time" },
-            { 11, "TST_CLOSE", "Ends the test mode" },
+            { 10, "TST_OPEN", "Allows test commands for 10 seconds; each one renews the time", [[]] },
+            { 11, "TST_CLOSE", "Ends the test mode", [[]] },
             {
                 12, "TST_READ_PINS", "Reads the pins of a connector",
-                { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D" },
-                { "LENGTH", IN, DATA8, "how many pins to read, usually 5" },
-                { "STRING", OUT, DATA8, "one character per pin: 0 low, 1 high", length = "LENGTH" },
+                [[
+                    { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D" },
+                    { "LENGTH", IN, DATA8, "how many pins to read, usually 5" },
+                    { "STRING", OUT, DATA8, "one character per pin: 0 low, 1 high", length = "LENGTH" },
+                ]],
             },
             {
                 13, "TST_WRITE_PINS", "Sets the pins of a connector",
-                { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D" },
-                { "LENGTH", IN, DATA8, "how many pins to set, usually 5" },
-                {
-                    "STRING", IN, DATA8, "one character per pin: 0 low, 1 high, X floating, - as it is",
-                    length = "LENGTH",
-                },
+                [[
+                    { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D" },
+                    { "LENGTH", IN, DATA8, "how many pins to set, usually 5" },
+                    {
+                        "STRING", IN, DATA8, "one character per pin: 0 low, 1 high, X floating, - as it is",
+                        length = "LENGTH",
+                    },
+                ]],
             },
             {
                 14, "TST_READ_ADC", "Reads the analog converter",
-                {
-                    "INDEX", IN, DATA8,
-                    "channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports",
-                    special = {
-                        [12] = "battery temperature", [13] = "motor current", [14] = "battery current",
-                        [15] = "battery voltage",
+                [[
+                    {
+                        "INDEX", IN, DATA8,
+                        "channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports",
+                        special = {
+                            [12] = "battery temperature", [13] = "motor current", [14] = "battery current",
+                            [15] = "battery voltage",
+                        },
                     },
-                },
-                { "VALUE", OUT, DATA16, "raw reading", unit = "counts" },
+                    { "VALUE", OUT, DATA16, "raw reading", unit = "counts" },
+                ]],
             },
             {
                 15, "TST_WRITE_UART", "Sends bytes out of a sensor port's serial line",
-                { "PORT", IN, DATA8, "sensor port less one" },
-                { "LENGTH", IN, DATA8, "how many bytes to send", unit = "bytes" },
-                { "STRING", IN, DATA8, "the bytes", length = "LENGTH" },
+                [[
+                    { "PORT", IN, DATA8, "sensor port less one" },
+                    { "LENGTH", IN, DATA8, "how many bytes to send", unit = "bytes" },
+                    { "STRING", IN, DATA8, "the bytes", length = "LENGTH" },
+                ]],
             },
             {
                 16, "TST_READ_UART", "Reads bytes that arrived on a sensor port's serial line",
-                { "PORT", IN, DATA8, "sensor port less one" },
-                { "LENGTH", IN, DATA8, "how many bytes to read", unit = "bytes" },
-                { "STRING", OUT, DATA8, "the bytes, filled up with zeros", length = "LENGTH" },
+                [[
+                    { "PORT", IN, DATA8, "sensor port less one" },
+                    { "LENGTH", IN, DATA8, "how many bytes to read", unit = "bytes" },
+                    { "STRING", OUT, DATA8, "the bytes, filled up with zeros", length = "LENGTH" },
+                ]],
             },
             {
                 17, "TST_ENABLE_UART", "Switches the serial lines of all sensor ports on",
-                { "BITRATE", IN, DATA32, "speed of the line", unit = "bit/s" },
+                [[ { "BITRATE", IN, DATA32, "speed of the line", unit = "bit/s" } ]],
             },
-            { 18, "TST_DISABLE_UART", "Switches the serial lines of all sensor ports off" },
+            { 18, "TST_DISABLE_UART", "Switches the serial lines of all sensor ports off", [[]] },
             {
                 19, "TST_ACCU_SWITCH", "Reads the switch that senses the rechargeable battery",
-                {
-                    "ACTIVE", OUT, DATA8, "state of the switch",
-                    special = { [0] = "other batteries", [1] = "rechargeable battery" },
-                },
+                [[
+                    {
+                        "ACTIVE", OUT, DATA8, "state of the switch",
+                        special = { [0] = "other batteries", [1] = "rechargeable battery" },
+                    },
+                ]],
             },
-            { 20, "TST_BOOT_MODE2", "Starts mode 2 of Bluetooth, the one for Apple's devices" },
+            { 20, "TST_BOOT_MODE2", "Starts mode 2 of Bluetooth, the one for Apple's devices", [[]] },
             {
                 21, "TST_POLL_MODE2", "Asks how far the start of Bluetooth's mode 2 is",
-                { "STATUS", OUT, DATA8, "OK, BUSY (still starting) or FAIL", enum = ENUMERATIONS.RESULT },
+                [[ { "STATUS", OUT, DATA8, "OK, BUSY (still starting) or FAIL", enum = ENUMERATIONS.RESULT } ]],
             },
-            { 22, "TST_CLOSE_MODE2", "Ends mode 2 of Bluetooth" },
+            { 22, "TST_CLOSE_MODE2", "Ends mode 2 of Bluetooth", [[]] },
             {
                 23, "TST_RAM_CHECK", "Asks how the memory test at power-on went",
-                { "STATUS", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
+                [[ { "STATUS", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT } ]],
             },
         },
     },
     {
         0x10, "ADD8", "Adds two 8-bit numbers",
-        { "SOURCE1", IN, DATA8, "first number" },
-        { "SOURCE2", IN, DATA8, "second number" },
-        { "DESTINATION", OUT, DATA8, "their sum" },
+        [[
+            { "SOURCE1", IN, DATA8, "first number" },
+            { "SOURCE2", IN, DATA8, "second number" },
+            { "DESTINATION", OUT, DATA8, "their sum" },
+        ]],
     },
     {
         0x11, "ADD16", "Adds two 16-bit numbers",
-        { "SOURCE1", IN, DATA16, "first number" },
-        { "SOURCE2", IN, DATA16, "second number" },
-        { "DESTINATION", OUT, DATA16, "their sum" },
+        [[
+            { "SOURCE1", IN, DATA16, "first number" },
+            { "SOURCE2", IN, DATA16, "second number" },
+            { "DESTINATION", OUT, DATA16, "their sum" },
+        ]],
     },
     {
         0x12, "ADD32", "Adds two 32-bit numbers",
-        { "SOURCE1", IN, DATA32, "first number" },
-        { "SOURCE2", IN, DATA32, "second number" },
-        { "DESTINATION", OUT, DATA32, "their sum" },
+        [[
+            { "SOURCE1", IN, DATA32, "first number" },
+            { "SOURCE2", IN, DATA32, "second number" },
+            { "DESTINATION", OUT, DATA32, "their sum" },
+        ]],
     },
     {
         0x13, "ADDF", "Adds two floating-point numbers",
-        { "SOURCE1", IN, DATAF, "first number" },
-        { "SOURCE2", IN, DATAF, "second number" },
-        { "DESTINATION", OUT, DATAF, "their sum" },
+        [[
+            { "SOURCE1", IN, DATAF, "first number" },
+            { "SOURCE2", IN, DATAF, "second number" },
+            { "DESTINATION", OUT, DATAF, "their sum" },
+        ]],
     },
     {
         0x14, "SUB8", "Subtracts one 8-bit number from another",
-        { "SOURCE1", IN, DATA8, "number to subtract from" },
-        { "SOURCE2", IN, DATA8, "number to subtract" },
-        { "DESTINATION", OUT, DATA8, "SOURCE1 less SOURCE2" },
+        [[
+            { "SOURCE1", IN, DATA8, "number to subtract from" },
+            { "SOURCE2", IN, DATA8, "number to subtract" },
+            { "DESTINATION", OUT, DATA8, "SOURCE1 less SOURCE2" },
+        ]],
     },
     {
         0x15, "SUB16", "Subtracts one 16-bit number from another",
-        { "SOURCE1", IN, DATA16, "number to subtract from" },
-        { "SOURCE2", IN, DATA16, "number to subtract" },
-        { "DESTINATION", OUT, DATA16, "SOURCE1 less SOURCE2" },
+        [[
+            { "SOURCE1", IN, DATA16, "number to subtract from" },
+            { "SOURCE2", IN, DATA16, "number to subtract" },
+            { "DESTINATION", OUT, DATA16, "SOURCE1 less SOURCE2" },
+        ]],
     },
     {
         0x16, "SUB32", "Subtracts one 32-bit number from another",
-        { "SOURCE1", IN, DATA32, "number to subtract from" },
-        { "SOURCE2", IN, DATA32, "number to subtract" },
-        { "DESTINATION", OUT, DATA32, "SOURCE1 less SOURCE2" },
+        [[
+            { "SOURCE1", IN, DATA32, "number to subtract from" },
+            { "SOURCE2", IN, DATA32, "number to subtract" },
+            { "DESTINATION", OUT, DATA32, "SOURCE1 less SOURCE2" },
+        ]],
     },
     {
         0x17, "SUBF", "Subtracts one floating-point number from another",
-        { "SOURCE1", IN, DATAF, "number to subtract from" },
-        { "SOURCE2", IN, DATAF, "number to subtract" },
-        { "DESTINATION", OUT, DATAF, "SOURCE1 less SOURCE2" },
+        [[
+            { "SOURCE1", IN, DATAF, "number to subtract from" },
+            { "SOURCE2", IN, DATAF, "number to subtract" },
+            { "DESTINATION", OUT, DATAF, "SOURCE1 less SOURCE2" },
+        ]],
     },
     {
         0x18, "MUL8", "Multiplies two 8-bit numbers",
-        { "SOURCE1", IN, DATA8, "first factor" },
-        { "SOURCE2", IN, DATA8, "second factor" },
-        { "DESTINATION", OUT, DATA8, "their product" },
+        [[
+            { "SOURCE1", IN, DATA8, "first factor" },
+            { "SOURCE2", IN, DATA8, "second factor" },
+            { "DESTINATION", OUT, DATA8, "their product" },
+        ]],
     },
     {
         0x19, "MUL16", "Multiplies two 16-bit numbers",
-        { "SOURCE1", IN, DATA16, "first factor" },
-        { "SOURCE2", IN, DATA16, "second factor" },
-        { "DESTINATION", OUT, DATA16, "their product" },
+        [[
+            { "SOURCE1", IN, DATA16, "first factor" },
+            { "SOURCE2", IN, DATA16, "second factor" },
+            { "DESTINATION", OUT, DATA16, "their product" },
+        ]],
     },
     {
         0x1A, "MUL32", "Multiplies two 32-bit numbers",
-        { "SOURCE1", IN, DATA32, "first factor" },
-        { "SOURCE2", IN, DATA32, "second factor" },
-        { "DESTINATION", OUT, DATA32, "their product" },
+        [[
+            { "SOURCE1", IN, DATA32, "first factor" },
+            { "SOURCE2", IN, DATA32, "second factor" },
+            { "DESTINATION", OUT, DATA32, "their product" },
+        ]],
     },
     {
         0x1B, "MULF", "Multiplies two floating-point numbers",
-        { "SOURCE1", IN, DATAF, "first factor" },
-        { "SOURCE2", IN, DATAF, "second factor" },
-        { "DESTINATION", OUT, DATAF, "their product" },
+        [[
+            { "SOURCE1", IN, DATAF, "first factor" },
+            { "SOURCE2", IN, DATAF, "second factor" },
+            { "DESTINATION", OUT, DATAF, "their product" },
+        ]],
     },
     {
         0x1C, "DIV8", "Divides two 8-bit numbers; by zero gives the largest or smallest value",
-        { "SOURCE1", IN, DATA8, "number to divide" },
-        { "SOURCE2", IN, DATA8, "number to divide by" },
-        { "DESTINATION", OUT, DATA8, "quotient, cut off towards zero (0 for 0 / 0)" },
+        [[
+            { "SOURCE1", IN, DATA8, "number to divide" },
+            { "SOURCE2", IN, DATA8, "number to divide by" },
+            { "DESTINATION", OUT, DATA8, "quotient, cut off towards zero (0 for 0 / 0)" },
+        ]],
     },
     {
         0x1D, "DIV16", "Divides two 16-bit numbers; by zero gives the largest or smallest value",
-        { "SOURCE1", IN, DATA16, "number to divide" },
-        { "SOURCE2", IN, DATA16, "number to divide by" },
-        { "DESTINATION", OUT, DATA16, "quotient, cut off towards zero (0 for 0 / 0)" },
+        [[
+            { "SOURCE1", IN, DATA16, "number to divide" },
+            { "SOURCE2", IN, DATA16, "number to divide by" },
+            { "DESTINATION", OUT, DATA16, "quotient, cut off towards zero (0 for 0 / 0)" },
+        ]],
     },
     {
         0x1E, "DIV32", "Divides two 32-bit numbers; by zero gives the largest or smallest value",
-        { "SOURCE1", IN, DATA32, "number to divide" },
-        { "SOURCE2", IN, DATA32, "number to divide by" },
-        { "DESTINATION", OUT, DATA32, "quotient, cut off towards zero (0 for 0 / 0)" },
+        [[
+            { "SOURCE1", IN, DATA32, "number to divide" },
+            { "SOURCE2", IN, DATA32, "number to divide by" },
+            { "DESTINATION", OUT, DATA32, "quotient, cut off towards zero (0 for 0 / 0)" },
+        ]],
     },
     {
         0x1F, "DIVF", "Divides two floating-point numbers; by zero gives infinity or NaN",
-        { "SOURCE1", IN, DATAF, "number to divide" },
-        { "SOURCE2", IN, DATAF, "number to divide by" },
-        { "DESTINATION", OUT, DATAF, "quotient" },
+        [[
+            { "SOURCE1", IN, DATAF, "number to divide" },
+            { "SOURCE2", IN, DATAF, "number to divide by" },
+            { "DESTINATION", OUT, DATAF, "quotient" },
+        ]],
     },
     {
         0x20, "OR8", "Combines 8-bit values, bit by bit, by OR",
-        { "SOURCE1", IN, DATA8, "first" },
-        { "SOURCE2", IN, DATA8, "second" },
-        { "DESTINATION", OUT, DATA8, "bits set in either" },
+        [[
+            { "SOURCE1", IN, DATA8, "first" },
+            { "SOURCE2", IN, DATA8, "second" },
+            { "DESTINATION", OUT, DATA8, "bits set in either" },
+        ]],
     },
     {
         0x21, "OR16", "Combines 16-bit values, bit by bit, by OR",
-        { "SOURCE1", IN, DATA16, "first" },
-        { "SOURCE2", IN, DATA16, "second" },
-        { "DESTINATION", OUT, DATA16, "bits set in either" },
+        [[
+            { "SOURCE1", IN, DATA16, "first" },
+            { "SOURCE2", IN, DATA16, "second" },
+            { "DESTINATION", OUT, DATA16, "bits set in either" },
+        ]],
     },
     {
         0x22, "OR32", "Combines 32-bit values, bit by bit, by OR",
-        { "SOURCE1", IN, DATA32, "first" },
-        { "SOURCE2", IN, DATA32, "second" },
-        { "DESTINATION", OUT, DATA32, "bits set in either" },
+        [[
+            { "SOURCE1", IN, DATA32, "first" },
+            { "SOURCE2", IN, DATA32, "second" },
+            { "DESTINATION", OUT, DATA32, "bits set in either" },
+        ]],
     },
     {
         0x24, "AND8", "Combines 8-bit values, bit by bit, by AND",
-        { "SOURCE1", IN, DATA8, "first" },
-        { "SOURCE2", IN, DATA8, "second" },
-        { "DESTINATION", OUT, DATA8, "bits set in both" },
+        [[
+            { "SOURCE1", IN, DATA8, "first" },
+            { "SOURCE2", IN, DATA8, "second" },
+            { "DESTINATION", OUT, DATA8, "bits set in both" },
+        ]],
     },
     {
         0x25, "AND16", "Combines 16-bit values, bit by bit, by AND",
-        { "SOURCE1", IN, DATA16, "first" },
-        { "SOURCE2", IN, DATA16, "second" },
-        { "DESTINATION", OUT, DATA16, "bits set in both" },
+        [[
+            { "SOURCE1", IN, DATA16, "first" },
+            { "SOURCE2", IN, DATA16, "second" },
+            { "DESTINATION", OUT, DATA16, "bits set in both" },
+        ]],
     },
     {
         0x26, "AND32", "Combines 32-bit values, bit by bit, by AND",
-        { "SOURCE1", IN, DATA32, "first" },
-        { "SOURCE2", IN, DATA32, "second" },
-        { "DESTINATION", OUT, DATA32, "bits set in both" },
+        [[
+            { "SOURCE1", IN, DATA32, "first" },
+            { "SOURCE2", IN, DATA32, "second" },
+            { "DESTINATION", OUT, DATA32, "bits set in both" },
+        ]],
     },
     {
         0x28, "XOR8", "Combines 8-bit values, bit by bit, by exclusive OR",
-        { "SOURCE1", IN, DATA8, "first" },
-        { "SOURCE2", IN, DATA8, "second" },
-        { "DESTINATION", OUT, DATA8, "bits set in just one of the two" },
+        [[
+            { "SOURCE1", IN, DATA8, "first" },
+            { "SOURCE2", IN, DATA8, "second" },
+            { "DESTINATION", OUT, DATA8, "bits set in just one of the two" },
+        ]],
     },
     {
         0x29, "XOR16", "Combines 16-bit values, bit by bit, by exclusive OR",
-        { "SOURCE1", IN, DATA16, "first" },
-        { "SOURCE2", IN, DATA16, "second" },
-        { "DESTINATION", OUT, DATA16, "bits set in just one of the two" },
+        [[
+            { "SOURCE1", IN, DATA16, "first" },
+            { "SOURCE2", IN, DATA16, "second" },
+            { "DESTINATION", OUT, DATA16, "bits set in just one of the two" },
+        ]],
     },
     {
         0x2A, "XOR32", "Combines 32-bit values, bit by bit, by exclusive OR",
-        { "SOURCE1", IN, DATA32, "first" },
-        { "SOURCE2", IN, DATA32, "second" },
-        { "DESTINATION", OUT, DATA32, "bits set in just one of the two" },
+        [[
+            { "SOURCE1", IN, DATA32, "first" },
+            { "SOURCE2", IN, DATA32, "second" },
+            { "DESTINATION", OUT, DATA32, "bits set in just one of the two" },
+        ]],
     },
     {
         0x2C, "RL8", "Shifts 8-bit values left; despite the name (rotate), bits leaving on the left are lost",
-        { "SOURCE1", IN, DATA8, "value to shift" },
-        { "SOURCE2", IN, DATA8, "how many places", unit = "bits" },
-        { "DESTINATION", OUT, DATA8, "shifted value, filled up with zero bits" },
+        [[
+            { "SOURCE1", IN, DATA8, "value to shift" },
+            { "SOURCE2", IN, DATA8, "how many places", unit = "bits" },
+            { "DESTINATION", OUT, DATA8, "shifted value, filled up with zero bits" },
+        ]],
     },
     {
         0x2D, "RL16", "Shifts 16-bit values left; despite the name (rotate), bits leaving on the left are lost",
-        { "SOURCE1", IN, DATA16, "value to shift" },
-        { "SOURCE2", IN, DATA16, "how many places", unit = "bits" },
-        { "DESTINATION", OUT, DATA16, "shifted value, filled up with zero bits" },
+        [[
+            { "SOURCE1", IN, DATA16, "value to shift" },
+            { "SOURCE2", IN, DATA16, "how many places", unit = "bits" },
+            { "DESTINATION", OUT, DATA16, "shifted value, filled up with zero bits" },
+        ]],
     },
     {
         0x2E, "RL32", "Shifts 32-bit values left; despite the name (rotate), bits leaving on the left are lost",
-        { "SOURCE1", IN, DATA32, "value to shift" },
-        { "SOURCE2", IN, DATA32, "how many places", unit = "bits" },
-        { "DESTINATION", OUT, DATA32, "shifted value, filled up with zero bits" },
+        [[
+            { "SOURCE1", IN, DATA32, "value to shift" },
+            { "SOURCE2", IN, DATA32, "how many places", unit = "bits" },
+            { "DESTINATION", OUT, DATA32, "shifted value, filled up with zero bits" },
+        ]],
     },
     {
         0x8D, "MATH", "Applies a mathematical function",
         commands = {
-            { 1, "EXP", "Raises e to a power", { "X", IN, DATAF, "the power" }, { "R", OUT, DATAF, "result" } },
+            { 1, "EXP", "Raises e to a power", [[ { "X", IN, DATAF, "the power" }, { "R", OUT, DATAF, "result" } ]] },
             {
                 2, "MOD", "Takes the remainder of a floating-point division",
-                { "X", IN, DATAF, "number to divide" },
-                { "Y", IN, DATAF, "number to divide by" },
-                { "R", OUT, DATAF, "what is left over, with the sign of X" },
+                [[
+                    { "X", IN, DATAF, "number to divide" },
+                    { "Y", IN, DATAF, "number to divide by" },
+                    { "R", OUT, DATAF, "what is left over, with the sign of X" },
+                ]],
             },
             {
                 3, "FLOOR", "Rounds down to a whole number",
-                { "X", IN, DATAF, "number to work on" },
-                { "R", OUT, DATAF, "result" },
+                [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]],
             },
             {
                 4, "CEIL", "Rounds up to a whole number",
-                { "X", IN, DATAF, "number to work on" },
-                { "R", OUT, DATAF, "result" },
+                [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]],
             },
             {
                 5, "ROUND", "Rounds to the nearest whole number, halves away from zero",
-                { "X", IN, DATAF, "number to work on" },
-                { "R", OUT, DATAF, "result" },
+                [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]],
             },
-            { 6, "ABS", "Drops the sign", { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } },
+            {
+                6, "ABS", "Drops the sign",
+                [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]],
+            },
             {
                 7, "NEGATE", "Reverses the sign",
-                { "X", IN, DATAF, "number to work on" },
-                { "R", OUT, DATAF, "result" },
+                [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]],
             },
             {
                 8, "SQRT", "Takes the square root",
-                { "X", IN, DATAF, "number to work on, not negative" },
-                { "R", OUT, DATAF, "result" },
+                [[ { "X", IN, DATAF, "number to work on, not negative" }, { "R", OUT, DATAF, "result" } ]],
             },
             {
                 9, "LOG", "Takes the logarithm to base 10",
-                { "X", IN, DATAF, "number to work on, above 0" },
-                { "R", OUT, DATAF, "result" },
+                [[ { "X", IN, DATAF, "number to work on, above 0" }, { "R", OUT, DATAF, "result" } ]],
             },
             {
                 10, "LN", "Takes the natural logarithm",
-                { "X", IN, DATAF, "number to work on, above 0" },
-                { "R", OUT, DATAF, "result" },
+                [[ { "X", IN, DATAF, "number to work on, above 0" }, { "R", OUT, DATAF, "result" } ]],
             },
             {
                 11, "SIN", "Takes the sine of an angle in degrees",
-                { "X", IN, DATAF, "angle", unit = "degrees" },
-                { "R", OUT, DATAF, "sine, -1 to 1" },
+                [[ { "X", IN, DATAF, "angle", unit = "degrees" }, { "R", OUT, DATAF, "sine, -1 to 1" } ]],
             },
             {
                 12, "COS", "Takes the cosine of an angle in degrees",
-                { "X", IN, DATAF, "angle", unit = "degrees" },
-                { "R", OUT, DATAF, "cosine, -1 to 1" },
+                [[ { "X", IN, DATAF, "angle", unit = "degrees" }, { "R", OUT, DATAF, "cosine, -1 to 1" } ]],
             },
             {
                 13, "TAN", "Takes the tangent of an angle in degrees",
-                { "X", IN, DATAF, "angle", unit = "degrees" },
-                { "R", OUT, DATAF, "tangent" },
+                [[ { "X", IN, DATAF, "angle", unit = "degrees" }, { "R", OUT, DATAF, "tangent" } ]],
             },
             {
                 14, "ASIN", "Finds the angle that has a sine",
-                { "X", IN, DATAF, "sine" },
-                { "R", OUT, DATAF, "angle", unit = "degrees" },
+                [[ { "X", IN, DATAF, "sine" }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]],
             },
             {
                 15, "ACOS", "Finds the angle that has a cosine",
-                { "X", IN, DATAF, "cosine" },
-                { "R", OUT, DATAF, "angle", unit = "degrees" },
+                [[ { "X", IN, DATAF, "cosine" }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]],
             },
             {
                 16, "ATAN", "Finds the angle that has a tangent",
-                { "X", IN, DATAF, "tangent" },
-                { "R", OUT, DATAF, "angle", unit = "degrees" },
+                [[ { "X", IN, DATAF, "tangent" }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]],
             },
             {
                 17, "MOD8", "Takes the remainder of an 8-bit division",
-                { "X", IN, DATA8, "number to divide" },
-                { "Y", IN, DATA8, "number to divide by, not 0" },
-                { "R", OUT, DATA8, "what is left over, with the sign of X" },
+                [[
+                    { "X", IN, DATA8, "number to divide" },
+                    { "Y", IN, DATA8, "number to divide by, not 0" },
+                    { "R", OUT, DATA8, "what is left over, with the sign of X" },
+                ]],
             },
             {
                 18, "MOD16", "Takes the remainder of a 16-bit division",
-                { "X", IN, DATA16, "number to divide" },
-                { "Y", IN, DATA16, "number to divide by, not 0" },
-                { "R", OUT, DATA16, "what is left over, with the sign of X" },
+                [[
+                    { "X", IN, DATA16, "number to divide" },
+                    { "Y", IN, DATA16, "number to divide by, not 0" },
+                    { "R", OUT, DATA16, "what is left over, with the sign of X" },
+                ]],
             },
             {
                 19, "MOD32", "Takes the remainder of a 32-bit division",
-                { "X", IN, DATA32, "number to divide" },
-                { "Y", IN, DATA32, "number to divide by, not 0" },
-                { "R", OUT, DATA32, "what is left over, with the sign of X" },
+                [[
+                    { "X", IN, DATA32, "number to divide" },
+                    { "Y", IN, DATA32, "number to divide by, not 0" },
+                    { "R", OUT, DATA32, "what is left over, with the sign of X" },
+                ]],
             },
             {
                 20, "POW", "Raises a number to a power",
-                { "X", IN, DATAF, "number to raise" },
-                { "Y", IN, DATAF, "the power" },
-                { "R", OUT, DATAF, "result" },
+                [[
+                    { "X", IN, DATAF, "number to raise" },
+                    { "Y", IN, DATAF, "the power" },
+                    { "R", OUT, DATAF, "result" },
+                ]],
             },
             {
                 21, "TRUNC", "Cuts off decimals without rounding",
-                { "X", IN, DATAF, "number to work on" },
-                { "P", IN, DATA8, "how many decimals to keep (more than 6 are not there)" },
-                { "R", OUT, DATAF, "result" },
+                [[
+                    { "X", IN, DATAF, "number to work on" },
+                    { "P", IN, DATA8, "how many decimals to keep (more than 6 are not there)" },
+                    { "R", OUT, DATAF, "result" },
+                ]],
             },
         },
     },
     {
         0x8E, "RANDOM", "Draws a random whole number",
-        { "MIN", IN, DATA16, "smallest number to draw" },
-        { "MAX", IN, DATA16, "largest number to draw" },
-        { "VALUE", OUT, DATA16, "the number drawn, MIN to MAX, both included" },
+        [[
+            { "MIN", IN, DATA16, "smallest number to draw" },
+            { "MAX", IN, DATA16, "largest number to draw" },
+            { "VALUE", OUT, DATA16, "the number drawn, MIN to MAX, both included" },
+        ]],
     },
     {
         0x2F, "INIT_BYTES", "Fills consecutive bytes of memory with values given in place",
-        { "DESTINATION", OUT, DATA8, "first byte to fill", length = "LENGTH" },
-        { "LENGTH", IN, DATA32, "how many values follow; a negative count hangs the brick", unit = "bytes" },
-        { "SOURCE", IN, VALUES, "the values, one per byte", element = DATA8 },
+        [[
+            { "DESTINATION", OUT, DATA8, "first byte to fill", length = "LENGTH" },
+            { "LENGTH", IN, DATA32, "how many values follow; a negative count hangs the brick", unit = "bytes" },
+            { "SOURCE", IN, VALUES, "the values, one per byte", element = DATA8 },
+        ]],
     },
     {
         0x30, "MOVE8_8", "Copies a value to another variable, both 8-bit",
-        { "SOURCE", IN, DATA8, "value to copy" },
-        { "DESTINATION", OUT, DATA8, "copy of the value" },
+        [[ { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } ]],
     },
     {
         0x31, "MOVE8_16", "Converts a value, 8-bit to 16-bit; NaN stays NaN",
-        { "SOURCE", IN, DATA8, "value to copy" },
-        { "DESTINATION", OUT, DATA16, "copy of the value" },
+        [[ { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } ]],
     },
     {
         0x32, "MOVE8_32", "Converts a value, 8-bit to 32-bit; NaN stays NaN",
-        { "SOURCE", IN, DATA8, "value to copy" },
-        { "DESTINATION", OUT, DATA32, "copy of the value" },
+        [[ { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } ]],
     },
     {
         0x33, "MOVE8_F", "Converts a value, 8-bit to floating-point; NaN stays NaN",
-        { "SOURCE", IN, DATA8, "value to copy" },
-        { "DESTINATION", OUT, DATAF, "copy of the value" },
+        [[ { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } ]],
     },
     {
         0x34, "MOVE16_8", "Converts a value, 16-bit to 8-bit; limited to what fits, NaN stays NaN",
-        { "SOURCE", IN, DATA16, "value to copy" },
-        { "DESTINATION", OUT, DATA8, "copy of the value" },
+        [[ { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } ]],
     },
     {
         0x35, "MOVE16_16", "Copies a value to another variable, both 16-bit",
-        { "SOURCE", IN, DATA16, "value to copy" },
-        { "DESTINATION", OUT, DATA16, "copy of the value" },
+        [[ { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } ]],
     },
     {
         0x36, "MOVE16_32", "Converts a value, 16-bit to 32-bit; NaN stays NaN",
-        { "SOURCE", IN, DATA16, "value to copy" },
-        { "DESTINATION", OUT, DATA32, "copy of the value" },
+        [[ { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } ]],
     },
     {
         0x37, "MOVE16_F", "Converts a value, 16-bit to floating-point; NaN stays NaN",
-        { "SOURCE", IN, DATA16, "value to copy" },
-        { "DESTINATION", OUT, DATAF, "copy of the value" },
+        [[ { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } ]],
     },
     {
         0x38, "MOVE32_8", "Converts a value, 32-bit to 8-bit; limited to what fits, NaN stays NaN",
-        { "SOURCE", IN, DATA32, "value to copy" },
-        { "DESTINATION", OUT, DATA8, "copy of the value" },
+        [[ { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } ]],
     },
     {
         0x39, "MOVE32_16", "Converts a value, 32-bit to 16-bit; limited to what fits, NaN stays NaN",
-        { "SOURCE", IN, DATA32, "value to copy" },
-        { "DESTINATION", OUT, DATA16, "copy of the value" },
+        [[ { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } ]],
     },
     {
         0x3A, "MOVE32_32", "Copies a value to another variable, both 32-bit",
-        { "SOURCE", IN, DATA32, "value to copy" },
-        { "DESTINATION", OUT, DATA32, "copy of the value" },
+        [[ { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } ]],
     },
     {
         0x3B, "MOVE32_F", "Converts a value, 32-bit to floating-point; NaN stays NaN",
-        { "SOURCE", IN, DATA32, "value to copy" },
-        { "DESTINATION", OUT, DATAF, "copy of the value" },
+        [[ { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } ]],
     },
     {
         0x3C, "MOVEF_8", "Converts a value, floating-point to 8-bit; limited to what fits, NaN stays NaN",
-        { "SOURCE", IN, DATAF, "value to copy" },
-        { "DESTINATION", OUT, DATA8, "copy of the value" },
+        [[ { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } ]],
     },
     {
         0x3D, "MOVEF_16", "Converts a value, floating-point to 16-bit; limited to what fits, NaN stays NaN",
-        { "SOURCE", IN, DATAF, "value to copy" },
-        { "DESTINATION", OUT, DATA16, "copy of the value" },
+        [[ { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } ]],
     },
     {
         0x3E, "MOVEF_32", "Converts a value, floating-point to 32-bit; limited to what fits, NaN stays NaN",
-        { "SOURCE", IN, DATAF, "value to copy" },
-        { "DESTINATION", OUT, DATA32, "copy of the value" },
+        [[ { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } ]],
     },
     {
         0x3F, "MOVEF_F", "Copies a value to another variable, both floating-point",
-        { "SOURCE", IN, DATAF, "value to copy" },
-        { "DESTINATION", OUT, DATAF, "copy of the value" },
+        [[ { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } ]],
     },
     {
         0xC8, "READ8", "Takes one element out of an array of 8-bit values",
-        { "SOURCE", IN, DATA8, "first element of the array, as a variable" },
-        { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
-        { "DESTINATION", OUT, DATA8, "the element's value" },
+        [[
+            { "SOURCE", IN, DATA8, "first element of the array, as a variable" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "DESTINATION", OUT, DATA8, "the element's value" },
+        ]],
     },
     {
         0xC9, "READ16", "Takes one element out of an array of 16-bit values",
-        { "SOURCE", IN, DATA16, "first element of the array, as a variable" },
-        { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
-        { "DESTINATION", OUT, DATA16, "the element's value" },
+        [[
+            { "SOURCE", IN, DATA16, "first element of the array, as a variable" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "DESTINATION", OUT, DATA16, "the element's value" },
+        ]],
     },
     {
         0xCA, "READ32", "Takes one element out of an array of 32-bit values",
-        { "SOURCE", IN, DATA32, "first element of the array, as a variable" },
-        { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
-        { "DESTINATION", OUT, DATA32, "the element's value" },
+        [[
+            { "SOURCE", IN, DATA32, "first element of the array, as a variable" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "DESTINATION", OUT, DATA32, "the element's value" },
+        ]],
     },
     {
         0xCB, "READF", "Takes one element out of an array of floating-point values",
-        { "SOURCE", IN, DATAF, "first element of the array, as a variable" },
-        { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
-        { "DESTINATION", OUT, DATAF, "the element's value" },
+        [[
+            { "SOURCE", IN, DATAF, "first element of the array, as a variable" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "DESTINATION", OUT, DATAF, "the element's value" },
+        ]],
     },
     {
         0xCC, "WRITE8", "Sets one element of an array of 8-bit values",
-        { "SOURCE", IN, DATA8, "value to set" },
-        { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
-        { "DESTINATION", IN, DATA8, "first element of the array, as a variable; element INDEX is written" },
+        [[
+            { "SOURCE", IN, DATA8, "value to set" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "DESTINATION", IN, DATA8, "first element of the array, as a variable; element INDEX is written" },
+        ]],
     },
     {
         0xCD, "WRITE16", "Sets one element of an array of 16-bit values",
-        { "SOURCE", IN, DATA16, "value to set" },
-        { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
-        { "DESTINATION", IN, DATA16, "first element of the array, as a variable; element INDEX is written" },
+        [[
+            { "SOURCE", IN, DATA16, "value to set" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "DESTINATION", IN, DATA16, "first element of the array, as a variable; element INDEX is written" },
+        ]],
     },
     {
         0xCE, "WRITE32", "Sets one element of an array of 32-bit values",
-        { "SOURCE", IN, DATA32, "value to set" },
-        { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
-        { "DESTINATION", IN, DATA32, "first element of the array, as a variable; element INDEX is written" },
+        [[
+            { "SOURCE", IN, DATA32, "value to set" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "DESTINATION", IN, DATA32, "first element of the array, as a variable; element INDEX is written" },
+        ]],
     },
     {
         0xCF, "WRITEF", "Sets one element of an array of floating-point values",
-        { "SOURCE", IN, DATAF, "value to set" },
-        { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
-        { "DESTINATION", IN, DATAF, "first element of the array, as a variable; element INDEX is written" },
+        [[
+            { "SOURCE", IN, DATAF, "value to set" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it" },
+            { "DESTINATION", IN, DATAF, "first element of the array, as a variable; element INDEX is written" },
+        ]],
     },
     {
         0x40, "JR", "Jumps always",
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x41, "JR_FALSE", "Jumps if a flag is 0",
-        { "FLAG", IN, DATA8, "the condition: anything but 0 is true", special = { [0] = "false", [1] = "true" } },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "FLAG", IN, DATA8, "the condition: anything but 0 is true", special = { [0] = "false", [1] = "true" } },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x42, "JR_TRUE", "Jumps if a flag is not 0",
-        { "FLAG", IN, DATA8, "the condition: anything but 0 is true", special = { [0] = "false", [1] = "true" } },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "FLAG", IN, DATA8, "the condition: anything but 0 is true", special = { [0] = "false", [1] = "true" } },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x43, "JR_NAN", "Jumps if a value is not a number, as a sensor without data gives",
-        { "VALUE", IN, DATAF, "value to look at" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "VALUE", IN, DATAF, "value to look at" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x64, "JR_LT8", "Jumps if LEFT is less than RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x65, "JR_LT16", "Jumps if LEFT is less than RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x66, "JR_LT32", "Jumps if LEFT is less than RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x67, "JR_LTF", "Jumps if LEFT is less than RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x68, "JR_GT8", "Jumps if LEFT is greater than RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x69, "JR_GT16", "Jumps if LEFT is greater than RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x6A, "JR_GT32", "Jumps if LEFT is greater than RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x6B, "JR_GTF", "Jumps if LEFT is greater than RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x6C, "JR_EQ8", "Jumps if LEFT is equal to RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x6D, "JR_EQ16", "Jumps if LEFT is equal to RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x6E, "JR_EQ32", "Jumps if LEFT is equal to RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x6F, "JR_EQF", "Jumps if LEFT is equal to RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x70, "JR_NEQ8", "Jumps if LEFT is different from RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x71, "JR_NEQ16", "Jumps if LEFT is different from RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x72, "JR_NEQ32", "Jumps if LEFT is different from RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x73, "JR_NEQF", "Jumps if LEFT is different from RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x74, "JR_LTEQ8", "Jumps if LEFT is less than or equal to RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x75, "JR_LTEQ16", "Jumps if LEFT is less than or equal to RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x76, "JR_LTEQ32", "Jumps if LEFT is less than or equal to RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x77, "JR_LTEQF", "Jumps if LEFT is less than or equal to RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x78, "JR_GTEQ8", "Jumps if LEFT is greater than or equal to RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x79, "JR_GTEQ16", "Jumps if LEFT is greater than or equal to RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x7A, "JR_GTEQ32", "Jumps if LEFT is greater than or equal to RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x7B, "JR_GTEQF", "Jumps if LEFT is greater than or equal to RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        {
-            "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
-            unit = "bytes",
-        },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            {
+                "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label",
+                unit = "bytes",
+            },
+        ]],
     },
     {
         0x44, "CP_LT8", "Tells whether LEFT is less than RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x45, "CP_LT16", "Tells whether LEFT is less than RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x46, "CP_LT32", "Tells whether LEFT is less than RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x47, "CP_LTF", "Tells whether LEFT is less than RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x48, "CP_GT8", "Tells whether LEFT is greater than RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x49, "CP_GT16", "Tells whether LEFT is greater than RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x4A, "CP_GT32", "Tells whether LEFT is greater than RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x4B, "CP_GTF", "Tells whether LEFT is greater than RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x4C, "CP_EQ8", "Tells whether LEFT is equal to RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x4D, "CP_EQ16", "Tells whether LEFT is equal to RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x4E, "CP_EQ32", "Tells whether LEFT is equal to RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x4F, "CP_EQF", "Tells whether LEFT is equal to RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x50, "CP_NEQ8", "Tells whether LEFT is different from RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x51, "CP_NEQ16", "Tells whether LEFT is different from RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x52, "CP_NEQ32", "Tells whether LEFT is different from RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x53, "CP_NEQF", "Tells whether LEFT is different from RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x54, "CP_LTEQ8", "Tells whether LEFT is less than or equal to RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x55, "CP_LTEQ16", "Tells whether LEFT is less than or equal to RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x56, "CP_LTEQ32", "Tells whether LEFT is less than or equal to RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x57, "CP_LTEQF", "Tells whether LEFT is less than or equal to RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x58, "CP_GTEQ8", "Tells whether LEFT is greater than or equal to RIGHT, as 8-bit numbers",
-        { "LEFT", IN, DATA8, "left side of the comparison" },
-        { "RIGHT", IN, DATA8, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA8, "left side of the comparison" },
+            { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x59, "CP_GTEQ16", "Tells whether LEFT is greater than or equal to RIGHT, as 16-bit numbers",
-        { "LEFT", IN, DATA16, "left side of the comparison" },
-        { "RIGHT", IN, DATA16, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA16, "left side of the comparison" },
+            { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x5A, "CP_GTEQ32", "Tells whether LEFT is greater than or equal to RIGHT, as 32-bit numbers",
-        { "LEFT", IN, DATA32, "left side of the comparison" },
-        { "RIGHT", IN, DATA32, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATA32, "left side of the comparison" },
+            { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x5B, "CP_GTEQF", "Tells whether LEFT is greater than or equal to RIGHT, as floating-point numbers",
-        { "LEFT", IN, DATAF, "left side of the comparison" },
-        { "RIGHT", IN, DATAF, "right side of the comparison" },
-        { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        [[
+            { "LEFT", IN, DATAF, "left side of the comparison" },
+            { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "whether it holds", special = { [0] = "false", [1] = "true" } },
+        ]],
     },
     {
         0x5C, "SELECT8", "Takes one of two 8-bit values, whichever the flag says",
-        {
-            "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
-            special = { [0] = "SOURCE2", [1] = "SOURCE1" },
-        },
-        { "SOURCE1", IN, DATA8, "value taken if the flag is set" },
-        { "SOURCE2", IN, DATA8, "value taken if the flag is 0" },
-        { "RESULT", OUT, DATA8, "the value taken" },
+        [[
+            {
+                "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
+                special = { [0] = "SOURCE2", [1] = "SOURCE1" },
+            },
+            { "SOURCE1", IN, DATA8, "value taken if the flag is set" },
+            { "SOURCE2", IN, DATA8, "value taken if the flag is 0" },
+            { "RESULT", OUT, DATA8, "the value taken" },
+        ]],
     },
     {
         0x5D, "SELECT16", "Takes one of two 16-bit values, whichever the flag says",
-        {
-            "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
-            special = { [0] = "SOURCE2", [1] = "SOURCE1" },
-        },
-        { "SOURCE1", IN, DATA16, "value taken if the flag is set" },
-        { "SOURCE2", IN, DATA16, "value taken if the flag is 0" },
-        { "RESULT", OUT, DATA16, "the value taken" },
+        [[
+            {
+                "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
+                special = { [0] = "SOURCE2", [1] = "SOURCE1" },
+            },
+            { "SOURCE1", IN, DATA16, "value taken if the flag is set" },
+            { "SOURCE2", IN, DATA16, "value taken if the flag is 0" },
+            { "RESULT", OUT, DATA16, "the value taken" },
+        ]],
     },
     {
         0x5E, "SELECT32", "Takes one of two 32-bit values, whichever the flag says",
-        {
-            "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
-            special = { [0] = "SOURCE2", [1] = "SOURCE1" },
-        },
-        { "SOURCE1", IN, DATA32, "value taken if the flag is set" },
-        { "SOURCE2", IN, DATA32, "value taken if the flag is 0" },
-        { "RESULT", OUT, DATA32, "the value taken" },
+        [[
+            {
+                "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
+                special = { [0] = "SOURCE2", [1] = "SOURCE1" },
+            },
+            { "SOURCE1", IN, DATA32, "value taken if the flag is set" },
+            { "SOURCE2", IN, DATA32, "value taken if the flag is 0" },
+            { "RESULT", OUT, DATA32, "the value taken" },
+        ]],
     },
     {
         0x5F, "SELECTF", "Takes one of two floating-point values, whichever the flag says",
-        {
-            "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
-            special = { [0] = "SOURCE2", [1] = "SOURCE1" },
-        },
-        { "SOURCE1", IN, DATAF, "value taken if the flag is set" },
-        { "SOURCE2", IN, DATAF, "value taken if the flag is 0" },
-        { "RESULT", OUT, DATAF, "the value taken" },
+        [[
+            {
+                "FLAG", IN, DATA8, "which to take: anything but 0 takes SOURCE1",
+                special = { [0] = "SOURCE2", [1] = "SOURCE1" },
+            },
+            { "SOURCE1", IN, DATAF, "value taken if the flag is set" },
+            { "SOURCE2", IN, DATAF, "value taken if the flag is 0" },
+            { "RESULT", OUT, DATAF, "the value taken" },
+        ]],
     },
-    { 0x80, "UI_FLUSH", "Sends what was written for the terminal and is still in its buffer" },
+    { 0x80, "UI_FLUSH", "Sends what was written for the terminal and is still in its buffer", [[]] },
     {
         0x81, "UI_READ", "Reads the state of the brick or what the terminal received",
         commands = {
-            { 1, "GET_VBATT", "Reads the battery voltage", { "VALUE", OUT, DATAF, "voltage", unit = "V" } },
-            { 2, "GET_IBATT", "Reads the battery current", { "VALUE", OUT, DATAF, "current", unit = "A" } },
+            { 1, "GET_VBATT", "Reads the battery voltage", [[ { "VALUE", OUT, DATAF, "voltage", unit = "V" } ]] },
+            { 2, "GET_IBATT", "Reads the battery current", [[ { "VALUE", OUT, DATAF, "current", unit = "A" } ]] },
             {
                 3, "GET_OS_VERS", "Reads name and version of the operating system",
-                {
-                    "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
-                    special = { [-1] = "no limit" },
-                },
-                {
-                    "DESTINATION", OUT, STRING, "system and kernel release, such as Linux 2.6.33-rc4",
-                    length = "LENGTH",
-                },
+                [[
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        special = { [-1] = "no limit" },
+                    },
+                    {
+                        "DESTINATION", OUT, STRING, "system and kernel release, such as Linux 2.6.33-rc4",
+                        length = "LENGTH",
+                    },
+                ]],
             },
             {
                 4, "GET_EVENT", "Reads and clears the pending event (used by the brick's own menus)",
-                {
-                    "EVENT", OUT, DATA8, "what happened",
-                    special = {
-                        [0] = "nothing", [1] = "Bluetooth asks for a PIN",
-                        [2] = "Bluetooth asks to confirm a connection",
+                [[
+                    {
+                        "EVENT", OUT, DATA8, "what happened",
+                        special = {
+                            [0] = "nothing", [1] = "Bluetooth asks for a PIN",
+                            [2] = "Bluetooth asks to confirm a connection",
+                        },
                     },
-                },
+                ]],
             },
             {
                 5, "GET_TBATT", "Reads how much the batteries have warmed up, as estimated from the current",
-                { "VALUE", OUT, DATAF, "estimated rise of the temperature", unit = "°C" },
+                [[ { "VALUE", OUT, DATAF, "estimated rise of the temperature", unit = "°C" } ]],
             },
             {
                 6, "GET_IINT", "Reads the battery current smoothed over time",
-                { "IINT", OUT, DATAF, "integrated current", unit = "A" },
+                [[ { "IINT", OUT, DATAF, "integrated current", unit = "A" } ]],
             },
             {
                 7, "GET_IMOTOR", "Reads the current of all motors together",
-                { "VALUE", OUT, DATAF, "current", unit = "A" },
+                [[ { "VALUE", OUT, DATAF, "current", unit = "A" } ]],
             },
             {
                 8, "GET_STRING", "Waits for a line typed at the terminal and reads it",
-                { "LENGTH", IN, DATA8, "most bytes to return; the zero comes on top", unit = "bytes" },
-                { "DESTINATION", OUT, STRING, "the line", length = "LENGTH" },
+                [[
+                    { "LENGTH", IN, DATA8, "most bytes to return; the zero comes on top", unit = "bytes" },
+                    { "DESTINATION", OUT, STRING, "the line", length = "LENGTH" },
+                ]],
             },
             {
                 9, "GET_HW_VERS", "Reads the hardware version",
-                {
-                    "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
-                    special = { [-1] = "no limit" },
-                },
-                { "DESTINATION", OUT, STRING, "hardware version, such as V0.60", length = "LENGTH" },
+                [[
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        special = { [-1] = "no limit" },
+                    },
+                    { "DESTINATION", OUT, STRING, "hardware version, such as V0.60", length = "LENGTH" },
+                ]],
             },
             {
                 10, "GET_FW_VERS", "Reads the firmware version",
-                {
-                    "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
-                    special = { [-1] = "no limit" },
-                },
-                { "DESTINATION", OUT, STRING, "firmware version, such as V1.04H", length = "LENGTH" },
+                [[
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        special = { [-1] = "no limit" },
+                    },
+                    { "DESTINATION", OUT, STRING, "firmware version, such as V1.04H", length = "LENGTH" },
+                ]],
             },
             {
                 11, "GET_FW_BUILD", "Reads when the firmware was built",
-                {
-                    "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
-                    special = { [-1] = "no limit" },
-                },
-                { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" },
+                [[
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        special = { [-1] = "no limit" },
+                    },
+                    { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" },
+                ]],
             },
             {
                 12, "GET_OS_BUILD", "Reads when the operating system was built",
-                {
-                    "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
-                    special = { [-1] = "no limit" },
-                },
-                { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" },
+                [[
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        special = { [-1] = "no limit" },
+                    },
+                    { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" },
+                ]],
             },
             {
                 13, "GET_ADDRESS", "Waits for a decimal number typed at the terminal and reads it (debugging)",
-                { "VALUE", OUT, DATA32, "the number, meant as an address" },
+                [[ { "VALUE", OUT, DATA32, "the number, meant as an address" } ]],
             },
             {
                 14, "GET_CODE",
                 "Waits for byte code typed as hex at the terminal and makes a program of it (debugging)",
-                { "LENGTH", IN, DATA32, "most bytes of the program, headers included", unit = "bytes" },
-                { "IMAGE", IN, DATA32, "address of the memory where the program is built" },
-                { "GLOBAL", OUT, DATA32, "address of the program's global variables" },
-                {
-                    "FLAG", OUT, DATA8, "whether the program can be started; 1 or left as it was",
-                    special = { [1] = "ready" },
-                },
+                [[
+                    { "LENGTH", IN, DATA32, "most bytes of the program, headers included", unit = "bytes" },
+                    { "IMAGE", IN, DATA32, "address of the memory where the program is built" },
+                    { "GLOBAL", OUT, DATA32, "address of the program's global variables" },
+                    {
+                        "FLAG", OUT, DATA8, "whether the program can be started; 1 or left as it was",
+                        special = { [1] = "ready" },
+                    },
+                ]],
             },
             {
                 15, "KEY", "Takes one key from the terminal without waiting",
-                { "VALUE", OUT, DATA8, "character code of the key", special = { [0] = "no key" } },
+                [[ { "VALUE", OUT, DATA8, "character code of the key", special = { [0] = "no key" } } ]],
             },
             {
                 16, "GET_SHUTDOWN", "Reads and clears the wish to shut down (used by the brick's own menus)",
-                { "FLAG", OUT, DATA8, "whether the brick wants to shut down", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    {
+                        "FLAG", OUT, DATA8, "whether the brick wants to shut down",
+                        special = { [0] = "no", [1] = "yes" },
+                    },
+                ]],
             },
             {
                 17, "GET_WARNING", "Reads what the brick warns of",
-                {
-                    "WARNINGS", OUT, DATA8, "one bit for each warning", enum = ENUMERATIONS.WARNING,
-                    special = { [0] = "none" },
-                },
+                [[
+                    {
+                        "WARNINGS", OUT, DATA8, "one bit for each warning", enum = ENUMERATIONS.WARNING,
+                        special = { [0] = "none" },
+                    },
+                ]],
             },
             {
                 18, "GET_LBATT", "Reads how full the battery is, derived from its voltage",
-                { "PCT", OUT, DATA8, "battery level", unit = "%" },
+                [[ { "PCT", OUT, DATA8, "battery level", unit = "%" } ]],
             },
             {
                 21, "TEXTBOX_READ", "Reads one line of the text of a text box",
-                { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
-                { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
-                { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
-                {
-                    "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
-                    special = { [-1] = "no limit" },
-                },
-                { "LINE", IN, DATA16, "which line, counted from 1" },
-                { "DESTINATION", OUT, STRING, "the line, empty where there is no such line", length = "LENGTH" },
+                [[
+                    { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
+                    { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
+                    { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        special = { [-1] = "no limit" },
+                    },
+                    { "LINE", IN, DATA16, "which line, counted from 1" },
+                    { "DESTINATION", OUT, STRING, "the line, empty where there is no such line", length = "LENGTH" },
+                ]],
             },
             {
                 26, "GET_VERSION", "Reads name, version and build date of the firmware in one",
-                {
-                    "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
-                    special = { [-1] = "no limit" },
-                },
-                { "DESTINATION", OUT, STRING, "such as LMS2012 V1.04H(Jul 26 2013 12:00:00)", length = "LENGTH" },
+                [[
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        special = { [-1] = "no limit" },
+                    },
+                    { "DESTINATION", OUT, STRING, "such as LMS2012 V1.04H(Jul 26 2013 12:00:00)", length = "LENGTH" },
+                ]],
             },
             {
                 27, "GET_IP", "Reads the brick's IP address",
-                {
-                    "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
-                    special = { [-1] = "no limit" },
-                },
-                { "DESTINATION", OUT, STRING, "address in dotted notation", length = "LENGTH" },
+                [[
+                    {
+                        "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes",
+                        special = { [-1] = "no limit" },
+                    },
+                    { "DESTINATION", OUT, STRING, "address in dotted notation", length = "LENGTH" },
+                ]],
             },
             {
                 29, "GET_POWER", "Reads all values of the power supply at once",
-                { "VBATT", OUT, DATAF, "battery voltage", unit = "V" },
-                { "IBATT", OUT, DATAF, "battery current", unit = "A" },
-                { "IINT", OUT, DATAF, "battery current smoothed over time", unit = "A" },
-                { "IMOTOR", OUT, DATAF, "current of all motors together", unit = "A" },
+                [[
+                    { "VBATT", OUT, DATAF, "battery voltage", unit = "V" },
+                    { "IBATT", OUT, DATAF, "battery current", unit = "A" },
+                    { "IINT", OUT, DATAF, "battery current smoothed over time", unit = "A" },
+                    { "IMOTOR", OUT, DATAF, "current of all motors together", unit = "A" },
+                ]],
             },
             {
                 30, "GET_SDCARD", "Reads whether an SD card is in and its space",
-                { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" } },
-                { "TOTAL", OUT, DATA32, "size", unit = "KiB" },
-                { "FREE", OUT, DATA32, "free space", unit = "KiB" },
+                [[
+                    { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" } },
+                    { "TOTAL", OUT, DATA32, "size", unit = "KiB" },
+                    { "FREE", OUT, DATA32, "free space", unit = "KiB" },
+                ]],
             },
             {
                 31, "GET_USBSTICK", "Reads whether a USB stick is in and its space",
-                { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" } },
-                { "TOTAL", OUT, DATA32, "size", unit = "KiB" },
-                { "FREE", OUT, DATA32, "free space", unit = "KiB" },
+                [[
+                    { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" } },
+                    { "TOTAL", OUT, DATA32, "size", unit = "KiB" },
+                    { "FREE", OUT, DATA32, "free space", unit = "KiB" },
+                ]],
             },
         },
     },
     {
         0x82, "UI_WRITE", "Writes to the terminal or sets lights and states of the brick",
         commands = {
-            { 1, "WRITE_FLUSH", "Sends what is still in the terminal's buffer, like UI_FLUSH" },
+            { 1, "WRITE_FLUSH", "Sends what is still in the terminal's buffer, like UI_FLUSH", [[]] },
             {
                 2, "FLOATVALUE", "Writes a number in a fixed format to the terminal",
-                { "VALUE", IN, DATAF, "number to write" },
-                { "FIGURES", IN, DATA8, "characters in all, decimal point included; negative aligns left" },
-                { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                [[
+                    { "VALUE", IN, DATAF, "number to write" },
+                    { "FIGURES", IN, DATA8, "characters in all, decimal point included; negative aligns left" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                ]],
             },
             {
                 3, "STAMP", "Writes time, program, object, position and a remark to the terminal",
-                { "VALUE", IN, STRING, "remark" },
+                [[ { "VALUE", IN, STRING, "remark" } ]],
             },
-            { 8, "PUT_STRING", "Writes text to the terminal", { "STRING", IN, STRING, "text to write" } },
-            { 9, "VALUE8", "Writes a whole number to the terminal", { "VALUE", IN, DATA8, "number to write" } },
+            { 8, "PUT_STRING", "Writes text to the terminal", [[ { "STRING", IN, STRING, "text to write" } ]] },
+            { 9, "VALUE8", "Writes a whole number to the terminal", [[ { "VALUE", IN, DATA8, "number to write" } ]] },
             {
                 10, "VALUE16", "Writes a whole number to the terminal, without its sign",
-                { "VALUE", IN, DATA16, "number to write" },
+                [[ { "VALUE", IN, DATA16, "number to write" } ]],
             },
-            { 11, "VALUE32", "Writes a whole number to the terminal", { "VALUE", IN, DATA32, "number to write" } },
-            { 12, "VALUEF", "Writes a number to the terminal", { "VALUE", IN, DATAF, "number to write" } },
+            {
+                11, "VALUE32", "Writes a whole number to the terminal",
+                [[ { "VALUE", IN, DATA32, "number to write" } ]],
+            },
+            { 12, "VALUEF", "Writes a number to the terminal", [[ { "VALUE", IN, DATAF, "number to write" } ]] },
             {
                 13, "ADDRESS", "Has a number but no code in the firmware: the program that runs it fails",
-                { "VALUE", OUT, DATA32, "address; never written" },
+                [[ { "VALUE", OUT, DATA32, "address; never written" } ]],
             },
             {
                 14, "CODE", "Writes bytes of memory as hex to the terminal",
-                { "ARRAY", IN, DATA32, "address of the bytes", validated = DATA8 },
-                { "LENGTH", IN, DATA32, "how many bytes", unit = "bytes" },
+                [[
+                    { "ARRAY", IN, DATA32, "address of the bytes", validated = DATA8 },
+                    { "LENGTH", IN, DATA32, "how many bytes", unit = "bytes" },
+                ]],
             },
-            { 15, "DOWNLOAD_END", "Plays the sound of a finished download and refreshes the file browser" },
+            { 15, "DOWNLOAD_END", "Plays the sound of a finished download and refreshes the file browser", [[]] },
             {
                 16, "SCREEN_BLOCK", "Blocks or frees the display and the buttons for programs",
-                { "STATUS", IN, DATA8, "whether drawing is ignored", special = { [0] = "normal", [1] = "blocked" } },
+                [[
+                    {
+                        "STATUS", IN, DATA8, "whether drawing is ignored",
+                        special = { [0] = "normal", [1] = "blocked" },
+                    },
+                ]],
             },
             {
                 17, "ALLOW_PULSE", "Selects the debug pulses that are shown (only in firmware built for it)",
-                {
-                    "VALUE", IN, DATA8, "sum of bits",
-                    special = { [1] = "menu background", [2] = "browser", [4] = "key" },
-                },
+                [[
+                    {
+                        "VALUE", IN, DATA8, "sum of bits",
+                        special = { [1] = "menu background", [2] = "browser", [4] = "key" },
+                    },
+                ]],
             },
             {
                 18, "SET_PULSE", "Raises debug pulses (only in firmware built for it)",
-                {
-                    "VALUE", IN, DATA8, "sum of bits",
-                    special = { [1] = "menu background", [2] = "browser", [4] = "key" },
-                },
+                [[
+                    {
+                        "VALUE", IN, DATA8, "sum of bits",
+                        special = { [1] = "menu background", [2] = "browser", [4] = "key" },
+                    },
+                ]],
             },
             {
                 21, "TEXTBOX_APPEND", "Appends a line to the text of a text box",
-                { "TEXT", INOUT, STRING, "whole text of the box, its lines separated by DEL", length = "SIZE" },
-                { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
-                { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
-                { "SOURCE", IN, STRING, "line to append" },
+                [[
+                    { "TEXT", INOUT, STRING, "whole text of the box, its lines separated by DEL", length = "SIZE" },
+                    { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
+                    { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
+                    { "SOURCE", IN, STRING, "line to append" },
+                ]],
             },
             {
                 22, "SET_BUSY", "Sets or clears the busy bit among the warnings",
-                { "VALUE", IN, DATA8, "whether the brick counts as busy", special = { [0] = "no", [1] = "yes" } },
+                [[ { "VALUE", IN, DATA8, "whether the brick counts as busy", special = { [0] = "no", [1] = "yes" } } ]],
             },
             {
                 24, "SET_TESTPIN", "Sets the test pin on the brick's circuit board",
-                { "STATE", IN, DATA8, "level of the pin", special = { [0] = "low", [1] = "high" } },
+                [[ { "STATE", IN, DATA8, "level of the pin", special = { [0] = "low", [1] = "high" } } ]],
             },
-            { 25, "INIT_RUN", "Shows the animation of a running program until something draws" },
-            { 26, "UPDATE_RUN", "Does nothing" },
+            { 25, "INIT_RUN", "Shows the animation of a running program until something draws", [[]] },
+            { 26, "UPDATE_RUN", "Does nothing", [[]] },
             {
                 27, "LED", "Sets colour and blinking of the light around the buttons",
-                { "PATTERN", IN, DATA8, "colour and rhythm", enum = ENUMERATIONS.LEDPATTERN },
+                [[ { "PATTERN", IN, DATA8, "colour and rhythm", enum = ENUMERATIONS.LEDPATTERN } ]],
             },
             {
                 29, "POWER", "Sets the power driver's flag for switching off when the firmware ends",
-                { "VALUE", IN, DATA8, "the flag" },
+                [[ { "VALUE", IN, DATA8, "the flag" } ]],
             },
-            { 30, "GRAPH_SAMPLE", "Adds the present values to the graph that GRAPH_SETUP has set up" },
+            { 30, "GRAPH_SAMPLE", "Adds the present values to the graph that GRAPH_SETUP has set up", [[]] },
             {
                 31, "TERMINAL", "Switches the debug terminal on or off",
-                { "STATE", IN, DATA8, "whether the terminal is on", special = { [0] = "off", [1] = "on" } },
+                [[ { "STATE", IN, DATA8, "whether the terminal is on", special = { [0] = "off", [1] = "on" } } ]],
             },
         },
     },
@@ -1733,1424 +2055,1753 @@ local OPERATIONS = {
         commands = {
             {
                 1, "SHORTPRESS", "Tells whether a button was pressed since last asked, and forgets it",
-                { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" } },
+                ]],
             },
             {
                 2, "LONGPRESS", "Tells whether a button was held for 3 s since last asked, and forgets it",
-                { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                { "STATE", OUT, DATA8, "whether the button was held for 3 s", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "STATE", OUT, DATA8, "whether the button was held for 3 s",
+                        special = { [0] = "no", [1] = "yes" },
+                    },
+                ]],
             },
-            { 3, "WAIT_FOR_PRESS", "Waits until any button has been pressed, by hand or by PRESS" },
-            { 4, "FLUSH", "Forgets all presses that nobody has asked for" },
+            { 3, "WAIT_FOR_PRESS", "Waits until any button has been pressed, by hand or by PRESS", [[]] },
+            { 4, "FLUSH", "Forgets all presses that nobody has asked for", [[]] },
             {
                 5, "PRESS", "Presses a button as if by hand and holds it until RELEASE",
-                { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE } ]],
             },
             {
                 6, "RELEASE", "Releases a button that PRESS holds",
-                { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE } ]],
             },
             {
                 7, "GET_HORZ", "Reads the left and right buttons as one axis, and forgets their presses",
-                { "VALUE", OUT, DATA16, "direction", special = { [-1] = "left", [1] = "right", [0] = "not pressed" } },
+                [[
+                    {
+                        "VALUE", OUT, DATA16, "direction",
+                        special = { [-1] = "left", [1] = "right", [0] = "not pressed" },
+                    },
+                ]],
             },
             {
                 8, "GET_VERT", "Reads the up and down buttons as one axis, and forgets their presses",
-                { "VALUE", OUT, DATA16, "direction", special = { [-1] = "up", [1] = "down", [0] = "not pressed" } },
+                [[
+                    { "VALUE", OUT, DATA16, "direction", special = { [-1] = "up", [1] = "down", [0] = "not pressed" } },
+                ]],
             },
             {
                 9, "PRESSED", "Tells whether a button is down at the moment",
-                { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                { "STATE", OUT, DATA8, "whether the button is down", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    { "STATE", OUT, DATA8, "whether the button is down", special = { [0] = "no", [1] = "yes" } },
+                ]],
             },
             {
                 10, "SET_BACK_BLOCK", "Sets whether the back button is kept from ending the running program",
-                {
-                    "BLOCKED", IN, DATA8, "whether the back button is blocked",
-                    special = { [0] = "not blocked", [1] = "blocked" },
-                },
+                [[
+                    {
+                        "BLOCKED", IN, DATA8, "whether the back button is blocked",
+                        special = { [0] = "not blocked", [1] = "blocked" },
+                    },
+                ]],
             },
             {
                 11, "GET_BACK_BLOCK", "Tells whether the back button is kept from ending the running program",
-                {
-                    "BLOCKED", OUT, DATA8, "whether the back button is blocked",
-                    special = { [0] = "not blocked", [1] = "blocked" },
-                },
+                [[
+                    {
+                        "BLOCKED", OUT, DATA8, "whether the back button is blocked",
+                        special = { [0] = "not blocked", [1] = "blocked" },
+                    },
+                ]],
             },
             {
                 12, "TESTSHORTPRESS", "Tells like SHORTPRESS whether a button was pressed, without forgetting it",
-                { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" } },
+                ]],
             },
             {
                 13, "TESTLONGPRESS", "Tells like LONGPRESS whether a button was held for 3 s, without forgetting it",
-                { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                { "STATE", OUT, DATA8, "whether the button was held for 3 s", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "STATE", OUT, DATA8, "whether the button was held for 3 s",
+                        special = { [0] = "no", [1] = "yes" },
+                    },
+                ]],
             },
             {
                 14, "GET_BUMBED", "Tells whether a button was pressed and released since last asked, and forgets it",
-                { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                {
-                    "STATE", OUT, DATA8, "whether the button was pressed and released",
-                    special = { [0] = "no", [1] = "yes" },
-                },
+                [[
+                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "STATE", OUT, DATA8, "whether the button was pressed and released",
+                        special = { [0] = "no", [1] = "yes" },
+                    },
+                ]],
                 dialects = { "official", "xtended" },
             },
             {
                 14, "GET_BUMPED", "Tells whether a button was pressed and released since last asked, and forgets it",
-                { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
-                {
-                    "STATE", OUT, DATA8, "whether the button was pressed and released",
-                    special = { [0] = "no", [1] = "yes" },
-                },
+                [[
+                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "STATE", OUT, DATA8, "whether the button was pressed and released",
+                        special = { [0] = "no", [1] = "yes" },
+                    },
+                ]],
                 dialects = { "compat" },
             },
             {
                 15, "GET_CLICK", "Tells whether a key click is due because a press was handled, and forgets it",
-                { "CLICK", OUT, DATA8, "whether a click is due", special = { [0] = "no", [1] = "yes" } },
+                [[ { "CLICK", OUT, DATA8, "whether a click is due", special = { [0] = "no", [1] = "yes" } } ]],
             },
         },
     },
     {
         0x84, "UI_DRAW", "Draws on the canvas of the display, or runs a dialogue on it",
         commands = {
-            { 0, "UPDATE", "Shows on the display what has been drawn, and returns to the normal font" },
-            { 1, "CLEAN", "Wipes the canvas white, and returns to the normal font" },
+            { 0, "UPDATE", "Shows on the display what has been drawn, and returns to the normal font", [[]] },
+            { 1, "CLEAN", "Wipes the canvas white, and returns to the normal font", [[]] },
             {
                 2, "PIXEL", "Draws one pixel",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "column", unit = "px" },
-                { "Y0", IN, DATA16, "row", unit = "px" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "column", unit = "px" },
+                    { "Y0", IN, DATA16, "row", unit = "px" },
+                ]],
             },
             {
                 3, "LINE", "Draws a line between two points",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "column of the start", unit = "px" },
-                { "Y0", IN, DATA16, "row of the start", unit = "px" },
-                { "X1", IN, DATA16, "column of the end", unit = "px" },
-                { "Y1", IN, DATA16, "row of the end", unit = "px" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "column of the start", unit = "px" },
+                    { "Y0", IN, DATA16, "row of the start", unit = "px" },
+                    { "X1", IN, DATA16, "column of the end", unit = "px" },
+                    { "Y1", IN, DATA16, "row of the end", unit = "px" },
+                ]],
             },
             {
                 4, "CIRCLE", "Draws a circle",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "column of the centre", unit = "px" },
-                { "Y0", IN, DATA16, "row of the centre", unit = "px" },
-                { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "column of the centre", unit = "px" },
+                    { "Y0", IN, DATA16, "row of the centre", unit = "px" },
+                    { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } },
+                ]],
             },
             {
                 5, "TEXT", "Draws text in the font that SELECT_FONT has chosen",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "STRING", IN, STRING, "text to draw" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "STRING", IN, STRING, "text to draw" },
+                ]],
             },
             {
                 6, "ICON", "Draws one of the built-in icons",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "TYPE", IN, DATA8, "set of icons", enum = ENUMERATIONS.ICONTYPE },
-                { "NO", IN, DATA8, "number of the icon in its set" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "TYPE", IN, DATA8, "set of icons", enum = ENUMERATIONS.ICONTYPE },
+                    { "NO", IN, DATA8, "number of the icon in its set" },
+                ]],
             },
             {
                 7, "PICTURE", "Draws a picture that is in memory",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "IP", IN, DATA32, "address of the picture", special = { [0] = "draws nothing" } },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "IP", IN, DATA32, "address of the picture", special = { [0] = "draws nothing" } },
+                ]],
             },
             {
                 8, "VALUE", "Draws a number, or dashes where it is not a number",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "VALUE", IN, DATAF, "number to draw" },
-                { "FIGURES", IN, DATA8, "characters in all, decimal point included; negative aligns left" },
-                { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "VALUE", IN, DATAF, "number to draw" },
+                    { "FIGURES", IN, DATA8, "characters in all, decimal point included; negative aligns left" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                ]],
             },
             {
                 9, "FILLRECT", "Draws a filled rectangle",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "X1", IN, DATA16, "width", unit = "px" },
-                { "Y1", IN, DATA16, "height", unit = "px" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "X1", IN, DATA16, "width", unit = "px" },
+                    { "Y1", IN, DATA16, "height", unit = "px" },
+                ]],
             },
             {
                 10, "RECT", "Draws the outline of a rectangle",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "X1", IN, DATA16, "width", unit = "px" },
-                { "Y1", IN, DATA16, "height", unit = "px" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "X1", IN, DATA16, "width", unit = "px" },
+                    { "Y1", IN, DATA16, "height", unit = "px" },
+                ]],
                 dialects = { "official" },
             },
             {
                 10, "RECTANGLE", "Draws the outline of a rectangle",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "X1", IN, DATA16, "width", unit = "px" },
-                { "Y1", IN, DATA16, "height", unit = "px" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "X1", IN, DATA16, "width", unit = "px" },
+                    { "Y1", IN, DATA16, "height", unit = "px" },
+                ]],
                 dialects = { "xtended", "compat" },
             },
             {
                 11, "NOTIFICATION", "Shows icons and text in a window and waits for the centre button",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" } },
-                { "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" } },
-                { "ICON3", IN, DATA8, "third large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" } },
-                { "STRING", IN, STRING, "text beside the icons; may be empty" },
-                {
-                    "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
-                    special = { [0] = "start, or done", [1] = "being shown" },
-                },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO,
+                        special = { [-1] = "none" },
+                    },
+                    {
+                        "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO,
+                        special = { [-1] = "none" },
+                    },
+                    {
+                        "ICON3", IN, DATA8, "third large icon", enum = ENUMERATIONS.L_ICON_NO,
+                        special = { [-1] = "none" },
+                    },
+                    { "STRING", IN, STRING, "text beside the icons; may be empty" },
+                    {
+                        "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
+                        special = { [0] = "start, or done", [1] = "being shown" },
+                    },
+                ]],
             },
             {
                 12, "QUESTION", "Shows icons in a window and waits for yes or no",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" } },
-                { "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" } },
-                { "STRING", IN, STRING, "text of the question (LEGO's firmware does not show it)" },
-                {
-                    "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
-                    special = { [0] = "start, or done", [1] = "being shown" },
-                },
-                {
-                    "OK", OUT, DATA8, "answer; what the variable holds before is selected first",
-                    special = { [0] = "no", [1] = "yes", [-1] = "left with the back button" },
-                },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO,
+                        special = { [-1] = "none" },
+                    },
+                    {
+                        "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO,
+                        special = { [-1] = "none" },
+                    },
+                    { "STRING", IN, STRING, "text of the question (LEGO's firmware does not show it)" },
+                    {
+                        "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
+                        special = { [0] = "start, or done", [1] = "being shown" },
+                    },
+                    {
+                        "OK", OUT, DATA8, "answer; what the variable holds before is selected first",
+                        special = { [0] = "no", [1] = "yes", [-1] = "left with the back button" },
+                    },
+                ]],
             },
             {
                 13, "KEYBOARD", "Shows a keyboard on the display and waits until a text has been entered",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "ICON", IN, DATA8, "normal icon before the caption", enum = ENUMERATIONS.N_ICON_NO },
-                { "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes" },
-                {
-                    "DEFAULT", IN, STRING, "caption above the text, not a preset as its name says",
-                    special = { [0] = "none" },
-                },
-                {
-                    "CHARSET", INOUT, DATA8,
-                    "variable with the sum of what may be typed; becomes 0 once the keyboard shows",
-                    special = {
-                        [0] = "being shown", [1] = "brick name", [2] = "file name", [4] = "Bluetooth PIN",
-                        [8] = "WiFi password", [16] = "WiFi name",
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "ICON", IN, DATA8, "normal icon before the caption", enum = ENUMERATIONS.N_ICON_NO },
+                    { "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes" },
+                    {
+                        "DEFAULT", IN, STRING, "caption above the text, not a preset as its name says",
+                        special = { [0] = "none" },
                     },
-                },
-                {
-                    "STRING", OUT, STRING,
-                    "text entered; what the variable holds before is edited, back button empties it", length = "LENGTH",
-                },
+                    {
+                        "CHARSET", INOUT, DATA8,
+                        "variable with the sum of what may be typed; becomes 0 once the keyboard shows",
+                        special = {
+                            [0] = "being shown", [1] = "brick name", [2] = "file name", [4] = "Bluetooth PIN",
+                            [8] = "WiFi password", [16] = "WiFi name",
+                        },
+                    },
+                    {
+                        "STRING", OUT, STRING,
+                        "text entered; what the variable holds before is edited, back button empties it",
+                        length = "LENGTH",
+                    },
+                ]],
             },
             {
                 14, "BROWSE", "Shows files and folders and waits until one is chosen",
-                { "TYPE", IN, DATA8, "what is listed", enum = ENUMERATIONS.BROWSERTYPE },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "X1", IN, DATA16, "width", unit = "px" },
-                { "Y1", IN, DATA16, "height", unit = "px" },
-                { "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes" },
-                {
-                    "ITEM_TYPE", OUT, DATA8, "kind of what was chosen; set the variable to 0 before",
-                    enum = ENUMERATIONS.FILETYPE,
-                },
-                {
-                    "STRING", OUT, STRING, "path of what was chosen; the variable holds the top folder before",
-                    length = "LENGTH",
-                },
+                [[
+                    { "TYPE", IN, DATA8, "what is listed", enum = ENUMERATIONS.BROWSERTYPE },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "X1", IN, DATA16, "width", unit = "px" },
+                    { "Y1", IN, DATA16, "height", unit = "px" },
+                    { "LENGTH", IN, DATA8, "most bytes to return, the zero included", unit = "bytes" },
+                    {
+                        "ITEM_TYPE", OUT, DATA8, "kind of what was chosen; set the variable to 0 before",
+                        enum = ENUMERATIONS.FILETYPE,
+                    },
+                    {
+                        "STRING", OUT, STRING, "path of what was chosen; the variable holds the top folder before",
+                        length = "LENGTH",
+                    },
+                ]],
             },
             {
                 15, "VERTBAR", "Draws a vertical scroll bar",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "X1", IN, DATA16, "width", unit = "px" },
-                { "Y1", IN, DATA16, "height", unit = "px" },
-                { "MIN", IN, DATA16, "value at one end of the bar" },
-                { "MAX", IN, DATA16, "value at the other end of the bar" },
-                { "ACT", IN, DATA16, "value that the knob shows" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "X1", IN, DATA16, "width", unit = "px" },
+                    { "Y1", IN, DATA16, "height", unit = "px" },
+                    { "MIN", IN, DATA16, "value at one end of the bar" },
+                    { "MAX", IN, DATA16, "value at the other end of the bar" },
+                    { "ACT", IN, DATA16, "value that the knob shows" },
+                ]],
             },
             {
                 16, "INVERSERECT", "Swaps black and white in a rectangle",
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "X1", IN, DATA16, "width", unit = "px" },
-                { "Y1", IN, DATA16, "height", unit = "px" },
+                [[
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "X1", IN, DATA16, "width", unit = "px" },
+                    { "Y1", IN, DATA16, "height", unit = "px" },
+                ]],
             },
             {
                 17, "SELECT_FONT", "Chooses the font for text until UPDATE, CLEAN or FILLWINDOW",
-                { "TYPE", IN, DATA8, "font", enum = ENUMERATIONS.FONTTYPE },
+                [[ { "TYPE", IN, DATA8, "font", enum = ENUMERATIONS.FONTTYPE } ]],
             },
             {
                 18, "TOPLINE", "Switches the status line at the top on or off",
-                {
-                    "ENABLE", IN, DATA8, "whether the status line is shown",
-                    special = { [0] = "disabled", [1] = "enabled" },
-                },
+                [[
+                    {
+                        "ENABLE", IN, DATA8, "whether the status line is shown",
+                        special = { [0] = "disabled", [1] = "enabled" },
+                    },
+                ]],
             },
             {
                 19, "FILLWINDOW", "Fills rows over the whole width, and returns to the normal font",
-                {
-                    "COLOR", IN, DATA8, "colour to fill with; any other value makes a test pattern",
-                    special = { [0] = "white", [1] = "black" },
-                },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                {
-                    "Y1", IN, DATA16, "height; nothing is filled where Y0 and it make 128 or more", unit = "px",
-                    special = { [0] = "down to the bottom" },
-                },
+                [[
+                    {
+                        "COLOR", IN, DATA8, "colour to fill with; any other value makes a test pattern",
+                        special = { [0] = "white", [1] = "black" },
+                    },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "Y1", IN, DATA16, "height; nothing is filled where Y0 and it make 128 or more", unit = "px",
+                        special = { [0] = "down to the bottom" },
+                    },
+                ]],
             },
-            { 20, "SCROLL", "Moves the canvas up", { "Y", IN, DATA16, "how far", unit = "px" } },
+            { 20, "SCROLL", "Moves the canvas up", [[ { "Y", IN, DATA16, "how far", unit = "px" } ]] },
             {
                 21, "DOTLINE", "Draws a dashed line between two points",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "column of the start", unit = "px" },
-                { "Y0", IN, DATA16, "row of the start", unit = "px" },
-                { "X1", IN, DATA16, "column of the end", unit = "px" },
-                { "Y1", IN, DATA16, "row of the end", unit = "px" },
-                { "ON", IN, DATA16, "length of a dash", unit = "px" },
-                { "OFF", IN, DATA16, "length of a gap", unit = "px" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "column of the start", unit = "px" },
+                    { "Y0", IN, DATA16, "row of the start", unit = "px" },
+                    { "X1", IN, DATA16, "column of the end", unit = "px" },
+                    { "Y1", IN, DATA16, "row of the end", unit = "px" },
+                    { "ON", IN, DATA16, "length of a dash", unit = "px" },
+                    { "OFF", IN, DATA16, "length of a gap", unit = "px" },
+                ]],
             },
             {
                 22, "VIEW_VALUE", "Draws a number centred in its place, with > instead of digits where it does not fit",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "VALUE", IN, DATAF, "number to draw" },
-                { "FIGURES", IN, DATA8, "characters in all, decimal point included" },
-                { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "VALUE", IN, DATAF, "number to draw" },
+                    { "FIGURES", IN, DATA8, "characters in all, decimal point included" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                ]],
             },
             {
                 23, "VIEW_UNIT", "Draws a number in large figures and its unit in small letters",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "VALUE", IN, DATAF, "number to draw" },
-                { "FIGURES", IN, DATA8, "characters in all, decimal point included" },
-                { "DECIMALS", IN, DATA8, "digits after the decimal point" },
-                { "LENGTH", IN, DATA8, "most bytes of the unit, the zero included", unit = "bytes" },
-                { "STRING", IN, STRING, "unit to draw after the number" },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "VALUE", IN, DATAF, "number to draw" },
+                    { "FIGURES", IN, DATA8, "characters in all, decimal point included" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                    { "LENGTH", IN, DATA8, "most bytes of the unit, the zero included", unit = "bytes" },
+                    { "STRING", IN, STRING, "unit to draw after the number" },
+                ]],
             },
             {
                 24, "FILLCIRCLE", "Draws a filled circle",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "column of the centre", unit = "px" },
-                { "Y0", IN, DATA16, "row of the centre", unit = "px" },
-                { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "column of the centre", unit = "px" },
+                    { "Y0", IN, DATA16, "row of the centre", unit = "px" },
+                    { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } },
+                ]],
             },
             {
                 25, "STORE", "Keeps a copy of the canvas",
-                { "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran" },
+                [[ { "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran" } ]],
             },
             {
                 26, "RESTORE", "Brings back a canvas kept by STORE",
-                { "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran" },
+                [[ { "NO", IN, DATA8, "memory for one screen; 0 holds the one from before the program ran" } ]],
             },
             {
                 27, "ICON_QUESTION", "Shows a row of icons and waits until one is chosen",
-                { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                {
-                    "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
-                    special = { [0] = "start, or done", [1] = "being shown" },
-                },
-                {
-                    "ICONS", INOUT, DATA32, "bit n stands for large icon n: before those to show, then the one chosen",
-                    special = { [0] = "none: left with the back button" },
-                },
+                [[
+                    { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    {
+                        "STATE", INOUT, DATA8, "variable the dialogue keeps its progress in; set to 0 before",
+                        special = { [0] = "start, or done", [1] = "being shown" },
+                    },
+                    {
+                        "ICONS", INOUT, DATA32,
+                        "bit n stands for large icon n: before those to show, then the one chosen",
+                        special = { [0] = "none: left with the back button" },
+                    },
+                ]],
             },
             {
                 28, "BMPFILE", "Draws a picture file in LEGO's own format .rgf (no .bmp despite the name)",
-                {
-                    "COLOR", IN, DATA8, "colour of the set pixels",
-                    special = { [0] = "white, picture inverted", [1] = "black" },
-                },
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "NAME", IN, STRING, "file with extension .rgf, absolute or relative to /home/root/lms2012/sys" },
+                [[
+                    {
+                        "COLOR", IN, DATA8, "colour of the set pixels",
+                        special = { [0] = "white, picture inverted", [1] = "black" },
+                    },
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "NAME", IN, STRING, "file with extension .rgf, absolute or relative to /home/root/lms2012/sys" },
+                ]],
             },
             {
                 29, "POPUP", "Opens a window that only its opener draws on, or closes it and brings back the display",
-                { "OPEN", IN, DATA8, "what to do", special = { [0] = "close", [1] = "open" } },
+                [[ { "OPEN", IN, DATA8, "what to do", special = { [0] = "close", [1] = "open" } } ]],
             },
             {
                 30, "GRAPH_SETUP",
                 "Sets up a graph of up to 8 curves; their arrays must outlive it, so useless in direct commands",
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "X1", IN, DATA16, "width", unit = "px" },
-                { "ITEMS", IN, DATA8, "how many curves", validated = DATA16 },
-                { "OFFSET", IN, DATA16, "top edge of each curve", unit = "px", length = "ITEMS" },
-                { "SPAN", IN, DATA16, "height of each curve", unit = "px", length = "ITEMS", validated = DATA8 },
-                { "MIN", IN, DATAF, "value at the bottom of each curve", length = "ITEMS", validated = DATA16 },
-                { "MAX", IN, DATAF, "value at the top of each curve", length = "ITEMS", validated = DATA16 },
-                {
-                    "SAMPLE", IN, DATAF, "present value of each curve, read anew at each GRAPH_SAMPLE",
-                    length = "ITEMS", validated = DATA16,
-                },
+                [[
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "X1", IN, DATA16, "width", unit = "px" },
+                    { "ITEMS", IN, DATA8, "how many curves", validated = DATA16 },
+                    { "OFFSET", IN, DATA16, "top edge of each curve", unit = "px", length = "ITEMS" },
+                    { "SPAN", IN, DATA16, "height of each curve", unit = "px", length = "ITEMS", validated = DATA8 },
+                    { "MIN", IN, DATAF, "value at the bottom of each curve", length = "ITEMS", validated = DATA16 },
+                    { "MAX", IN, DATAF, "value at the top of each curve", length = "ITEMS", validated = DATA16 },
+                    {
+                        "SAMPLE", IN, DATAF, "present value of each curve, read anew at each GRAPH_SAMPLE",
+                        length = "ITEMS", validated = DATA16,
+                    },
+                ]],
             },
             {
                 31, "GRAPH_DRAW", "Draws the graph and measures the curve it shows",
-                {
-                    "VIEW", IN, DATA8, "curve to draw, counted from 0; any other value draws all and measures none",
-                    special = { [-1] = "all" },
-                },
-                { "ACTUAL", OUT, DATAF, "latest value, not a number where there is none" },
-                { "LOWEST", OUT, DATAF, "lowest value in the graph" },
-                { "HIGHEST", OUT, DATAF, "highest value in the graph" },
-                { "AVERAGE", OUT, DATAF, "mean of the values in the graph" },
+                [[
+                    {
+                        "VIEW", IN, DATA8, "curve to draw, counted from 0; any other value draws all and measures none",
+                        special = { [-1] = "all" },
+                    },
+                    { "ACTUAL", OUT, DATAF, "latest value, not a number where there is none" },
+                    { "LOWEST", OUT, DATAF, "lowest value in the graph" },
+                    { "HIGHEST", OUT, DATAF, "highest value in the graph" },
+                    { "AVERAGE", OUT, DATAF, "mean of the values in the graph" },
+                ]],
             },
             {
                 32, "TEXTBOX", "Shows a text with a scroll bar and waits until a line is chosen",
-                { "X0", IN, DATA16, "left edge", unit = "px" },
-                { "Y0", IN, DATA16, "top edge", unit = "px" },
-                { "X1", IN, DATA16, "width", unit = "px" },
-                { "Y1", IN, DATA16, "height", unit = "px" },
-                { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
-                { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
-                { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
-                {
-                    "LINE", INOUT, DATA16, "variable, set to -1 before; then the line chosen, counted from 1",
-                    special = { [-1] = "start, or left with the back button", [0] = "being shown" },
-                    validated = DATA8,
-                },
+                [[
+                    { "X0", IN, DATA16, "left edge", unit = "px" },
+                    { "Y0", IN, DATA16, "top edge", unit = "px" },
+                    { "X1", IN, DATA16, "width", unit = "px" },
+                    { "Y1", IN, DATA16, "height", unit = "px" },
+                    { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
+                    { "SIZE", IN, DATA32, "bytes that the box has for its text, the zero included", unit = "bytes" },
+                    { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
+                    {
+                        "LINE", INOUT, DATA16, "variable, set to -1 before; then the line chosen, counted from 1",
+                        special = { [-1] = "start, or left with the back button", [0] = "being shown" },
+                        validated = DATA8,
+                    },
+                ]],
             },
         },
     },
     {
         0x90, "KEEP_ALIVE", "Restarts the time after which the idle brick switches off, and reads it",
-        { "MINUTES", OUT, DATA8, "idle time before switching off", unit = "min", special = { [0] = "never" } },
+        [[ { "MINUTES", OUT, DATA8, "idle time before switching off", unit = "min", special = { [0] = "never" } } ]],
     },
     {
         0x85, "TIMER_WAIT", "Notes when a wait will be over and returns at once; TIMER_READY does the waiting",
-        { "TIME", IN, DATA32, "how long to wait", unit = "ms" },
-        { "TIMER", OUT, DATA32, "variable that gets the end of the wait, on the brick's millisecond clock" },
+        [[
+            { "TIME", IN, DATA32, "how long to wait", unit = "ms" },
+            { "TIMER", OUT, DATA32, "variable that gets the end of the wait, on the brick's millisecond clock" },
+        ]],
     },
     {
         0x86, "TIMER_READY", "Waits until the time that TIMER_WAIT noted has come",
-        { "TIMER", IN, DATA32, "variable that TIMER_WAIT has set" },
+        [[ { "TIMER", IN, DATA32, "variable that TIMER_WAIT has set" } ]],
     },
     {
         0x87, "TIMER_READ", "Reads the time since the program or direct command that asks was started",
-        { "TIME", OUT, DATA32, "time since the start", unit = "ms" },
+        [[ { "TIME", OUT, DATA32, "time since the start", unit = "ms" } ]],
     },
     {
         0x8F, "TIMER_READ_US", "Reads the free-running microsecond clock, for differences only",
-        { "TIME", OUT, DATA32, "low 32 bits of the clock, back to 0 every 71.6 minutes", unit = "us" },
+        [[ { "TIME", OUT, DATA32, "low 32 bits of the clock, back to 0 every 71.6 minutes", unit = "us" } ]],
     },
     {
         0x94, "SOUND", "Plays or stops a sound",
         commands = {
-            { 0, "BREAK", "Stops the tone or file that is playing" },
+            { 0, "BREAK", "Stops the tone or file that is playing", [[]] },
             {
                 1, "TONE", "Plays one tone and returns at once",
-                { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" } },
-                { "FREQUENCY", IN, DATA16, "pitch; the driver moves others into the range", unit = "Hz" },
-                {
-                    "DURATION", IN, DATA16, "how long, read without sign (-1 is 65535)", unit = "ms",
-                    special = { [0] = "until BREAK or the next sound" },
-                },
+                [[
+                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" } },
+                    { "FREQUENCY", IN, DATA16, "pitch; the driver moves others into the range", unit = "Hz" },
+                    {
+                        "DURATION", IN, DATA16, "how long, read without sign (-1 is 65535)", unit = "ms",
+                        special = { [0] = "until BREAK or the next sound" },
+                    },
+                ]],
             },
             {
                 2, "PLAY", "Plays a sound file once and returns at once",
-                { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" } },
-                {
-                    "NAME", IN, STRING,
-                    "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
-                },
+                [[
+                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" } },
+                    {
+                        "NAME", IN, STRING,
+                        "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
+                    },
+                ]],
             },
             {
                 3, "REPEAT", "Plays a sound file over and over until BREAK and returns at once",
-                { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" } },
-                {
-                    "NAME", IN, STRING,
-                    "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
-                },
+                [[
+                    { "VOLUME", IN, DATA8, "how loud", unit = "%", special = { [0] = "silent" } },
+                    {
+                        "NAME", IN, STRING,
+                        "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
+                    },
+                ]],
             },
-            { 4, "SERVICE", "Does nothing here: the firmware itself feeds its sound driver by this number" },
+            { 4, "SERVICE", "Does nothing here: the firmware itself feeds its sound driver by this number", [[]] },
         },
     },
     {
         0x95, "SOUND_TEST", "Tells whether a sound is playing",
-        { "BUSY", OUT, DATA8, "whether a sound is playing", special = { [0] = "ready", [1] = "busy" } },
+        [[ { "BUSY", OUT, DATA8, "whether a sound is playing", special = { [0] = "ready", [1] = "busy" } } ]],
     },
-    { 0x96, "SOUND_READY", "Waits until the sound has ended (for ever after REPEAT or a tone without end)" },
+    { 0x96, "SOUND_READY", "Waits until the sound has ended (for ever after REPEAT or a tone without end)", [[]] },
     {
         0x97, "INPUT_SAMPLE", "Reads one SI value of each of several devices, sampled in the background",
-        { "TIME", IN, DATA32, "time between two samples", unit = "ms" },
-        { "SAMPLES", IN, DATA16, "how many devices the arrays list" },
-        { "INIT", IN, DATA16, "place in the sample buffer of each device, -1 starts it anew", length = "SAMPLES" },
-        { "DEVICES", IN, DATA8, "ports, 0 to 3 for sensors, 4 to 7 for motors A to D", length = "SAMPLES" },
-        { "TYPES", IN, DATA8, "type each device shall have", enum = ENUMERATIONS.TYPE, length = "SAMPLES" },
-        { "MODES", IN, DATA8, "mode each device shall have", length = "SAMPLES" },
-        { "DATASETS", IN, DATA8, "which of its values to read from each device, from 0", length = "SAMPLES" },
-        { "VALUES", OUT, DATAF, "one value per device, NaN where there is none", length = "SAMPLES" },
+        [[
+            { "TIME", IN, DATA32, "time between two samples", unit = "ms" },
+            { "SAMPLES", IN, DATA16, "how many devices the arrays list" },
+            { "INIT", IN, DATA16, "place in the sample buffer of each device, -1 starts it anew", length = "SAMPLES" },
+            { "DEVICES", IN, DATA8, "ports, 0 to 3 for sensors, 4 to 7 for motors A to D", length = "SAMPLES" },
+            { "TYPES", IN, DATA8, "type each device shall have", enum = ENUMERATIONS.TYPE, length = "SAMPLES" },
+            { "MODES", IN, DATA8, "mode each device shall have", length = "SAMPLES" },
+            { "DATASETS", IN, DATA8, "which of its values to read from each device, from 0", length = "SAMPLES" },
+            { "VALUES", OUT, DATAF, "one value per device, NaN where there is none", length = "SAMPLES" },
+        ]],
     },
     {
         0x98, "INPUT_DEVICE_LIST", "Lists the types of all devices, sensor ports of each layer first, then motor ports",
-        { "LENGTH", IN, DATA8, "room in the array, 32 takes the whole daisy chain" },
-        { "ARRAY", OUT, DATA8, "type of device at each port", enum = ENUMERATIONS.TYPE, length = "LENGTH" },
-        { "CHANGED", OUT, DATA8, "whether devices came or went since the last call", special = { [0] = "no change" } },
+        [[
+            { "LENGTH", IN, DATA8, "room in the array, 32 takes the whole daisy chain" },
+            { "ARRAY", OUT, DATA8, "type of device at each port", enum = ENUMERATIONS.TYPE, length = "LENGTH" },
+            {
+                "CHANGED", OUT, DATA8, "whether devices came or went since the last call",
+                special = { [0] = "no change" },
+            },
+        ]],
     },
     {
         0x99, "INPUT_DEVICE", "Asks about devices, calibrates them, reads several values",
         commands = {
             {
                 1, "INSERT_TYPE", "Adds a line to the table of device types, for third party types (50 to 98) only",
-                { "TYPEDATA", IN, STRING, "the line as in typedata.rcf, starting with the type's number" },
-                {
-                    "FORCE", IN, DATA8, "whether to replace a known type",
-                    special = { [0] = "refuse a known type", [1] = "replace a known type" },
-                },
-                { "ERROR", OUT, DATA8, "whether it failed", special = { [0] = "done", [1] = "failed or known" } },
+                [[
+                    { "TYPEDATA", IN, STRING, "the line as in typedata.rcf, starting with the type's number" },
+                    {
+                        "FORCE", IN, DATA8, "whether to replace a known type",
+                        special = { [0] = "refuse a known type", [1] = "replace a known type" },
+                    },
+                    { "ERROR", OUT, DATA8, "whether it failed", special = { [0] = "done", [1] = "failed or known" } },
+                ]],
             },
             {
                 2, "GET_FORMAT", "Tells the shape of a device's values in its present mode",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                { "DATASETS", OUT, DATA8, "how many values one reading has" },
-                { "FORMAT", OUT, DATA8, "type of one raw value", enum = ENUMERATIONS.DATA_FORMAT },
-                { "MODES", OUT, DATA8, "how many modes the device has" },
-                { "VIEWS", OUT, DATA8, "how many of the modes are shown to users" },
+                    { "DATASETS", OUT, DATA8, "how many values one reading has" },
+                    { "FORMAT", OUT, DATA8, "type of one raw value", enum = ENUMERATIONS.DATA_FORMAT },
+                    { "MODES", OUT, DATA8, "how many modes the device has" },
+                    { "VIEWS", OUT, DATA8, "how many of the modes are shown to users" },
+                ]],
             },
             {
                 3, "CAL_MINMAX", "Sets the raw values that scale a type and mode to percent and SI",
-                { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
-                { "MODE", IN, DATA8, "mode the calibration is for" },
-                { "CAL_MIN", IN, DATA32, "raw value at the lower end" },
-                { "CAL_MAX", IN, DATA32, "raw value at full scale" },
+                [[
+                    { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
+                    { "MODE", IN, DATA8, "mode the calibration is for" },
+                    { "CAL_MIN", IN, DATA32, "raw value at the lower end" },
+                    { "CAL_MAX", IN, DATA32, "raw value at full scale" },
+                ]],
             },
             {
                 4, "CAL_DEFAULT", "Goes back to the built-in scaling of a type and mode",
-                { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
-                { "MODE", IN, DATA8, "mode the calibration is for" },
+                [[
+                    { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
+                    { "MODE", IN, DATA8, "mode the calibration is for" },
+                ]],
             },
             {
                 5, "GET_TYPEMODE", "Tells which device is at a port and in which mode",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                { "TYPE", OUT, DATA8, "type of the device", enum = ENUMERATIONS.TYPE },
-                { "MODE", OUT, DATA8, "mode the device is in" },
+                    { "TYPE", OUT, DATA8, "type of the device", enum = ENUMERATIONS.TYPE },
+                    { "MODE", OUT, DATA8, "mode the device is in" },
+                ]],
             },
             {
                 6, "GET_SYMBOL", "Reads the symbol of the unit of the present mode",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                {
-                    "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it is (handles only)" },
-                },
-                { "DESTINATION", OUT, STRING, "symbol, filled up with blanks", length = "LENGTH" },
+                    {
+                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it is (handles only)" },
+                    },
+                    { "DESTINATION", OUT, STRING, "symbol, filled up with blanks", length = "LENGTH" },
+                ]],
             },
             {
                 7, "CAL_MIN", "Sets the lower end of the scaling of a type and mode",
-                { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
-                { "MODE", IN, DATA8, "mode the calibration is for" },
-                { "CAL_MIN", IN, DATA32, "value at the lower end, in SI units once calibrated" },
+                [[
+                    { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
+                    { "MODE", IN, DATA8, "mode the calibration is for" },
+                    { "CAL_MIN", IN, DATA32, "value at the lower end, in SI units once calibrated" },
+                ]],
             },
             {
                 8, "CAL_MAX", "Sets the full scale of a type and mode",
-                { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
-                { "MODE", IN, DATA8, "mode the calibration is for" },
-                { "CAL_MAX", IN, DATA32, "value at full scale, in SI units once calibrated" },
+                [[
+                    { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE },
+                    { "MODE", IN, DATA8, "mode the calibration is for" },
+                    { "CAL_MAX", IN, DATA32, "value at full scale, in SI units once calibrated" },
+                ]],
             },
             {
                 9, "SETUP", "Writes to an I2C sensor and reads its answer, again and again if asked to",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
-                    special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
-                },
-                { "REPEAT", IN, DATA8, "how often to write and read", special = { [0] = "without end" } },
-                { "TIME", IN, DATA16, "time between repeats", unit = "ms", special = { [0] = "10 ms" } },
-                { "WRITE_LEN", IN, DATA8, "how many bytes to write", unit = "bytes" },
-                { "WRITE_DATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRITE_LEN" },
-                { "READ_LEN", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes" },
-                { "READ_DATA", OUT, DATA8, "bytes read", length = "READ_LEN" },
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                    },
+                    { "REPEAT", IN, DATA8, "how often to write and read", special = { [0] = "without end" } },
+                    { "TIME", IN, DATA16, "time between repeats", unit = "ms", special = { [0] = "10 ms" } },
+                    { "WRITE_LEN", IN, DATA8, "how many bytes to write", unit = "bytes" },
+                    { "WRITE_DATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRITE_LEN" },
+                    { "READ_LEN", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes" },
+                    { "READ_DATA", OUT, DATA8, "bytes read", length = "READ_LEN" },
+                ]],
             },
             {
                 10, "CLR_ALL", "Clears counters and angles of all devices",
-                {
-                    "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
-                    special = { [-1] = "all layers" },
-                },
+                [[
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
+                        special = { [-1] = "all layers" },
+                    },
+                ]],
             },
             {
                 11, "GET_RAW", "Reads the first raw value of a device",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                { "VALUE", OUT, DATA32, "raw value, NaN where there is none" },
+                    { "VALUE", OUT, DATA32, "raw value, NaN where there is none" },
+                ]],
             },
             {
                 12, "GET_CONNECTION", "Tells how the device at a port is connected",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                { "CONN", OUT, DATA8, "kind of connection", enum = ENUMERATIONS.CONN },
+                    { "CONN", OUT, DATA8, "kind of connection", enum = ENUMERATIONS.CONN },
+                ]],
             },
             {
                 13, "STOP_ALL", "Stops all devices, motors among them",
-                {
-                    "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
-                    special = { [-1] = "all layers" },
-                },
+                [[
+                    {
+                        "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
+                        special = { [-1] = "all layers" },
+                    },
+                ]],
             },
             {
                 14, "SET_TYPEMODE", "Renumbers an entry of the table of device types, third party types only",
-                { "TYPE", IN, DATA8, "type the entry has", enum = ENUMERATIONS.TYPE },
-                { "MODE", IN, DATA8, "mode the entry has" },
-                { "NEWTYPE", IN, DATA8, "type the entry shall have", enum = ENUMERATIONS.TYPE },
-                { "NEWMODE", IN, DATA8, "mode the entry shall have" },
-                { "ERROR", OUT, DATA8, "whether it failed", special = { [0] = "done", [1] = "failed or not found" } },
+                [[
+                    { "TYPE", IN, DATA8, "type the entry has", enum = ENUMERATIONS.TYPE },
+                    { "MODE", IN, DATA8, "mode the entry has" },
+                    { "NEWTYPE", IN, DATA8, "type the entry shall have", enum = ENUMERATIONS.TYPE },
+                    { "NEWMODE", IN, DATA8, "mode the entry shall have" },
+                    {
+                        "ERROR", OUT, DATA8, "whether it failed",
+                        special = { [0] = "done", [1] = "failed or not found" },
+                    },
+                ]],
             },
             {
                 15, "READY_IIC", "Writes to an I2C sensor once, waits for its answer and tells how it went",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
-                    special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
-                },
-                { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes" },
-                { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
-                { "RDLNG", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes" },
-                { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
-                { "RESULT", OUT, DATA8, "how the transfer ended", enum = ENUMERATIONS.RESULT },
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+                    },
+                    { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes" },
+                    { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
+                    { "RDLNG", IN, DATA8, "how many bytes to read, negative: in reverse order", unit = "bytes" },
+                    { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
+                    { "RESULT", OUT, DATA8, "how the transfer ended", enum = ENUMERATIONS.RESULT },
+                ]],
             },
             {
                 21, "GET_NAME", "Reads the name of a device in its present mode, such as TOUCH or COL-REFLECT",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                {
-                    "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it is (handles only)" },
-                },
-                { "DESTINATION", OUT, STRING, "name, filled up with blanks", length = "LENGTH" },
+                    {
+                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it is (handles only)" },
+                    },
+                    { "DESTINATION", OUT, STRING, "name, filled up with blanks", length = "LENGTH" },
+                ]],
             },
             {
                 22, "GET_MODENAME", "Reads the name of any mode of a device",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                { "MODE", IN, DATA8, "mode to name" },
-                {
-                    "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it is (handles only)" },
-                },
-                { "DESTINATION", OUT, STRING, "name, filled up with blanks", length = "LENGTH" },
+                    { "MODE", IN, DATA8, "mode to name" },
+                    {
+                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it is (handles only)" },
+                    },
+                    { "DESTINATION", OUT, STRING, "name, filled up with blanks", length = "LENGTH" },
+                ]],
             },
             {
                 23, "SET_RAW", "Pretends that a device has read this raw value",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                {
-                    "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
-                    special = { [0] = "keep the type" },
-                },
-                { "VALUE", IN, DATA32, "raw value to pretend" },
+                    {
+                        "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                        special = { [0] = "keep the type" },
+                    },
+                    { "VALUE", IN, DATA32, "raw value to pretend" },
+                ]],
             },
             {
                 24, "GET_FIGURES", "Tells how many digits a value of the present mode needs",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                { "FIGURES", OUT, DATA8, "characters in all, with point and decimals" },
-                { "DECIMALS", OUT, DATA8, "digits after the point" },
+                    { "FIGURES", OUT, DATA8, "characters in all, with point and decimals" },
+                    { "DECIMALS", OUT, DATA8, "digits after the point" },
+                ]],
             },
             {
                 25, "GET_CHANGES", "Reads how often a touch sensor changed in positive direction since CLR_CHANGES",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" },
+                    { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" },
+                ]],
             },
             {
                 26, "CLR_CHANGES", "Sets the counts of GET_CHANGES and GET_BUMPS to zero",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
+                ]],
             },
             {
                 27, "READY_PCT", "Sets type and mode, waits until the device is ready and reads percent values",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                {
-                    "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
-                    special = { [0] = "keep the type" },
-                },
-                { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
-                { "VALUES", IN, COUNT, "how many values follow, each in percent", element = DATA8, elements = OUT },
+                    {
+                        "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                        special = { [0] = "keep the type" },
+                    },
+                    { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+                    { "VALUES", IN, COUNT, "how many values follow, each in percent", element = DATA8, elements = OUT },
+                ]],
             },
             {
                 28, "READY_RAW", "Sets type and mode, waits until the device is ready and reads raw values",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                {
-                    "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
-                    special = { [0] = "keep the type" },
-                },
-                { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
-                { "VALUES", IN, COUNT, "how many raw values follow", element = DATA32, elements = OUT },
+                    {
+                        "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                        special = { [0] = "keep the type" },
+                    },
+                    { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+                    { "VALUES", IN, COUNT, "how many raw values follow", element = DATA32, elements = OUT },
+                ]],
             },
             {
                 29, "READY_SI", "Sets type and mode, waits until the device is ready and reads SI values",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                {
-                    "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
-                    special = { [0] = "keep the type" },
-                },
-                { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
-                { "VALUES", IN, COUNT, "how many values follow, each in SI units", element = DATAF, elements = OUT },
+                    {
+                        "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                        special = { [0] = "keep the type" },
+                    },
+                    { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+                    {
+                        "VALUES", IN, COUNT, "how many values follow, each in SI units", element = DATAF,
+                        elements = OUT,
+                    },
+                ]],
             },
             {
                 30, "GET_MINMAX", "Tells between which SI values the present mode moves",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                { "MIN", OUT, DATAF, "smallest value in SI units" },
-                { "MAX", OUT, DATAF, "largest value in SI units" },
+                    { "MIN", OUT, DATAF, "smallest value in SI units" },
+                    { "MAX", OUT, DATAF, "largest value in SI units" },
+                ]],
             },
             {
                 31, "GET_BUMPS", "Reads how often a touch sensor changed in negative direction since CLR_CHANGES",
-                { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-                {
-                    "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-                    special = {
-                        [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                        [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                [[
+                    { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+                    {
+                        "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = {
+                            [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                            [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                        },
                     },
-                },
-                { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" },
+                    { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" },
+                ]],
             },
         },
     },
     {
         0x9A, "INPUT_READ", "Sets type and mode and reads the first value in percent at once",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-            special = {
-                [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = {
+                    [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                    [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                },
             },
-        },
-        {
-            "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
-            special = { [0] = "keep the type" },
-        },
-        { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
-        { "PCT", OUT, DATA8, "value, NaN where there is none", unit = "%" },
+            {
+                "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                special = { [0] = "keep the type" },
+            },
+            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+            { "PCT", OUT, DATA8, "value, NaN where there is none", unit = "%" },
+        ]],
     },
     {
         0x9B, "INPUT_TEST", "Tells whether a device is still changing type or mode",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-            special = {
-                [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = {
+                    [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                    [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                },
             },
-        },
-        { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" } },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" } },
+        ]],
     },
     {
         0x9C, "INPUT_READY", "Waits until a device has valid values",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-            special = {
-                [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = {
+                    [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                    [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                },
             },
-        },
+        ]],
     },
     {
         0x9D, "INPUT_READSI", "Sets type and mode and reads the first value in SI units at once",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-            special = {
-                [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = {
+                    [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                    [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                },
             },
-        },
-        {
-            "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
-            special = { [0] = "keep the type" },
-        },
-        { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
-        { "SI", OUT, DATAF, "value in the mode's unit, NaN where there is none" },
+            {
+                "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                special = { [0] = "keep the type" },
+            },
+            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+            { "SI", OUT, DATAF, "value in the mode's unit, NaN where there is none" },
+        ]],
     },
     {
         0x9E, "INPUT_READEXT", "Sets type and mode and reads several values at once, in the format asked for",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
-            special = {
-                [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
-                [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = {
+                    [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A",
+                    [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
+                },
             },
-        },
-        {
-            "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
-            special = { [0] = "keep the type" },
-        },
-        { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
-        { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI, others give NaN", enum = ENUMERATIONS.DATA_FORMAT },
-        { "VALUES", IN, COUNT, "how many values follow, each in FORMAT", element = "FORMAT", elements = OUT },
+            {
+                "TYPE", IN, DATA8, "type the device shall have", enum = ENUMERATIONS.TYPE,
+                special = { [0] = "keep the type" },
+            },
+            { "MODE", IN, DATA8, "mode the device shall have", special = { [-1] = "keep the mode" } },
+            { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI, others give NaN", enum = ENUMERATIONS.DATA_FORMAT },
+            { "VALUES", IN, COUNT, "how many values follow, each in FORMAT", element = "FORMAT", elements = OUT },
+        ]],
     },
     {
         0x9F, "INPUT_WRITE", "Sends bytes to a UART sensor",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
-            special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
-        },
-        { "BYTES", IN, DATA8, "how many bytes to send", unit = "bytes" },
-        { "DATA", IN, DATA8, "bytes to send", length = "BYTES" },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+            },
+            { "BYTES", IN, DATA8, "how many bytes to send", unit = "bytes" },
+            { "DATA", IN, DATA8, "bytes to send", length = "BYTES" },
+        ]],
     },
     {
         0xE0, "INPUT_SET_CONN", "Sets how a port is connected, for ports whose automatic detection is off",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
-            special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
-        },
-        { "CONN", IN, DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE", enum = ENUMERATIONS.CONN },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+            },
+            {
+                "CONN", IN, DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE",
+                enum = ENUMERATIONS.CONN,
+            },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xE1, "INPUT_IIC_READ", "Fetches the bytes that an I2C sensor answered to INPUT_IIC_WRITE",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
-            special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
-        },
-        { "RDLNG", IN, DATA8, "how many bytes to read", unit = "bytes" },
-        { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
-        { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+            },
+            { "RDLNG", IN, DATA8, "how many bytes to read", unit = "bytes" },
+            { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
+            { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xE2, "INPUT_IIC_STATUS", "Tells the state of the I2C bus of a port",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
-            special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
-        },
-        { "RESULT", OUT, DATA8, "state of the bus", enum = ENUMERATIONS.RESULT },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+            },
+            { "RESULT", OUT, DATA8, "state of the bus", enum = ENUMERATIONS.RESULT },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xE3, "INPUT_IIC_WRITE", "Sends bytes to an I2C sensor once and does not wait for its answer",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
-            special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
-        },
-        { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes" },
-        { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
-        { "RDLNG", IN, DATA8, "how many bytes the sensor will answer", unit = "bytes" },
-        { "RESULT", OUT, DATA8, "state of the bus after the request", enum = ENUMERATIONS.RESULT },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+            },
+            { "WRLNG", IN, DATA8, "how many bytes to write", unit = "bytes" },
+            { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
+            { "RDLNG", IN, DATA8, "how many bytes the sensor will answer", unit = "bytes" },
+            { "RESULT", OUT, DATA8, "state of the bus after the request", enum = ENUMERATIONS.RESULT },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xE4, "INPUT_SET_AUTOID", "Switches the automatic detection of sensors at a port on or off",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
-            special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
-        },
-        { "ENABLE", IN, DATA8, "whether to detect", special = { [0] = "off", [1] = "on" } },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
+            },
+            { "ENABLE", IN, DATA8, "whether to detect", special = { [0] = "off", [1] = "on" } },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
         0xA0, "OUTPUT_GET_TYPE", "Tells the type of motor at a port, in headers only: no firmware runs it",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "port, counted from 0", label = "Port",
-            special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
-        },
-        { "TYPE", OUT, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "port, counted from 0", label = "Port",
+                special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+            },
+            { "TYPE", OUT, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE },
+        ]],
         dialects = {},
     },
     {
         0xA1, "OUTPUT_SET_TYPE", "Declares which type of motor is at a port",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "port, counted from 0", label = "Port",
-            special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
-        },
-        { "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "port, counted from 0", label = "Port",
+                special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+            },
+            { "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE },
+        ]],
     },
     {
         0xA2, "OUTPUT_RESET", "Sets the tacho counts that moves and OUTPUT_READ use to zero",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
+        ]],
     },
     {
         0xA3, "OUTPUT_STOP", "Stops motors",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" } },
+            {
+                "BRAKE", IN, DATA8, "what the motors do at the end",
+                special = { [0] = "coast", [1] = "brake and hold" },
+            },
+        ]],
     },
     {
         0xA4, "OUTPUT_POWER", "Sets the power of motors, OUTPUT_START makes them run",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%" },
+            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%" },
+        ]],
     },
     {
         0xA5, "OUTPUT_SPEED", "Sets the speed of motors, OUTPUT_START makes them run",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
+        ]],
     },
     {
         0xA6, "OUTPUT_START", "Starts motors with the power or speed set before",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
+        ]],
     },
     {
         0xA7, "OUTPUT_POLARITY", "Sets the direction of motors",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        {
-            "POL", IN, DATA8, "direction",
-            special = { [-1] = "backward", [0] = "opposite of the present one", [1] = "forward" },
-        },
+            {
+                "POL", IN, DATA8, "direction",
+                special = { [-1] = "backward", [0] = "opposite of the present one", [1] = "forward" },
+            },
+        ]],
     },
     {
         0xA8, "OUTPUT_READ", "Reads speed and tacho count of one motor, 0 on layers other than 0",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NO", IN, DATA8, "port, counted from 0", label = "Port",
-            special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
-        },
-        { "SPEED", OUT, DATA8, "present speed", unit = "%" },
-        { "TACHO", OUT, DATA32, "angle since OUTPUT_RESET", unit = "degrees" },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NO", IN, DATA8, "port, counted from 0", label = "Port",
+                special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+            },
+            { "SPEED", OUT, DATA8, "present speed", unit = "%" },
+            { "TACHO", OUT, DATA32, "angle since OUTPUT_RESET", unit = "degrees" },
+        ]],
     },
     {
         0xA9, "OUTPUT_TEST", "Tells whether one of the motors is still in a move that ends by itself",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" } },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" } },
+        ]],
     },
     {
         0xAA, "OUTPUT_READY", "Waits until the moves of the motors have ended, OUTPUT_START does not count",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
+        ]],
     },
     {
         0xAB, "OUTPUT_POSITION", "Tells the position of motors, in headers only: no firmware runs it",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "POS", OUT, DATA32, "position", unit = "degrees" },
+            { "POS", OUT, DATA32, "position", unit = "degrees" },
+        ]],
         dialects = {},
     },
     {
         0xAC, "OUTPUT_STEP_POWER", "Turns motors by an angle with unregulated power",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%" },
-        { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees" },
-        { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees" },
-        { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees" },
-        { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" } },
+            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%" },
+            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees" },
+            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees" },
+            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees" },
+            {
+                "BRAKE", IN, DATA8, "what the motors do at the end",
+                special = { [0] = "coast", [1] = "brake and hold" },
+            },
+        ]],
     },
     {
         0xAD, "OUTPUT_TIME_POWER", "Runs motors for a time with unregulated power",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%" },
-        { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms" },
-        { "TIME2", IN, DATA32, "time at constant drive", unit = "ms" },
-        { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms" },
-        { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" } },
+            { "POWER", IN, DATA8, "unregulated power, negative: backward", unit = "%" },
+            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms" },
+            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms" },
+            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms" },
+            {
+                "BRAKE", IN, DATA8, "what the motors do at the end",
+                special = { [0] = "coast", [1] = "brake and hold" },
+            },
+        ]],
     },
     {
         0xAE, "OUTPUT_STEP_SPEED", "Turns motors by an angle with regulated speed",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
-        { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees" },
-        { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees" },
-        { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees" },
-        { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" } },
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
+            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees" },
+            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees" },
+            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees" },
+            {
+                "BRAKE", IN, DATA8, "what the motors do at the end",
+                special = { [0] = "coast", [1] = "brake and hold" },
+            },
+        ]],
     },
     {
         0xAF, "OUTPUT_TIME_SPEED", "Runs motors for a time with regulated speed",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
-        { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms" },
-        { "TIME2", IN, DATA32, "time at constant drive", unit = "ms" },
-        { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms" },
-        { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" } },
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
+            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms" },
+            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms" },
+            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms" },
+            {
+                "BRAKE", IN, DATA8, "what the motors do at the end",
+                special = { [0] = "coast", [1] = "brake and hold" },
+            },
+        ]],
     },
     {
         0xB0, "OUTPUT_STEP_SYNC", "Turns two motors in step by an angle",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
-        {
-            "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
-            special = {
-                [-200] = "spin, lower port runs backward", [-100] = "lower port stands", [0] = "straight",
-                [100] = "higher port stands", [200] = "spin, higher port runs backward",
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
+            {
+                "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
+                special = {
+                    [-200] = "spin, lower port runs backward", [-100] = "lower port stands", [0] = "straight",
+                    [100] = "higher port stands", [200] = "spin, higher port runs backward",
+                },
             },
-        },
-        { "STEP", IN, DATA32, "angle of the faster motor", unit = "degrees", special = { [0] = "no end" } },
-        { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" } },
+            { "STEP", IN, DATA32, "angle of the faster motor", unit = "degrees", special = { [0] = "no end" } },
+            {
+                "BRAKE", IN, DATA8, "what the motors do at the end",
+                special = { [0] = "coast", [1] = "brake and hold" },
+            },
+        ]],
     },
     {
         0xB1, "OUTPUT_TIME_SYNC", "Runs two motors in step for a time",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
-        { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
-        {
-            "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
-            special = {
-                [-200] = "spin, lower port runs backward", [-100] = "lower port stands", [0] = "straight",
-                [100] = "higher port stands", [200] = "spin, higher port runs backward",
+            { "SPEED", IN, DATA8, "regulated speed, negative: backward", unit = "%" },
+            {
+                "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
+                special = {
+                    [-200] = "spin, lower port runs backward", [-100] = "lower port stands", [0] = "straight",
+                    [100] = "higher port stands", [200] = "spin, higher port runs backward",
+                },
             },
-        },
-        { "TIME", IN, DATA32, "how long to run", unit = "ms", special = { [0] = "no end" } },
-        { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" } },
+            { "TIME", IN, DATA32, "how long to run", unit = "ms", special = { [0] = "no end" } },
+            {
+                "BRAKE", IN, DATA8, "what the motors do at the end",
+                special = { [0] = "coast", [1] = "brake and hold" },
+            },
+        ]],
     },
     {
         0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts that motors have as sensors to zero",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
-            special = {
-                [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
-                [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
-                [15] = "A+B+C+D",
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = {
+                    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C",
+                    [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
+                    [15] = "A+B+C+D",
+                },
             },
-        },
+        ]],
     },
     {
         0xB3, "OUTPUT_GET_COUNT", "Reads the tacho count that a motor has as a sensor",
-        { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
-        {
-            "NOS", IN, DATA8, "port, counted from 0", label = "Port",
-            special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
-        },
-        { "TACHO", OUT, DATA32, "angle since OUTPUT_CLR_COUNT", unit = "degrees" },
+        [[
+            { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
+            {
+                "NOS", IN, DATA8, "port, counted from 0", label = "Port",
+                special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+            },
+            { "TACHO", OUT, DATA32, "angle since OUTPUT_CLR_COUNT", unit = "degrees" },
+        ]],
     },
-    { 0xB4, "OUTPUT_PRG_STOP", "Stops and resets all motors as the end of a program does" },
+    { 0xB4, "OUTPUT_PRG_STOP", "Stops and resets all motors as the end of a program does", [[]] },
     {
         0x7E, "MEMORY_WRITE", "Writes bytes into the variables of a running program",
-        { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT },
-        {
-            "OBJID", IN, DATA16, "object whose local memory is meant",
-            special = { [0] = "the program's global memory" },
-        },
-        { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes" },
-        { "SIZE", IN, DATA32, "how many bytes", unit = "bytes" },
-        { "ARRAY", IN, DATA8, "the bytes; those beyond the end of the memory are dropped", length = "SIZE" },
+        [[
+            { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT },
+            {
+                "OBJID", IN, DATA16, "object whose local memory is meant",
+                special = { [0] = "the program's global memory" },
+            },
+            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes" },
+            { "SIZE", IN, DATA32, "how many bytes", unit = "bytes" },
+            { "ARRAY", IN, DATA8, "the bytes; those beyond the end of the memory are dropped", length = "SIZE" },
+        ]],
     },
     {
         0x7F, "MEMORY_READ", "Reads bytes from the variables of a running program",
-        { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT },
-        {
-            "OBJID", IN, DATA16, "object whose local memory is meant",
-            special = { [0] = "the program's global memory" },
-        },
-        { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes" },
-        { "SIZE", IN, DATA32, "how many bytes", unit = "bytes" },
-        { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the memory", length = "SIZE" },
+        [[
+            { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT },
+            {
+                "OBJID", IN, DATA16, "object whose local memory is meant",
+                special = { [0] = "the program's global memory" },
+            },
+            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes" },
+            { "SIZE", IN, DATA32, "how many bytes", unit = "bytes" },
+            { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the memory", length = "SIZE" },
+        ]],
     },
     {
         0xC0, "FILE", "Works on files, folders, data logs, program images and the list of recent files",
         commands = {
             {
                 0, "OPEN_APPEND", "Opens a file to write at its end, creates it where there is none",
-                { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
-                { "HANDLE", OUT, HANDLE, "what names the file from now on" },
+                [[
+                    { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
+                    { "HANDLE", OUT, HANDLE, "what names the file from now on" },
+                ]],
             },
             {
                 1, "OPEN_READ", "Opens a file to read",
-                { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
-                { "HANDLE", OUT, HANDLE, "what names the file from now on" },
-                { "SIZE", OUT, DATA32, "size of the file", unit = "bytes", special = { [0] = "not found" } },
+                [[
+                    { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
+                    { "HANDLE", OUT, HANDLE, "what names the file from now on" },
+                    { "SIZE", OUT, DATA32, "size of the file", unit = "bytes", special = { [0] = "not found" } },
+                ]],
             },
             {
                 2, "OPEN_WRITE", "Creates a file or empties the one there is, and opens it to write",
-                { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
-                { "HANDLE", OUT, HANDLE, "what names the file from now on" },
+                [[
+                    { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
+                    { "HANDLE", OUT, HANDLE, "what names the file from now on" },
+                ]],
             },
             {
                 3, "READ_VALUE", "Reads the text up to the next delimiter and turns it into a number",
-                { "HANDLE", IN, HANDLE, "the open file" },
-                { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
-                { "VALUE", OUT, DATAF, "the number, 0 where the text is none" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the open file" },
+                    { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
+                    { "VALUE", OUT, DATAF, "the number, 0 where the text is none" },
+                ]],
             },
             {
                 4, "WRITE_VALUE", "Writes a number as text, and a delimiter after it",
-                { "HANDLE", IN, HANDLE, "the open file" },
-                { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
-                { "VALUE", IN, DATAF, "the number" },
-                { "FIGURES", IN, DATA8, "least width in characters, the decimal point included" },
-                { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the open file" },
+                    { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
+                    { "VALUE", IN, DATAF, "the number" },
+                    { "FIGURES", IN, DATA8, "least width in characters, the decimal point included" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                ]],
             },
             {
                 5, "READ_TEXT", "Reads text up to the next delimiter",
-                { "HANDLE", IN, HANDLE, "the open file" },
-                { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
-                {
-                    "LENGTH", IN, DATA16, "most bytes to read; LEGO's firmware keeps the low 8 bits, so 127",
-                    unit = "bytes",
-                },
-                {
-                    "TEXT", OUT, STRING, "the text, without a zero at its end when it fills all the room",
-                    length = "LENGTH",
-                },
+                [[
+                    { "HANDLE", IN, HANDLE, "the open file" },
+                    { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
+                    {
+                        "LENGTH", IN, DATA16, "most bytes to read; LEGO's firmware keeps the low 8 bits, so 127",
+                        unit = "bytes",
+                    },
+                    {
+                        "TEXT", OUT, STRING, "the text, without a zero at its end when it fills all the room",
+                        length = "LENGTH",
+                    },
+                ]],
             },
             {
                 6, "WRITE_TEXT", "Writes text without its zero, and a delimiter after it",
-                { "HANDLE", IN, HANDLE, "the open file" },
-                { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
-                { "TEXT", IN, STRING, "the text" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the open file" },
+                    { "DEL", IN, DATA8, "what stands between two values in the file", enum = ENUMERATIONS.DEL },
+                    { "TEXT", IN, STRING, "the text" },
+                ]],
             },
-            { 7, "CLOSE", "Closes a file and gives its handle back", { "HANDLE", IN, HANDLE, "the open file" } },
+            { 7, "CLOSE", "Closes a file and gives its handle back", [[ { "HANDLE", IN, HANDLE, "the open file" } ]] },
             {
                 8, "LOAD_IMAGE", "Loads a program file into a stopped slot, for PROGRAM_START to run",
-                { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT },
-                { "NAME", IN, STRING, "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted" },
-                { "SIZE", OUT, DATA32, "size of the program", unit = "bytes", special = { [0] = "not loaded" } },
-                {
-                    "IP", OUT, DATA32, "where it was loaded, to be handed to PROGRAM_START",
-                    special = { [0] = "not loaded" },
-                },
+                [[
+                    { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT },
+                    {
+                        "NAME", IN, STRING,
+                        "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted",
+                    },
+                    { "SIZE", OUT, DATA32, "size of the program", unit = "bytes", special = { [0] = "not loaded" } },
+                    {
+                        "IP", OUT, DATA32, "where it was loaded, to be handed to PROGRAM_START",
+                        special = { [0] = "not loaded" },
+                    },
+                ]],
             },
             {
                 9, "GET_HANDLE", "Finds the handle of a file that is already open",
-                { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
-                { "HANDLE", OUT, HANDLE, "the open file", special = { [-1] = "not open" } },
-                { "WRITE", OUT, DATA8, "whether it is open to write or append", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
+                    { "HANDLE", OUT, HANDLE, "the open file", special = { [-1] = "not open" } },
+                    {
+                        "WRITE", OUT, DATA8, "whether it is open to write or append",
+                        special = { [0] = "no", [1] = "yes" },
+                    },
+                ]],
             },
             {
                 10, "MAKE_FOLDER", "Creates a folder unless it is there",
-                { "NAME", IN, STRING, "path of the folder, relative to /home/root/lms2012/sys" },
-                { "SUCCESS", OUT, DATA8, "whether the folder is there now", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "NAME", IN, STRING, "path of the folder, relative to /home/root/lms2012/sys" },
+                    { "SUCCESS", OUT, DATA8, "whether the folder is there now", special = { [0] = "no", [1] = "yes" } },
+                ]],
             },
             {
                 11, "GET_POOL", "Reserves a block of memory for the program",
-                { "SIZE", IN, DATA32, "how much memory", unit = "bytes" },
-                { "HANDLE", OUT, HANDLE, "what names the block from now on" },
-                { "IP", OUT, DATA32, "address of the block" },
+                [[
+                    { "SIZE", IN, DATA32, "how much memory", unit = "bytes" },
+                    { "HANDLE", OUT, HANDLE, "what names the block from now on" },
+                    { "IP", OUT, DATA32, "address of the block" },
+                ]],
             },
             {
                 12, "SET_LOG_SYNC_TIME", "Stores the time and tick by which data logs are lined up",
-                { "TIME", IN, DATA32, "the common time" },
-                { "TICK", IN, DATA32, "the brick's tick at that time" },
+                [[
+                    { "TIME", IN, DATA32, "the common time" },
+                    { "TICK", IN, DATA32, "the brick's tick at that time" },
+                ]],
             },
             {
                 13, "GET_FOLDERS", "Counts the entries of a folder, without hidden ones",
-                { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                { "ITEMS", OUT, DATA8, "how many entries there are" },
+                [[
+                    { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
+                    { "ITEMS", OUT, DATA8, "how many entries there are" },
+                ]],
             },
             {
                 14, "GET_LOG_SYNC_TIME", "Tells the time and tick by which data logs are lined up",
-                { "TIME", OUT, DATA32, "the common time" },
-                { "TICK", OUT, DATA32, "the brick's tick at that time" },
+                [[
+                    { "TIME", OUT, DATA32, "the common time" },
+                    { "TICK", OUT, DATA32, "the brick's tick at that time" },
+                ]],
             },
             {
                 15, "GET_SUBFOLDER_NAME", "Tells the name of one entry of a folder",
-                { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                { "ITEM", IN, DATA8, "which entry of the folder, the first is 1" },
-                { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
-                {
-                    "STRING", OUT, STRING, "its name without extension, empty where there is no such entry",
-                    length = "LENGTH",
-                },
+                [[
+                    { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
+                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1" },
+                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
+                    {
+                        "STRING", OUT, STRING, "its name without extension, empty where there is no such entry",
+                        length = "LENGTH",
+                    },
+                ]],
             },
             {
                 16, "WRITE_LOG", "Adds one row of samples to a data log",
-                { "HANDLE", IN, HANDLE, "the open data log" },
-                { "TIME", IN, DATA32, "time of the samples since the log began", unit = "ms" },
-                { "ITEMS", IN, DATA8, "how many samples; with 0 nothing is written" },
-                { "VALUES", IN, DATAF, "the samples, in one array", length = "ITEMS" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the open data log" },
+                    { "TIME", IN, DATA32, "time of the samples since the log began", unit = "ms" },
+                    { "ITEMS", IN, DATA8, "how many samples; with 0 nothing is written" },
+                    { "VALUES", IN, DATAF, "the samples, in one array", length = "ITEMS" },
+                ]],
             },
             {
                 17, "CLOSE_LOG", "Writes a data log to its end and closes it",
-                { "HANDLE", IN, HANDLE, "the open data log" },
-                { "NAME", IN, STRING, "path of the log as given to OPEN_LOG; .rdf may be omitted" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the open data log" },
+                    { "NAME", IN, STRING, "path of the log as given to OPEN_LOG; .rdf may be omitted" },
+                ]],
             },
             {
                 18, "GET_IMAGE", "Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails",
-                { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT },
-                { "ITEM", IN, DATA8, "which entry of the folder, the first is 1" },
-                { "IP", OUT, DATA32, "where it was loaded" },
+                [[
+                    { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
+                    { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT },
+                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1" },
+                    { "IP", OUT, DATA32, "where it was loaded" },
+                ]],
             },
             {
                 19, "GET_ITEM", "Finds an entry of a folder by its name",
-                { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                { "STRING", IN, STRING, "name to look for, without extension" },
-                { "ITEM", OUT, DATA8, "which entry it is, the first is 1", special = { [0] = "not found" } },
+                [[
+                    { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
+                    { "STRING", IN, STRING, "name to look for, without extension" },
+                    { "ITEM", OUT, DATA8, "which entry it is, the first is 1", special = { [0] = "not found" } },
+                ]],
             },
             {
                 20, "GET_CACHE_FILES", "Counts the recently run files",
-                { "ITEMS", OUT, DATA8, "how many there are, 10 at most" },
+                [[ { "ITEMS", OUT, DATA8, "how many there are, 10 at most" } ]],
             },
             {
                 21, "PUT_CACHE_FILE", "Puts a file first in the list of recently run files",
-                { "STRING", IN, STRING, "path of the file" },
+                [[ { "STRING", IN, STRING, "path of the file" } ]],
             },
             {
                 22, "GET_CACHE_FILE", "Tells the path of one recently run file",
-                { "ITEM", IN, DATA8, "which one, 1 is the latest" },
-                { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
-                { "STRING", OUT, STRING, "path of the file, empty where there is none", length = "LENGTH" },
+                [[
+                    { "ITEM", IN, DATA8, "which one, 1 is the latest" },
+                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
+                    { "STRING", OUT, STRING, "path of the file, empty where there is none", length = "LENGTH" },
+                ]],
             },
             {
                 23, "DEL_CACHE_FILE", "Takes a file off the list of recently run files",
-                { "STRING", IN, STRING, "path of the file, as PUT_CACHE_FILE got it" },
+                [[ { "STRING", IN, STRING, "path of the file, as PUT_CACHE_FILE got it" } ]],
             },
             {
                 24, "DEL_SUBFOLDER", "Deletes one entry of a folder together with the files in it",
-                { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                { "ITEM", IN, DATA8, "which entry of the folder, the first is 1" },
+                [[
+                    { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
+                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1" },
+                ]],
             },
             {
                 25, "GET_LOG_NAME", "Tells the path of the data log that is open",
-                { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
-                { "NAME", OUT, STRING, "path of the log, empty where none is open", length = "LENGTH" },
+                [[
+                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
+                    { "NAME", OUT, STRING, "path of the log, empty where none is open", length = "LENGTH" },
+                ]],
             },
             {
                 27, "OPEN_LOG", "Creates a data log and writes its header",
-                { "NAME", IN, STRING, "path of the log; .rdf may be omitted; with an empty one it stays in memory" },
-                { "syncedTime", IN, DATA32, "the common time, as GET_LOG_SYNC_TIME tells it" },
-                { "syncedTick", IN, DATA32, "the brick's tick at that time" },
-                { "nowTick", IN, DATA32, "the brick's tick at the start of the log" },
-                {
-                    "sample_interval_in_ms", IN, DATA32, "time between samples; fast logs are kept in memory first",
-                    unit = "ms",
-                },
-                { "duration_in_ms", IN, DATA32, "how long the log is to run", unit = "ms" },
-                { "SDATA", IN, STRING, "text that describes the sensors, copied into the header" },
-                { "HANDLE", OUT, HANDLE, "what names the log from now on" },
+                [[
+                    {
+                        "NAME", IN, STRING,
+                        "path of the log; .rdf may be omitted; with an empty one it stays in memory",
+                    },
+                    { "syncedTime", IN, DATA32, "the common time, as GET_LOG_SYNC_TIME tells it" },
+                    { "syncedTick", IN, DATA32, "the brick's tick at that time" },
+                    { "nowTick", IN, DATA32, "the brick's tick at the start of the log" },
+                    {
+                        "sample_interval_in_ms", IN, DATA32, "time between samples; fast logs are kept in memory first",
+                        unit = "ms",
+                    },
+                    { "duration_in_ms", IN, DATA32, "how long the log is to run", unit = "ms" },
+                    { "SDATA", IN, STRING, "text that describes the sensors, copied into the header" },
+                    { "HANDLE", OUT, HANDLE, "what names the log from now on" },
+                ]],
             },
             {
                 28, "READ_BYTES", "Reads bytes from a file as they are",
-                { "HANDLE", IN, HANDLE, "the open file" },
-                { "BYTES", IN, DATA16, "how many bytes", unit = "bytes" },
-                { "DESTINATION", OUT, DATA8, "the bytes; a zero follows where the file ended early", length = "BYTES" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the open file" },
+                    { "BYTES", IN, DATA16, "how many bytes", unit = "bytes" },
+                    {
+                        "DESTINATION", OUT, DATA8, "the bytes; a zero follows where the file ended early",
+                        length = "BYTES",
+                    },
+                ]],
             },
             {
                 29, "WRITE_BYTES", "Writes bytes to a file as they are",
-                { "HANDLE", IN, HANDLE, "the open file" },
-                { "BYTES", IN, DATA16, "how many bytes", unit = "bytes" },
-                { "SOURCE", IN, DATA8, "the bytes", length = "BYTES" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the open file" },
+                    { "BYTES", IN, DATA16, "how many bytes", unit = "bytes" },
+                    { "SOURCE", IN, DATA8, "the bytes", length = "BYTES" },
+                ]],
             },
             {
                 30, "REMOVE", "Deletes a file, or a folder with the files in it",
-                { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
+                [[ { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" } ]],
             },
             {
                 31, "MOVE", "Copies a file or folder over whatever is at the destination; the source stays",
-                { "SOURCE", IN, STRING, "path to copy from" },
-                { "DEST", IN, STRING, "path to copy to; what is there is deleted first" },
+                [[
+                    { "SOURCE", IN, STRING, "path to copy from" },
+                    { "DEST", IN, STRING, "path to copy to; what is there is deleted first" },
+                ]],
             },
         },
     },
@@ -3159,193 +3810,247 @@ local OPERATIONS = {
         commands = {
             {
                 0, "DELETE", "Deletes an array and gives its handle back",
-                { "HANDLE", IN, HANDLE, "the array" },
+                [[ { "HANDLE", IN, HANDLE, "the array" } ]],
                 dialects = { "official" },
             },
             {
                 0, "DESTROY", "Deletes an array and gives its handle back (LEGO's name for it is DELETE)",
-                { "HANDLE", IN, HANDLE, "the array" },
+                [[ { "HANDLE", IN, HANDLE, "the array" } ]],
                 dialects = { "xtended", "compat" },
             },
             {
                 1, "CREATE8", "Creates an array of DATA8 elements",
-                { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
-                { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                [[
+                    { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
+                    { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                ]],
             },
             {
                 2, "CREATE16", "Creates an array of DATA16 elements",
-                { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
-                { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                [[
+                    { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
+                    { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                ]],
             },
             {
                 3, "CREATE32", "Creates an array of DATA32 elements",
-                { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
-                { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                [[
+                    { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
+                    { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                ]],
             },
             {
                 4, "CREATEF", "Creates an array of DATAF elements",
-                { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
-                { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                [[
+                    { "ELEMENTS", IN, DATA32, "how many elements it has at first" },
+                    { "HANDLE", OUT, HANDLE, "what names the array from now on" },
+                ]],
             },
             {
                 5, "RESIZE", "Changes how many elements an array has",
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "ELEMENTS", IN, DATA32, "how many elements it has from now on" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "ELEMENTS", IN, DATA32, "how many elements it has from now on" },
+                ]],
             },
             {
                 6, "FILL", "Sets every element of an array to one value",
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" },
+                ]],
             },
             {
                 7, "COPY", "Copies the content of one array into another of the same type, which takes its size",
-                { "HSOURCE", IN, HANDLE, "array to copy from" },
-                { "HDEST", IN, HANDLE, "array to copy into, which has to exist" },
+                [[
+                    { "HSOURCE", IN, HANDLE, "array to copy from" },
+                    { "HDEST", IN, HANDLE, "array to copy into, which has to exist" },
+                ]],
             },
             {
                 8, "INIT8", "Writes several elements of a DATA8 array, all within its size",
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "INDEX", IN, DATA32, "first element to write, counted from 0" },
-                { "ELEMENTS", IN, DATA32, "how many values follow" },
-                { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA8 },
+                [[
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0" },
+                    { "ELEMENTS", IN, DATA32, "how many values follow" },
+                    { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA8 },
+                ]],
             },
             {
                 9, "INIT16", "Writes several elements of a DATA16 array, all within its size",
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "INDEX", IN, DATA32, "first element to write, counted from 0" },
-                { "ELEMENTS", IN, DATA32, "how many values follow" },
-                { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA16 },
+                [[
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0" },
+                    { "ELEMENTS", IN, DATA32, "how many values follow" },
+                    { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA16 },
+                ]],
             },
             {
                 10, "INIT32", "Writes several elements of a DATA32 array, all within its size",
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "INDEX", IN, DATA32, "first element to write, counted from 0" },
-                { "ELEMENTS", IN, DATA32, "how many values follow" },
-                { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA32 },
+                [[
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0" },
+                    { "ELEMENTS", IN, DATA32, "how many values follow" },
+                    { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA32 },
+                ]],
             },
             {
                 11, "INITF", "Writes several elements of a DATAF array, all within its size",
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "INDEX", IN, DATA32, "first element to write, counted from 0" },
-                { "ELEMENTS", IN, DATA32, "how many values follow" },
-                { "VALUES", IN, VALUES, "the values, one parameter each", element = DATAF },
+                [[
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0" },
+                    { "ELEMENTS", IN, DATA32, "how many values follow" },
+                    { "VALUES", IN, VALUES, "the values, one parameter each", element = DATAF },
+                ]],
             },
             {
                 12, "SIZE", "Tells how many elements an array has",
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "ELEMENTS", OUT, DATA32, "how many elements it has, 0 where there is no such array" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "ELEMENTS", OUT, DATA32, "how many elements it has, 0 where there is no such array" },
+                ]],
                 dialects = { "official" },
             },
             {
                 12, "SET_SIZE", "Tells how many elements an array has (LEGO's name for it is SIZE)",
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "ELEMENTS", OUT, DATA32, "how many elements it has, 0 where there is no such array" },
+                [[
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "ELEMENTS", OUT, DATA32, "how many elements it has, 0 where there is no such array" },
+                ]],
                 dialects = { "xtended", "compat" },
             },
             {
                 13, "READ_CONTENT", "Reads an array's content as bytes, of another program too",
-                { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements" },
-                { "BYTES", IN, DATA32, "how many bytes", unit = "bytes" },
-                { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the array", length = "BYTES" },
+                [[
+                    { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements" },
+                    { "BYTES", IN, DATA32, "how many bytes", unit = "bytes" },
+                    { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the array", length = "BYTES" },
+                ]],
             },
             {
                 14, "WRITE_CONTENT", "Writes an array's content as bytes; the array then ends with them",
-                { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements" },
-                { "BYTES", IN, DATA32, "how many bytes", unit = "bytes" },
-                { "ARRAY", IN, DATA8, "the bytes", length = "BYTES" },
+                [[
+                    { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements" },
+                    { "BYTES", IN, DATA32, "how many bytes", unit = "bytes" },
+                    { "ARRAY", IN, DATA8, "the bytes", length = "BYTES" },
+                ]],
             },
             {
                 15, "READ_SIZE", "Tells how many bytes an array's content has, of another program too",
-                { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
-                { "HANDLE", IN, HANDLE, "the array" },
-                { "BYTES", OUT, DATA32, "how many bytes, 0 where there is no such array", unit = "bytes" },
+                [[
+                    { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "BYTES", OUT, DATA32, "how many bytes, 0 where there is no such array", unit = "bytes" },
+                ]],
             },
         },
     },
     {
         0xC2, "ARRAY_WRITE", "Writes one element of an array, which grows where needed",
-        { "HANDLE", IN, HANDLE, "the array" },
-        { "INDEX", IN, DATA32, "which element, the first is 0" },
-        { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" },
+        [[
+            { "HANDLE", IN, HANDLE, "the array" },
+            { "INDEX", IN, DATA32, "which element, the first is 0" },
+            { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" },
+        ]],
     },
     {
         0xC3, "ARRAY_READ", "Reads one element of an array",
-        { "HANDLE", IN, HANDLE, "the array" },
-        { "INDEX", IN, DATA32, "which element, the first is 0" },
-        { "VALUE", OUT, ARRAY_TYPED, "the value, of the array's type" },
+        [[
+            { "HANDLE", IN, HANDLE, "the array" },
+            { "INDEX", IN, DATA32, "which element, the first is 0" },
+            { "VALUE", OUT, ARRAY_TYPED, "the value, of the array's type" },
+        ]],
     },
     {
         0xC4, "ARRAY_APPEND", "Adds one element to the end of an array",
-        { "HANDLE", IN, HANDLE, "the array" },
-        { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" },
+        [[ { "HANDLE", IN, HANDLE, "the array" }, { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" } ]],
     },
     {
         0xC5, "MEMORY_USAGE", "Tells how much memory for user files there is and how much of it is free",
-        { "TOTAL", OUT, DATA32, "all of it", unit = "KiB" },
-        { "FREE", OUT, DATA32, "what is free", unit = "KiB" },
+        [[
+            { "TOTAL", OUT, DATA32, "all of it", unit = "KiB" },
+            { "FREE", OUT, DATA32, "what is free", unit = "KiB" },
+        ]],
     },
     {
         0xC6, "FILENAME", "Takes file names apart, checks them, and packs files",
         commands = {
             {
                 16, "EXIST", "Tells whether a file or folder is there",
-                { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
-                { "FLAG", OUT, DATA8, "whether it is there", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder" },
+                    { "FLAG", OUT, DATA8, "whether it is there", special = { [0] = "no", [1] = "yes" } },
+                ]],
             },
             {
                 17, "TOTALSIZE", "Tells how many files a folder has and their size",
-                { "NAME", IN, STRING, "path of the folder or file" },
-                { "FILES", OUT, DATA32, "how many entries, with . and .. counted in; 0 for a file" },
-                { "SIZE", OUT, DATA32, "size of all of them, rounded up", unit = "KiB" },
+                [[
+                    { "NAME", IN, STRING, "path of the folder or file" },
+                    { "FILES", OUT, DATA32, "how many entries, with . and .. counted in; 0 for a file" },
+                    { "SIZE", OUT, DATA32, "size of all of them, rounded up", unit = "KiB" },
+                ]],
             },
             {
                 18, "SPLIT", "Takes a path apart into folder, name and extension",
-                { "FILENAME", IN, STRING, "the path" },
-                { "LENGTH", IN, DATA8, "room for each of the three parts, its zero included", unit = "bytes" },
-                { "FOLDER", OUT, STRING, "the folder, on LEGO's firmware with its closing slash", length = "LENGTH" },
-                { "NAME", OUT, STRING, "the name, without folder and extension", length = "LENGTH" },
-                { "EXT", OUT, STRING, "the extension with its dot", length = "LENGTH" },
+                [[
+                    { "FILENAME", IN, STRING, "the path" },
+                    { "LENGTH", IN, DATA8, "room for each of the three parts, its zero included", unit = "bytes" },
+                    {
+                        "FOLDER", OUT, STRING, "the folder, on LEGO's firmware with its closing slash",
+                        length = "LENGTH",
+                    },
+                    { "NAME", OUT, STRING, "the name, without folder and extension", length = "LENGTH" },
+                    { "EXT", OUT, STRING, "the extension with its dot", length = "LENGTH" },
+                ]],
             },
             {
                 19, "MERGE", "Puts a path together from folder, name and extension",
-                { "FOLDER", IN, STRING, "the folder, without a slash at its end" },
-                { "NAME", IN, STRING, "the name" },
-                { "EXT", IN, STRING, "the extension with its dot" },
-                { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
-                { "FILENAME", OUT, STRING, "the path", length = "LENGTH" },
+                [[
+                    { "FOLDER", IN, STRING, "the folder, without a slash at its end" },
+                    { "NAME", IN, STRING, "the name" },
+                    { "EXT", IN, STRING, "the extension with its dot" },
+                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
+                    { "FILENAME", OUT, STRING, "the path", length = "LENGTH" },
+                ]],
             },
             {
                 20, "CHECK", "Tells whether a path has allowed characters and lengths; the file need not exist",
-                { "FILENAME", IN, STRING, "the path" },
-                {
-                    "OK", OUT, DATA8, "whether the path can be used",
-                    special = { [0] = "not allowed", [1] = "allowed" },
-                },
+                [[
+                    { "FILENAME", IN, STRING, "the path" },
+                    {
+                        "OK", OUT, DATA8, "whether the path can be used",
+                        special = { [0] = "not allowed", [1] = "allowed" },
+                    },
+                ]],
             },
             {
                 21, "PACK", "Packs a file or folder into a .raf archive beside it",
-                { "FILENAME", IN, STRING, "path of what to pack" },
+                [[ { "FILENAME", IN, STRING, "path of what to pack" } ]],
             },
             {
                 22, "UNPACK", "Unpacks a .raf archive into the folder it is in",
-                { "FILENAME", IN, STRING, "path of the archive; whatever its extension, .raf is taken" },
+                [[ { "FILENAME", IN, STRING, "path of the archive; whatever its extension, .raf is taken" } ]],
             },
             {
                 23, "GET_FOLDERNAME", "Tells the program's own folder",
-                { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
-                { "FOLDERNAME", OUT, STRING, "path of the folder, without a slash at its end", length = "LENGTH" },
+                [[
+                    { "LENGTH", IN, DATA8, "room for the string, its zero included", unit = "bytes" },
+                    { "FOLDERNAME", OUT, STRING, "path of the folder, without a slash at its end", length = "LENGTH" },
+                ]],
             },
         },
     },
     {
         0xE6, "FILE_MD5SUM", "Computes the MD5 digest of a file",
-        { "NAME", IN, STRING, "path of the file" },
-        { "MD5SUM", OUT, DATA8, "the digest, as 16 bytes", length = 16 },
-        { "SUCCESS", OUT, DATA8, "whether the file could be read", special = { [0] = "no", [1] = "yes" } },
+        [[
+            { "NAME", IN, STRING, "path of the file" },
+            { "MD5SUM", OUT, DATA8, "the digest, as 16 bytes", length = 16 },
+            { "SUCCESS", OUT, DATA8, "whether the file could be read", special = { [0] = "no", [1] = "yes" } },
+        ]],
         dialects = { "xtended", "compat" },
     },
     {
@@ -3353,10 +4058,12 @@ local OPERATIONS = {
         commands = {
             {
                 14, "COMMAND", "Tells where the direct command received last lies in the brick's memory",
-                { "LENGTH", IN, DATA32, "most bytes of code, ignored by the firmware", unit = "bytes" },
-                { "IMAGE", OUT, DATA32, "address of the code" },
-                { "GLOBAL", OUT, DATA32, "address of its global memory" },
-                { "FLAG", OUT, DATA8, "whether a command waits", special = { [0] = "none", [1] = "ready to run" } },
+                [[
+                    { "LENGTH", IN, DATA32, "most bytes of code, ignored by the firmware", unit = "bytes" },
+                    { "IMAGE", OUT, DATA32, "address of the code" },
+                    { "GLOBAL", OUT, DATA32, "address of its global memory" },
+                    { "FLAG", OUT, DATA8, "whether a command waits", special = { [0] = "none", [1] = "ready to run" } },
+                ]],
             },
         },
     },
@@ -3365,181 +4072,233 @@ local OPERATIONS = {
         commands = {
             {
                 14, "REPLY", "Sends the global memory of a direct command that has run as its reply",
-                { "IMAGE", IN, DATA32, "address of the code" },
-                { "GLOBAL", IN, DATA32, "address of its global memory" },
-                { "STATUS", IN, DATA8, "how it ended, all but OK give DIRECT_REPLY_ERROR", enum = ENUMERATIONS.RESULT },
+                [[
+                    { "IMAGE", IN, DATA32, "address of the code" },
+                    { "GLOBAL", IN, DATA32, "address of its global memory" },
+                    {
+                        "STATUS", IN, DATA8, "how it ended, all but OK give DIRECT_REPLY_ERROR",
+                        enum = ENUMERATIONS.RESULT,
+                    },
+                ]],
             },
         },
     },
     {
         0xD0, "COM_READY", "Waits until nothing is being sent to a device",
-        { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-        { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
+        [[
+            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
+        ]],
     },
     {
         0xD1, "COM_READDATA", "Does nothing in the firmware, meant to receive data",
-        { "VALUE1", IN, DATA8, "which way to communicate, ignored", enum = ENUMERATIONS.HWTYPE },
-        { "VALUE2", IN, DATA8, "name of the other device, ignored" },
-        { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
-        { "VALUE4", IN, DATA8, "the bytes, ignored" },
+        [[
+            { "VALUE1", IN, DATA8, "which way to communicate, ignored", enum = ENUMERATIONS.HWTYPE },
+            { "VALUE2", IN, DATA8, "name of the other device, ignored" },
+            { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
+            { "VALUE4", IN, DATA8, "the bytes, ignored" },
+        ]],
     },
     {
         0xD2, "COM_WRITEDATA", "Does nothing in the firmware, meant to send data",
-        { "VALUE1", IN, DATA8, "which way to communicate, ignored", enum = ENUMERATIONS.HWTYPE },
-        { "VALUE2", IN, DATA8, "name of the other device, ignored" },
-        { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
-        { "VALUE4", IN, DATA8, "the bytes, ignored" },
+        [[
+            { "VALUE1", IN, DATA8, "which way to communicate, ignored", enum = ENUMERATIONS.HWTYPE },
+            { "VALUE2", IN, DATA8, "name of the other device, ignored" },
+            { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
+            { "VALUE4", IN, DATA8, "the bytes, ignored" },
+        ]],
     },
     {
         0xD3, "COM_GET", "Asks about the brick's connections and the devices around it",
         commands = {
             {
                 1, "GET_ON_OFF", "Tells whether Bluetooth or WiFi is on",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" } },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" } },
+                ]],
             },
             {
                 2, "GET_VISIBLE", "Tells whether other devices can see the brick by Bluetooth",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "VISIBLE", OUT, DATA8, "whether it is visible", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "VISIBLE", OUT, DATA8, "whether it is visible", special = { [0] = "no", [1] = "yes" } },
+                ]],
             },
             {
                 4, "GET_RESULT", "Tells how a search or connection request is going",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEM", IN, DATA8, "place in the list, ignored by the firmware" },
-                { "RESULT", OUT, DATA8, "state of the request", enum = ENUMERATIONS.RESULT },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEM", IN, DATA8, "place in the list, ignored by the firmware" },
+                    { "RESULT", OUT, DATA8, "state of the request", enum = ENUMERATIONS.RESULT },
+                ]],
             },
             {
                 5, "GET_PIN", "Reads the PIN for a device, always 1234",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "NAME", IN, STRING, "name of the other device or network" },
-                { "LENGTH", IN, DATA8, "room for the PIN with its zero", unit = "bytes" },
-                { "PINCODE", OUT, STRING, "the PIN", length = "LENGTH" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "NAME", IN, STRING, "name of the other device or network" },
+                    { "LENGTH", IN, DATA8, "room for the PIN with its zero", unit = "bytes" },
+                    { "PINCODE", OUT, STRING, "the PIN", length = "LENGTH" },
+                ]],
             },
             {
                 7, "LIST_STATE", "Reads a number that changes when a device enters or leaves a list",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "STATE", OUT, DATA16, "number to compare with the one of the last call" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "STATE", OUT, DATA16, "number to compare with the one of the last call" },
+                ]],
                 dialects = { "compat" },
             },
             {
                 8, "SEARCH_ITEMS", "Tells how many devices or networks a search found",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEMS", OUT, DATA8, "how many the list has" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEMS", OUT, DATA8, "how many the list has" },
+                ]],
             },
             {
                 9, "SEARCH_ITEM", "Describes one device or network that a search found",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEM", IN, DATA8, "place in the list, counted from 0" },
-                {
-                    "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it gets (handles only)" },
-                },
-                { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" },
-                {
-                    "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)",
-                    special = { [0] = "no", [1] = "yes" },
-                },
-                { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" } },
-                {
-                    "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)", enum = ENUMERATIONS.BTTYPE,
-                    special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" },
-                },
-                { "VISIBLE", OUT, DATA8, "whether it is in sight", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                    {
+                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it gets (handles only)" },
+                    },
+                    { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" },
+                    {
+                        "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)",
+                        special = { [0] = "no", [1] = "yes" },
+                    },
+                    { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)",
+                        enum = ENUMERATIONS.BTTYPE,
+                        special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" },
+                    },
+                    { "VISIBLE", OUT, DATA8, "whether it is in sight", special = { [0] = "no", [1] = "yes" } },
+                ]],
             },
             {
                 10, "FAVOUR_ITEMS", "Tells how many devices are paired, in sight or not",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEMS", OUT, DATA8, "how many the list has" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEMS", OUT, DATA8, "how many the list has" },
+                ]],
             },
             {
                 11, "FAVOUR_ITEM", "Describes one paired device or known network",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEM", IN, DATA8, "place in the list, counted from 0" },
-                {
-                    "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it gets (handles only)" },
-                },
-                { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" },
-                {
-                    "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)",
-                    special = { [0] = "no", [1] = "yes" },
-                },
-                { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" } },
-                {
-                    "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)", enum = ENUMERATIONS.BTTYPE,
-                    special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" },
-                },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                    {
+                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it gets (handles only)" },
+                    },
+                    { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" },
+                    {
+                        "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)",
+                        special = { [0] = "no", [1] = "yes" },
+                    },
+                    { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" } },
+                    {
+                        "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)",
+                        enum = ENUMERATIONS.BTTYPE,
+                        special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" },
+                    },
+                ]],
             },
             {
                 12, "GET_ID", "Reads the brick's Bluetooth address",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                {
-                    "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it gets (handles only)" },
-                },
-                { "STRING", OUT, STRING, "12 hex digits", length = "LENGTH" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it gets (handles only)" },
+                    },
+                    { "STRING", OUT, STRING, "12 hex digits", length = "LENGTH" },
+                ]],
             },
             {
                 13, "GET_BRICKNAME", "Reads the brick's name",
-                {
-                    "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it gets (handles only)" },
-                },
-                { "NAME", OUT, STRING, "name of the brick", length = "LENGTH" },
+                [[
+                    {
+                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it gets (handles only)" },
+                    },
+                    { "NAME", OUT, STRING, "name of the brick", length = "LENGTH" },
+                ]],
             },
             {
                 14, "GET_NETWORK", "Reads network name and addresses, WiFi only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                {
-                    "LENGTH", IN, DATA8, "room for each of the three texts with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it gets (handles only)" },
-                },
-                { "NAME", OUT, STRING, "name of the network, NONE without one", length = "LENGTH" },
-                { "MAC", OUT, STRING, "MAC address of the brick, ?? when WiFi is off", length = "LENGTH" },
-                { "IP", OUT, STRING, "IP address of the brick, ?? when not connected", length = "LENGTH" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "LENGTH", IN, DATA8, "room for each of the three texts with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it gets (handles only)" },
+                    },
+                    { "NAME", OUT, STRING, "name of the network, NONE without one", length = "LENGTH" },
+                    { "MAC", OUT, STRING, "MAC address of the brick, ?? when WiFi is off", length = "LENGTH" },
+                    { "IP", OUT, STRING, "IP address of the brick, ?? when not connected", length = "LENGTH" },
+                ]],
             },
             {
                 15, "GET_PRESENT", "Tells whether the hardware is there, for WiFi a known dongle",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "OK", OUT, DATA8, "whether it is there", special = { [0] = "no", [1] = "yes" } },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "OK", OUT, DATA8, "whether it is there", special = { [0] = "no", [1] = "yes" } },
+                ]],
             },
             {
                 16, "GET_ENCRYPT", "Tells the encryption of a network, WiFi only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEM", IN, DATA8, "place in the list, counted from 0" },
-                { "TYPE", OUT, DATA8, "kind of encryption, the 2013 firmware says none", enum = ENUMERATIONS.ENCRYPT },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                    {
+                        "TYPE", OUT, DATA8, "kind of encryption, the 2013 firmware says none",
+                        enum = ENUMERATIONS.ENCRYPT,
+                    },
+                ]],
             },
             {
                 17, "CONNEC_ITEMS", "Tells how many devices are connected, Bluetooth only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEMS", OUT, DATA8, "how many the list has" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEMS", OUT, DATA8, "how many the list has" },
+                ]],
             },
             {
                 18, "CONNEC_ITEM", "Describes one connected device, Bluetooth only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEM", IN, DATA8, "place in the list, counted from 0" },
-                {
-                    "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it gets (handles only)" },
-                },
-                { "NAME", OUT, STRING, "name of the device", length = "LENGTH" },
-                { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                    {
+                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it gets (handles only)" },
+                    },
+                    { "NAME", OUT, STRING, "name of the device", length = "LENGTH" },
+                    { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE },
+                ]],
             },
             {
                 19, "GET_INCOMING", "Tells which device asks for a connection, Bluetooth only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                {
-                    "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
-                    special = { [-1] = "as long as it gets (handles only)" },
-                },
-                { "NAME", OUT, STRING, "name of the device", length = "LENGTH" },
-                { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "LENGTH", IN, DATA8, "room for the text with its zero", unit = "bytes",
+                        special = { [-1] = "as long as it gets (handles only)" },
+                    },
+                    { "NAME", OUT, STRING, "name of the device", length = "LENGTH" },
+                    { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE },
+                ]],
             },
             {
                 20, "GET_MODE2", "Tells whether Bluetooth is in its mode for Apple devices",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" } },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" } },
+                ]],
             },
         },
     },
@@ -3548,137 +4307,178 @@ local OPERATIONS = {
         commands = {
             {
                 1, "SET_ON_OFF", "Switches Bluetooth or WiFi on or off",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" } },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" } },
+                ]],
             },
             {
                 2, "SET_VISIBLE", "Makes the brick visible or invisible, Bluetooth only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                {
-                    "VISIBLE", IN, DATA8, "whether other devices shall see it",
-                    special = { [0] = "invisible", [1] = "visible" },
-                },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "VISIBLE", IN, DATA8, "whether other devices shall see it",
+                        special = { [0] = "invisible", [1] = "visible" },
+                    },
+                ]],
             },
             {
                 3, "SET_SEARCH", "Starts or stops the search for devices or networks",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                {
-                    "SEARCH", IN, DATA8, "whether to search",
-                    special = { [0] = "stop (Bluetooth only)", [1] = "start" },
-                },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "SEARCH", IN, DATA8, "whether to search",
+                        special = { [0] = "stop (Bluetooth only)", [1] = "start" },
+                    },
+                ]],
             },
             {
                 5, "SET_PIN", "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "NAME", IN, STRING, "name of the other device or network" },
-                { "PINCODE", IN, STRING, "PIN or password" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "NAME", IN, STRING, "name of the other device or network" },
+                    { "PINCODE", IN, STRING, "PIN or password" },
+                ]],
             },
             {
                 6, "SET_PASSKEY", "Answers the request to confirm a passkey, Bluetooth only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ACCEPT", IN, DATA8, "the answer", special = { [0] = "reject", [1] = "accept" } },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ACCEPT", IN, DATA8, "the answer", special = { [0] = "reject", [1] = "accept" } },
+                ]],
             },
             {
                 7, "SET_CONNECTION", "Connects a device or network, or ends a Bluetooth connection",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "NAME", IN, STRING, "name of the other device or network" },
-                { "CONNECTION", IN, DATA8, "what to do", special = { [0] = "disconnect", [1] = "connect" } },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "NAME", IN, STRING, "name of the other device or network" },
+                    { "CONNECTION", IN, DATA8, "what to do", special = { [0] = "disconnect", [1] = "connect" } },
+                ]],
             },
             {
                 8, "SET_BRICKNAME", "Renames the brick",
-                { "NAME", IN, STRING, "new name, at most 118 characters, else refused" },
+                [[ { "NAME", IN, STRING, "new name, at most 118 characters, else refused" } ]],
             },
             {
                 9, "SET_MOVEUP", "Moves a network up in the list, WiFi only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                ]],
             },
             {
                 10, "SET_MOVEDOWN", "Moves a network down in the list, WiFi only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                ]],
             },
             {
                 11, "SET_ENCRYPT", "Sets the encryption of a network, WiFi only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ITEM", IN, STRING, "name of the network" },
-                { "ENCRYPT", IN, DATA8, "kind of encryption", enum = ENUMERATIONS.ENCRYPT },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ITEM", IN, STRING, "name of the network" },
+                    { "ENCRYPT", IN, DATA8, "kind of encryption", enum = ENUMERATIONS.ENCRYPT },
+                ]],
             },
             {
                 12, "SET_SSID", "Adds a network to the end of the list, WiFi only",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "NAME", IN, STRING, "name of the network" },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "NAME", IN, STRING, "name of the network" },
+                ]],
             },
             {
                 13, "SET_MODE2", "Switches the Bluetooth mode for Apple devices on or off",
-                { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-                { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" } },
+                [[
+                    { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+                    { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" } },
+                ]],
             },
         },
     },
     {
         0xD5, "COM_TEST", "Tells whether something is still being sent to a device",
-        { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-        { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
-        { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" } },
+        [[
+            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" } },
+        ]],
     },
     {
         0xD6, "COM_REMOVE", "Forgets a paired device or a known network",
-        { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-        { "REMOTE_NAME", IN, STRING, "name of the other device or network" },
+        [[
+            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            { "REMOTE_NAME", IN, STRING, "name of the other device or network" },
+        ]],
     },
     {
         0xD7, "COM_WRITEFILE", "Sends a file or a folder to another brick, Bluetooth only",
-        { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-        { "REMOTE_NAME", IN, STRING, "name of the other device or network" },
-        { "FILE_NAME", IN, STRING, "path of the file or folder on this brick" },
-        { "FILE_TYPE", IN, DATA8, "TYPE_FOLDER for a folder, else a file", enum = ENUMERATIONS.FILETYPE },
+        [[
+            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            { "REMOTE_NAME", IN, STRING, "name of the other device or network" },
+            { "FILE_NAME", IN, STRING, "path of the file or folder on this brick" },
+            { "FILE_TYPE", IN, DATA8, "TYPE_FOLDER for a folder, else a file", enum = ENUMERATIONS.FILETYPE },
+        ]],
     },
     {
         0xD8, "MAILBOX_OPEN", "Opens a mailbox on this brick, at most 250 bytes of content",
-        { "NO", IN, DATA8, "number of the mailbox on this brick" },
-        { "BOXNAME", IN, STRING, "name of the mailbox, at most 49 characters" },
-        { "TYPES", IN, DATA8, "type of its values", enum = ENUMERATIONS.DATA_FORMAT },
-        { "FIFOSIZE", IN, DATA8, "depth of the queue, ignored by the firmware" },
-        { "VALUES", IN, DATA8, "number of values, ignored by the firmware" },
+        [[
+            { "NO", IN, DATA8, "number of the mailbox on this brick" },
+            { "BOXNAME", IN, STRING, "name of the mailbox, at most 49 characters" },
+            { "TYPES", IN, DATA8, "type of its values", enum = ENUMERATIONS.DATA_FORMAT },
+            { "FIFOSIZE", IN, DATA8, "depth of the queue, ignored by the firmware" },
+            { "VALUES", IN, DATA8, "number of values, ignored by the firmware" },
+        ]],
     },
     {
         0xD9, "MAILBOX_WRITE", "Sends values to a mailbox of another brick, Bluetooth only",
-        { "BRICKNAME", IN, STRING, "name of the other brick, empty: all connected ones" },
-        { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
-        { "BOXNAME", IN, STRING, "name of the mailbox" },
-        { "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT },
-        {
-            "VALUES", IN, COUNT, "how many values of TYPE follow, one only for a string", element = "TYPE",
-            elements = IN,
-        },
+        [[
+            { "BRICKNAME", IN, STRING, "name of the other brick, empty: all connected ones" },
+            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            { "BOXNAME", IN, STRING, "name of the mailbox" },
+            { "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT },
+            {
+                "VALUES", IN, COUNT, "how many values of TYPE follow, one only for a string", element = "TYPE",
+                elements = IN,
+            },
+        ]],
     },
     {
         0xDA, "MAILBOX_READ", "Reads the content of a mailbox and marks it read",
-        { "NO", IN, DATA8, "number of the mailbox on this brick" },
-        { "LENGTH", IN, DATA8, "most bytes to read, ignored by the firmware", unit = "bytes" },
-        {
-            "VALUES", IN, COUNT, "how many values follow, of the type given to MAILBOX_OPEN", element = ARRAY_TYPED,
-            elements = OUT,
-        },
+        [[
+            { "NO", IN, DATA8, "number of the mailbox on this brick" },
+            { "LENGTH", IN, DATA8, "most bytes to read, ignored by the firmware", unit = "bytes" },
+            {
+                "VALUES", IN, COUNT, "how many values follow, of the type given to MAILBOX_OPEN", element = ARRAY_TYPED,
+                elements = OUT,
+            },
+        ]],
     },
     {
         0xDB, "MAILBOX_TEST", "Tells whether a mailbox has an unread message",
-        { "NO", IN, DATA8, "number of the mailbox on this brick" },
-        { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "a new message is there", [1] = "nothing new" } },
+        [[
+            { "NO", IN, DATA8, "number of the mailbox on this brick" },
+            {
+                "BUSY", OUT, DATA8, "whether to wait",
+                special = { [0] = "a new message is there", [1] = "nothing new" },
+            },
+        ]],
     },
     {
         0xDC, "MAILBOX_READY", "Waits for an unread message in a mailbox",
-        { "NO", IN, DATA8, "number of the mailbox on this brick" },
+        [[ { "NO", IN, DATA8, "number of the mailbox on this brick" } ]],
     },
     {
         0xDD, "MAILBOX_CLOSE", "Closes a mailbox on this brick",
-        { "NO", IN, DATA8, "number of the mailbox on this brick" },
+        [[ { "NO", IN, DATA8, "number of the mailbox on this brick" } ]],
     },
     {
         0xE5, "MAILBOX_SIZE", "Tells how many bytes the content of a mailbox has",
-        { "NO", IN, DATA8, "number of the mailbox on this brick" },
-        { "SIZE", OUT, DATA8, "size of the content", unit = "bytes" },
+        [[
+            { "NO", IN, DATA8, "number of the mailbox on this brick" },
+            { "SIZE", OUT, DATA8, "size of the content", unit = "bytes" },
+        ]],
         dialects = { "xtended", "compat" },
     },
 }
@@ -4066,7 +4866,9 @@ end
 
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
--- The tables above are written to be read. Here each parameter becomes what the reading of an argument needs.
+-- The tables above are written to be read. Here each parameter becomes what the reading of an argument needs. Wireshark
+-- wants all fields at the start. An operation is made ready when it is first met: a capture has a few of them, and the
+-- collector goes through all that Lua holds again and again.
 
 local INSTRUCTION_SETS, SYSTEM_COMMANDS
 do
@@ -4074,20 +4876,14 @@ do
 
     -- A typed field of one parameter. Its kind tells which values it takes.
     local function parameter_field(abbreviation, parameter, kind, name, text)
-        local made
-        if kind == TEXT_VALUE then
-            made = ProtoField.string(abbreviation, name, text)
-        elseif kind == FLOAT then
-            made = ProtoField.float(abbreviation, name, text)
-        elseif parameter.enum and not parameter.enum.is_flags then
-            made = ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
+        if kind == TEXT_VALUE then return ProtoField.string(abbreviation, name, text) end
+        if kind == FLOAT then return ProtoField.float(abbreviation, name, text) end
+        if parameter.enum and not parameter.enum.is_flags then
+            return ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
         elseif parameter.unit then
-            made = ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
-        else
-            made = ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
+            return ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
         end
-        fields[#fields + 1] = made
-        return made
+        return ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
     end
 
     -- The field of a system message; several messages share one.
@@ -4152,8 +4948,7 @@ do
         return parameter
     end
 
-    -- There are more than a thousand parameters, and the collector goes through all that Lua holds again and again.
-    -- Those that are alike in all but their fields are one table, of which there are a third as many.
+    -- Parameters that are alike in all but their fields are one table, of which there are a third as many.
     local shared_parameter
     do
         local made = {}
@@ -4189,94 +4984,122 @@ do
         end })
     end
 
-    -- An element of a list, by its type. What a count announces has a field of its own beside the count's.
-    local function ready_element(list, abbreviation, type, row, is_any)
-        local direction = list.type == COUNT and row.elements or IN
-        local name, text = list.name, row[4]
-        local element = {
-            name = name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
-            is_float = type == DATAF, is_output = direction ~= IN,
-            key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
-        }
-        if list.type == VALUES then
-            element.field, element.kind = list.field, list.kind
-        elseif is_any then
-            -- Another argument tells the type: a double holds whatever number it is.
-            list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", name, text)
-            element.field, element.kind = list.any_field, FLOAT
-        else
-            element.kind = PARAMETER_KINDS[type] or NUMBER
-            element.field = parameter_field(abbreviation .. ".item", {}, element.kind, name, text)
-        end
-        return numbered(element)
+    -- Which values an element of a list takes. Where another argument tells its type, a double holds whatever it is.
+    local function element_kind(row, type)
+        if row[3] ~= VALUES and not TYPE_NAMES[row.element] then return FLOAT end
+        return PARAMETER_KINDS[type] or NUMBER
     end
 
-    -- The list at the end of an operation, whose field is that of its elements or of their count.
-    local function ready_list(abbreviation, list, row, declared)
-        list.field, list.elements_of = declared, {}
+    -- The field of what a count announces.
+    local function element_field(abbreviation, row)
+        local name, element, text = row[1], row.element, row[4]
+        if not TYPE_NAMES[element] then return ProtoField.double(abbreviation, name, text) end
+        return parameter_field(abbreviation, {}, element_kind(row, element), name, text)
+    end
+
+    -- An element of a list, by its type.
+    local function ready_element(list, field, type, row)
+        local direction = list.type == COUNT and row.elements or IN
+        return numbered({
+            name = list.name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
+            is_float = type == DATAF, is_output = direction ~= IN,
+            key = direction ~= OUT and " " .. list.name:lower() .. "=" or nil,
+            field = field, kind = element_kind(row, type),
+        })
+    end
+
+    -- The list at the end of an operation; `field` is that of its elements.
+    local function ready_list(list, field, row)
+        list.elements_of = {}
+        local function add_elements(type)
+            list.elements_of[type] = ready_element(list, field, type, row)
+        end
         if TYPE_NAMES[row.element] then
-            list.elements_of[row.element] = ready_element(list, abbreviation, row.element, row)
             list.element_type = row.element
         else
-            for _, type in pairs(FORMAT_TYPES) do
-                list.elements_of[type] = ready_element(list, abbreviation, type, row, true)
-            end
             list.element_type = ARRAY_TYPED
-            list.elements_of[ARRAY_TYPED] = ready_element(list, abbreviation, ARRAY_TYPED, row, true)
+            for _, type in pairs(FORMAT_TYPES) do
+                add_elements(type)
+            end
         end
-        if list.any_field then
-            fields[#fields + 1] = list.any_field
-        end
+        add_elements(list.element_type)
     end
 
     -- The parameters of an operation that tell of others: how long they are, or of which type.
-    local function telling_of(row)
+    local function telling_of(rows)
         local lengths, types = {}, {}
-        for index = 4, #row do
-            local length, element = row[index].length, row[index].element
-            if length then lengths[length] = true end
-            if element then types[element] = true end
+        for _, row in ipairs(rows) do
+            if row.length then lengths[row.length] = true end
+            if row.element then types[row.element] = true end
         end
         return lengths, types
     end
 
-    -- The parameters of an operation, each followed by its field, all but a list of values; the list at its end, if it
-    -- has one; whether no argument tells anything of another.
-    local function ready_parameters(name, cmd_name, row)
-        local lengths, types = telling_of(row)
-        local fixed, list, is_simple = {}, nil, true
-        for index = 4, #row do
-            local each = row[index]
-            local own, type = each[1], each[3]
-            local abbreviation = ("ev3." .. name .. "." .. own):lower()
-            local label = each.label and each.label .. " " .. own or own
-            local kind = PARAMETER_KINDS[type == VALUES and each.element or type] or NUMBER
-            local declared = parameter_field(abbreviation, each, kind, label, each[4])
+    -- What a parameter is called in filters and in the tree, and which values it takes.
+    local function described(name, row)
+        local own, type = row[1], row[3]
+        local label = row.label and row.label .. " " .. own or own
+        local kind = PARAMETER_KINDS[type == VALUES and row.element or type] or NUMBER
+        return ("ev3." .. name .. "." .. own):lower(), label, kind
+    end
+
+    -- Makes the fields of an operation: of each parameter, then, if it is a count, of what it announces.
+    local function declare_fields(name, rows)
+        for _, row in ipairs(rows) do
+            local abbreviation, label, kind = described(name, row)
+            fields[#fields + 1] = parameter_field(abbreviation, row, kind, label, row[4])
+            if row[3] == COUNT then
+                fields[#fields + 1] = element_field(abbreviation .. ".item", row)
+            end
+        end
+    end
+
+    -- All operations by a number of their own: name, parameters as text, and where its fields begin.
+    local names, sources, first_fields = {}, {}, {}
+
+    -- Names, directions and types stand for themselves in the text of parameters.
+    local WORDS = setmetatable({ ENUMERATIONS = ENUMERATIONS }, { __index = function(_, word) return word end })
+
+    local function read_rows(source)
+        return load("return {" .. source .. "}", "=parameters", "t", WORDS)()
+    end
+
+    -- Notes an operation and makes its fields; its number.
+    local function note_operation(name, source)
+        local number = #names + 1
+        names[number], sources[number], first_fields[number] = name, source, #fields + 1
+        declare_fields(name, read_rows(source))
+        return number
+    end
+
+    -- An operation: its names, and its parameters in turn, each followed by its field, all but a list of values; the
+    -- list at its end, if it has one; whether it is simple: no argument tells anything of another. One that stands
+    -- alone has no `cmd_name`.
+    local function ready_operation(number)
+        local name, rows = names[number], read_rows(sources[number])
+        local cmd_name = name:match("%.(.+)$")
+        local operation = { name = name, title = gsub(name, "%.", " "), cmd_name = cmd_name }
+        local lengths, types = telling_of(rows)
+        local is_simple, at = true, first_fields[number]
+        for _, row in ipairs(rows) do
+            local own, type = row[1], row[3]
+            local _, label, kind = described(name, row)
             -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
             local value_name = own == "VALUE" and cmd_name and cmd_name:match("^GET_(.+)$") or own
             local is_list = type == COUNT or type == VALUES
             local make = is_list and ready_parameter or shared_parameter
-            local parameter = make(each, kind, label, value_name, lengths[own], types[own])
+            local parameter = make(row, kind, label, value_name, lengths[own], types[own])
+            if type ~= VALUES then
+                operation[#operation + 1] = parameter
+                operation[#operation + 1] = fields[at]
+                at = at + 1
+            end
             if is_list then
-                list = parameter
-                ready_list(abbreviation, list, each, declared)
+                operation.list = parameter
+                ready_list(parameter, fields[at], row)
             end
             if is_list or lengths[own] or types[own] then is_simple = false end
-            if type ~= VALUES then
-                fixed[#fixed + 1] = parameter
-                fixed[#fixed + 1] = declared
-            end
         end
-        return fixed, list, is_simple
-    end
-
-    -- An operation: its names, and its parameters in turn with their fields. One that stands alone has no `cmd_name`.
-    local function ready_operation(opcode_name, cmd_name, row)
-        local name = cmd_name and opcode_name .. "." .. cmd_name or opcode_name
-        local operation, list, is_simple = ready_parameters(name, cmd_name, row)
-        operation.name, operation.title = name, gsub(name, "%.", " ")
-        if cmd_name then operation.cmd_name = cmd_name end
-        if list then operation.list = list end
         if is_simple then operation.is_simple = true end
         return operation
     end
@@ -4289,30 +5112,63 @@ do
         return false
     end
 
-    -- Opcode number to operation, or to a table of operations by CMD; one such set for each dialect.
-    INSTRUCTION_SETS = {}
+    -- A table whose entries are made when they are first asked for, from what is known by the same keys.
+    local function made_late(known, make)
+        return setmetatable({}, { __index = function(made, key)
+            local found = known[key]
+            if not found then return nil end
+            made[key] = make(found)
+            return made[key]
+        end })
+    end
+
+    -- Dialects share operations.
+    local ready_operations = {}
+
+    local function operation_of(number)
+        if not ready_operations[number] then
+            ready_operations[number] = ready_operation(number)
+            sources[number] = false
+        end
+        return ready_operations[number]
+    end
+
+    local function entry_of(known)
+        if type(known) == "number" then return operation_of(known) end
+        return { name = known.name, commands = made_late(known.commands, operation_of) }
+    end
+
+    -- What an opcode is to a dialect: the number of an operation; or a family's name, and such numbers by CMD.
+    local function known_entry(row, numbers, dialect)
+        if not row.commands then return numbers[row] end
+        local commands = {}
+        for _, command in ipairs(row.commands) do
+            if has_dialect(command, dialect) then commands[command[1]] = numbers[command] end
+        end
+        return { name = row[2], commands = commands }
+    end
+
+    -- By dialect and opcode.
+    local known_entries = {}
     for _, dialect in ipairs(DIALECTS) do
-        INSTRUCTION_SETS[dialect] = {}
+        known_entries[dialect] = {}
     end
 
     for _, row in ipairs(OPERATIONS) do
-        local number, name = row[1], row[2]
-        local plain = not row.commands and ready_operation(name, nil, row)
-        local commands = {}
+        local numbers = {}
         for _, command in ipairs(row.commands or {}) do
-            commands[#commands + 1] = { row = command, operation = ready_operation(name, command[2], command) }
+            numbers[command] = note_operation(row[2] .. "." .. command[2], command[4])
         end
-        for _, dialect in ipairs(DIALECTS) do
-            if has_dialect(row, dialect) then
-                local entry = plain or { name = name, commands = {} }
-                for _, command in ipairs(commands) do
-                    if has_dialect(command.row, dialect) then
-                        entry.commands[command.row[1]] = command.operation
-                    end
-                end
-                INSTRUCTION_SETS[dialect][number] = entry
-            end
+        if not row.commands then numbers[row] = note_operation(row[2], row[4]) end
+        for dialect, entries in pairs(known_entries) do
+            if has_dialect(row, dialect) then entries[row[1]] = known_entry(row, numbers, dialect) end
         end
+    end
+
+    -- Opcode number to operation, or to a table of operations by CMD; one such set for each dialect.
+    INSTRUCTION_SETS = {}
+    for dialect, entries in pairs(known_entries) do
+        INSTRUCTION_SETS[dialect] = made_late(entries, entry_of)
     end
 
     -- System commands by number, with the fields of their messages.
@@ -4346,14 +5202,14 @@ do
 
     -- What was found out of the bodies of commands, as a dialogue says the same again and again. A body has a row,
     -- which some of its bytes tell. One that comes to its row twice, with no other between, has an entry there from
-    -- then on; so what comes once costs little, and no table grows for it. An entry has what others find out of it:
+    -- then on; so what comes once costs little. An entry has what others find out of it:
     --   line      what is said of it in one line
     --   trouble   what is wrong with it, where something is: `fault`, `complaints`
     --   steps     what it adds to the tree
     --   layout    that of its replies
     --   number    under which it is kept for good
     local ROWS = 8191
-    local entries, keys = {}, {}
+    local entries, keys
 
     -- Once the lists that entries keep have so many elements together, there is no room for another one. After so many
     -- that found none all is forgotten: by then the dialogue may be another one.
@@ -4364,9 +5220,7 @@ do
     local last_body, last_entry
 
     function memory.forget_entries()
-        for row = 1, ROWS do
-            entries[row], keys[row] = false, 0
-        end
+        entries, keys = {}, {}
         elements, refused, last_body, last_entry = 0, 0, nil, nil
     end
     memory.forget_entries()
@@ -5987,7 +6841,7 @@ do
 
     -- What a command adds to the tree, step by step, so that one that comes again is not read again. Each step is so
     -- many entries. Of an argument these are its offset and all that is added of it; of an operation its offset, size,
-    -- no field, and what its heading says after the opcode.
+    -- no field, the opcode, and the text of its heading: to add what was joined once takes less than to join it.
     local STEP = 8
     local steps, step_count
 
@@ -6009,9 +6863,8 @@ do
                 add_argument(heading, range, size, declared, value, known[index + 4], known[index + 5],
                     known[index + 6], known[index + 7])
             else
-                heading = add(item, OPCODE, range)
+                heading = add(item, OPCODE, range, value, known[index + 4])
                 if size > 1 then set_len(heading, size) end
-                if value ~= "" then append_text(heading, value) end
             end
         end
         return known.line
@@ -6027,7 +6880,7 @@ do
         local own_field, own, label, addition, complaints = declared, value, false, false, false
         if encoding.scope then
             own = encoding.texts[value]
-            own_field, label, addition = VARIABLE, parameter.label_head, own
+            own_field, label = VARIABLE, parameter.label_head .. " " .. own
             check_variable(view, parameter, encoding, value, declared)
             complaints = view.complaints or false
             view.complaints = nil
@@ -6038,6 +6891,7 @@ do
                 own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
             end
         end
+        if label and addition then label, addition = label .. " " .. addition, false end
         local size, name = stop - at, encoding.label
         add_argument(heading, buffer(base + at, 1), size, own_field, own, label, addition, complaints, name)
         if steps then note_step(at, size, own_field, own, label, addition, complaints, name) end
@@ -6071,7 +6925,7 @@ do
                 break
             end
             local step = step_count
-            if steps then note_step(at, 1, false, "", false, false, false, false) end
+            if steps then note_step(at, 1, false, byte(text, at + 1), false, false, false, false) end
             local name = operation.cmd_name
             if name then
                 local size = after - at - 1
@@ -6085,12 +6939,8 @@ do
             local read, offset = operation.is_simple and skim_arguments or read_arguments, nil
             after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
-            if name or piece_count > 2 then
-                local heading_text = concat(pieces, "", 1, piece_count)
-                append_text(heading, heading_text)
-                if steps then steps[step + 4] = heading_text end
-            end
-            if steps then steps[step + 2] = after - at end
+            if name or piece_count > 2 then append_text(heading, concat(pieces, "", 1, piece_count)) end
+            if steps then steps[step + 2], steps[step + 5] = after - at, heading.text end
             if not first then
                 first, said = operation, concat(pieces, "", 3, piece_count)
                 layout_notes.note_first(operation)

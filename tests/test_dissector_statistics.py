@@ -14,6 +14,7 @@ from support.wireshark import Tshark
 
 import ev3proto
 from ev3proto.generate.dissector.build import build
+from ev3proto.tables import OPCODES
 
 CAPTURES = Path(__file__).parent.parent / "captures"
 
@@ -221,3 +222,34 @@ def test_what_packets_leave_behind_is_freed_soon(tmp_path: Path) -> None:
             freed.append(int(tshark.run(capture, "-T", "fields", "-e", "ev3.op").split()[-2]))
     assert freed[0] >= 5
     assert freed[1] <= 2
+
+
+HELD = """
+do
+    local tap = Listener.new("frame")
+    function tap.draw() collectgarbage() print(math.floor(collectgarbage("count"))) end
+end
+"""
+"""A script that says at the end of the run how many kilobytes Lua holds."""
+
+
+def every_operation() -> Iterable[bytes]:
+    """A frame for each, with zeros as its arguments."""
+    for opcode in OPCODES:
+        for command in opcode.commands or (None,):
+            selected = b"" if command is None else bytes([0x81, command.number])
+            zeros = bytes(len((command or opcode).parameters))
+            body = bytes([0, 0, opcode.number]) + selected + zeros
+            yield struct.pack("<HHB", 3 + len(body), 1, 0x80) + body
+
+
+def test_what_is_known_of_an_operation_is_read_when_it_comes(tmp_path: Path) -> None:
+    """Lua goes through all that it holds whenever it frees something, and most captures have a few operations."""
+    script = tmp_path / "ev3.lua"
+    script.write_text(build() + HELD)
+    tones, held = [tone(number) for number in range(10)], []
+    with Tshark.from_setting(script) as tshark:
+        for frames in (tones, [*tones, *every_operation()]):
+            capture = tshark.place(tcp_capture(Segment(True, frame) for frame in frames), "frames.pcap")
+            held.append(int(tshark.run(capture, "-T", "fields", "-e", "ev3.op").split()[-1]))
+    assert held[1] - held[0] > 250

@@ -23,12 +23,28 @@ class Table:
     items: Sequence[object] = ()
     named: Mapping[Any, object] = field(default_factory=dict)
 
+    @property
+    def brackets(self) -> tuple[str, str]:
+        """What stands around the entries."""
+        return "{", "}"
+
     def entries(self) -> Iterator[tuple[str, object]]:
         """What stands before each value (`unit = `, `[0] = `, nothing), and the value."""
         for item in self.items:
             yield "", item
         for key, value in self.named.items():
             yield (f"{key} = " if isinstance(key, str) else f"[{key}] = "), value
+
+
+class Source(Table):
+    """What stands between the braces of a table, as a text that Lua reads when it needs it: `[[ 1, unit = "mm" ]]`."""
+
+    __slots__ = ()
+
+    @property
+    def brackets(self) -> tuple[str, str]:
+        """Those of a text that is taken as it is. None of the texts in the tables has the second one."""
+        return "[[", "]]"
 
 
 def hexadecimal(number: int) -> Name:
@@ -72,14 +88,16 @@ def _on_one_line(table: Table) -> str:
     pieces = [
         head + (_on_one_line(value) if isinstance(value, Table) else _scalar(value)) for head, value in table.entries()
     ]
-    return "{ " + ", ".join(pieces) + " }" if pieces else "{}"
+    first, last = table.brackets
+    return f"{first} {', '.join(pieces)} {last}" if pieces else first + last
 
 
 def _table(table: Table, depth: int, used: int) -> str:
     line = _on_one_line(table)
     if used + len(line) <= WIDTH:
         return line
-    return "{\n" + "".join(f"{row}\n" for row in _rows(table, depth + 1)) + INDENT * depth + "}"
+    first, last = table.brackets
+    return f"{first}\n" + "".join(f"{row}\n" for row in _rows(table, depth + 1)) + INDENT * depth + last
 
 
 def _rows(table: Table, depth: int) -> Iterator[str]:

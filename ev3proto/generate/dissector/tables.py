@@ -9,7 +9,7 @@ from typing import Any
 
 from construct.core import SizeofError
 
-from ev3proto.generate.dissector.lua import Name, Table, hexadecimal, literal
+from ev3proto.generate.dissector.lua import Name, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.frame import SENSOR_REPORT
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
@@ -51,7 +51,8 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
     yield (
         "Operations",
         "Opcode, name, what it does; then either parameters or, for a family, its commands, which have those. A\n"
-        "-- parameter is its name, direction, type and meaning.",
+        "-- parameter is its name, direction, type and meaning. Parameters are text, which is read when an operation\n"
+        "-- is first met.",
         _operations(),
     )
     yield (
@@ -175,14 +176,20 @@ def _operations() -> Iterator[str]:
 
 def _opcode(opcode: Opcode) -> Table:
     named = _dialects(opcode)
+    row: list[object] = [hexadecimal(opcode.number), opcode.name, opcode.text]
     if opcode.is_family:
         named["commands"] = Table([_command(command) for command in opcode.commands])
-    row = [hexadecimal(opcode.number), opcode.name, opcode.text]
-    return Table([*row, *map(_parameter, opcode.parameters)], named)
+    else:
+        row.append(_parameters(opcode))
+    return Table(row, named)
 
 
 def _command(command: Command) -> Table:
-    return Table([command.number, command.name, command.text, *map(_parameter, command.parameters)], _dialects(command))
+    return Table([command.number, command.name, command.text, _parameters(command)], _dialects(command))
+
+
+def _parameters(entry: Opcode | Command) -> Source:
+    return Source([_parameter(parameter) for parameter in entry.parameters])
 
 
 def _dialects(entry: Opcode | Command) -> dict[Any, object]:

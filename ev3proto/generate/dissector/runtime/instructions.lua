@@ -1,6 +1,8 @@
 -- The instruction set, made ready -----------------------------------------------------------------------------------
 --
--- The tables above are written to be read. Here each parameter becomes what the reading of an argument needs.
+-- The tables above are written to be read. Here each parameter becomes what the reading of an argument needs. Wireshark
+-- wants all fields at the start. An operation is made ready when it is first met: a capture has a few of them, and the
+-- collector goes through all that Lua holds again and again.
 
 local INSTRUCTION_SETS, SYSTEM_COMMANDS
 do
@@ -8,20 +10,14 @@ do
 
     -- A typed field of one parameter. Its kind tells which values it takes.
     local function parameter_field(abbreviation, parameter, kind, name, text)
-        local made
-        if kind == TEXT_VALUE then
-            made = ProtoField.string(abbreviation, name, text)
-        elseif kind == FLOAT then
-            made = ProtoField.float(abbreviation, name, text)
-        elseif parameter.enum and not parameter.enum.is_flags then
-            made = ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
+        if kind == TEXT_VALUE then return ProtoField.string(abbreviation, name, text) end
+        if kind == FLOAT then return ProtoField.float(abbreviation, name, text) end
+        if parameter.enum and not parameter.enum.is_flags then
+            return ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
         elseif parameter.unit then
-            made = ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
-        else
-            made = ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
+            return ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
         end
-        fields[#fields + 1] = made
-        return made
+        return ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
     end
 
     -- The field of a system message; several messages share one.
@@ -86,8 +82,7 @@ do
         return parameter
     end
 
-    -- There are more than a thousand parameters, and the collector goes through all that Lua holds again and again.
-    -- Those that are alike in all but their fields are one table, of which there are a third as many.
+    -- Parameters that are alike in all but their fields are one table, of which there are a third as many.
     local shared_parameter
     do
         local made = {}
@@ -123,94 +118,122 @@ do
         end })
     end
 
-    -- An element of a list, by its type. What a count announces has a field of its own beside the count's.
-    local function ready_element(list, abbreviation, type, row, is_any)
-        local direction = list.type == COUNT and row.elements or IN
-        local name, text = list.name, row[4]
-        local element = {
-            name = name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
-            is_float = type == DATAF, is_output = direction ~= IN,
-            key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
-        }
-        if list.type == VALUES then
-            element.field, element.kind = list.field, list.kind
-        elseif is_any then
-            -- Another argument tells the type: a double holds whatever number it is.
-            list.any_field = list.any_field or ProtoField.double(abbreviation .. ".item", name, text)
-            element.field, element.kind = list.any_field, FLOAT
-        else
-            element.kind = PARAMETER_KINDS[type] or NUMBER
-            element.field = parameter_field(abbreviation .. ".item", {}, element.kind, name, text)
-        end
-        return numbered(element)
+    -- Which values an element of a list takes. Where another argument tells its type, a double holds whatever it is.
+    local function element_kind(row, type)
+        if row[3] ~= VALUES and not TYPE_NAMES[row.element] then return FLOAT end
+        return PARAMETER_KINDS[type] or NUMBER
     end
 
-    -- The list at the end of an operation, whose field is that of its elements or of their count.
-    local function ready_list(abbreviation, list, row, declared)
-        list.field, list.elements_of = declared, {}
+    -- The field of what a count announces.
+    local function element_field(abbreviation, row)
+        local name, element, text = row[1], row.element, row[4]
+        if not TYPE_NAMES[element] then return ProtoField.double(abbreviation, name, text) end
+        return parameter_field(abbreviation, {}, element_kind(row, element), name, text)
+    end
+
+    -- An element of a list, by its type.
+    local function ready_element(list, field, type, row)
+        local direction = list.type == COUNT and row.elements or IN
+        return numbered({
+            name = list.name, type = type, size = SIZE_OF[type] or 1, alignment = 1,
+            is_float = type == DATAF, is_output = direction ~= IN,
+            key = direction ~= OUT and " " .. list.name:lower() .. "=" or nil,
+            field = field, kind = element_kind(row, type),
+        })
+    end
+
+    -- The list at the end of an operation; `field` is that of its elements.
+    local function ready_list(list, field, row)
+        list.elements_of = {}
+        local function add_elements(type)
+            list.elements_of[type] = ready_element(list, field, type, row)
+        end
         if TYPE_NAMES[row.element] then
-            list.elements_of[row.element] = ready_element(list, abbreviation, row.element, row)
             list.element_type = row.element
         else
-            for _, type in pairs(FORMAT_TYPES) do
-                list.elements_of[type] = ready_element(list, abbreviation, type, row, true)
-            end
             list.element_type = ARRAY_TYPED
-            list.elements_of[ARRAY_TYPED] = ready_element(list, abbreviation, ARRAY_TYPED, row, true)
+            for _, type in pairs(FORMAT_TYPES) do
+                add_elements(type)
+            end
         end
-        if list.any_field then
-            fields[#fields + 1] = list.any_field
-        end
+        add_elements(list.element_type)
     end
 
     -- The parameters of an operation that tell of others: how long they are, or of which type.
-    local function telling_of(row)
+    local function telling_of(rows)
         local lengths, types = {}, {}
-        for index = 4, #row do
-            local length, element = row[index].length, row[index].element
-            if length then lengths[length] = true end
-            if element then types[element] = true end
+        for _, row in ipairs(rows) do
+            if row.length then lengths[row.length] = true end
+            if row.element then types[row.element] = true end
         end
         return lengths, types
     end
 
-    -- The parameters of an operation, each followed by its field, all but a list of values; the list at its end, if it
-    -- has one; whether no argument tells anything of another.
-    local function ready_parameters(name, cmd_name, row)
-        local lengths, types = telling_of(row)
-        local fixed, list, is_simple = {}, nil, true
-        for index = 4, #row do
-            local each = row[index]
-            local own, type = each[1], each[3]
-            local abbreviation = ("ev3." .. name .. "." .. own):lower()
-            local label = each.label and each.label .. " " .. own or own
-            local kind = PARAMETER_KINDS[type == VALUES and each.element or type] or NUMBER
-            local declared = parameter_field(abbreviation, each, kind, label, each[4])
+    -- What a parameter is called in filters and in the tree, and which values it takes.
+    local function described(name, row)
+        local own, type = row[1], row[3]
+        local label = row.label and row.label .. " " .. own or own
+        local kind = PARAMETER_KINDS[type == VALUES and row.element or type] or NUMBER
+        return ("ev3." .. name .. "." .. own):lower(), label, kind
+    end
+
+    -- Makes the fields of an operation: of each parameter, then, if it is a count, of what it announces.
+    local function declare_fields(name, rows)
+        for _, row in ipairs(rows) do
+            local abbreviation, label, kind = described(name, row)
+            fields[#fields + 1] = parameter_field(abbreviation, row, kind, label, row[4])
+            if row[3] == COUNT then
+                fields[#fields + 1] = element_field(abbreviation .. ".item", row)
+            end
+        end
+    end
+
+    -- All operations by a number of their own: name, parameters as text, and where its fields begin.
+    local names, sources, first_fields = {}, {}, {}
+
+    -- Names, directions and types stand for themselves in the text of parameters.
+    local WORDS = setmetatable({ ENUMERATIONS = ENUMERATIONS }, { __index = function(_, word) return word end })
+
+    local function read_rows(source)
+        return load("return {" .. source .. "}", "=parameters", "t", WORDS)()
+    end
+
+    -- Notes an operation and makes its fields; its number.
+    local function note_operation(name, source)
+        local number = #names + 1
+        names[number], sources[number], first_fields[number] = name, source, #fields + 1
+        declare_fields(name, read_rows(source))
+        return number
+    end
+
+    -- An operation: its names, and its parameters in turn, each followed by its field, all but a list of values; the
+    -- list at its end, if it has one; whether it is simple: no argument tells anything of another. One that stands
+    -- alone has no `cmd_name`.
+    local function ready_operation(number)
+        local name, rows = names[number], read_rows(sources[number])
+        local cmd_name = name:match("%.(.+)$")
+        local operation = { name = name, title = gsub(name, "%.", " "), cmd_name = cmd_name }
+        local lengths, types = telling_of(rows)
+        local is_simple, at = true, first_fields[number]
+        for _, row in ipairs(rows) do
+            local own, type = row[1], row[3]
+            local _, label, kind = described(name, row)
             -- LEGO names what a command reads after the command: VALUE of GET_VBATT is VBATT.
             local value_name = own == "VALUE" and cmd_name and cmd_name:match("^GET_(.+)$") or own
             local is_list = type == COUNT or type == VALUES
             local make = is_list and ready_parameter or shared_parameter
-            local parameter = make(each, kind, label, value_name, lengths[own], types[own])
+            local parameter = make(row, kind, label, value_name, lengths[own], types[own])
+            if type ~= VALUES then
+                operation[#operation + 1] = parameter
+                operation[#operation + 1] = fields[at]
+                at = at + 1
+            end
             if is_list then
-                list = parameter
-                ready_list(abbreviation, list, each, declared)
+                operation.list = parameter
+                ready_list(parameter, fields[at], row)
             end
             if is_list or lengths[own] or types[own] then is_simple = false end
-            if type ~= VALUES then
-                fixed[#fixed + 1] = parameter
-                fixed[#fixed + 1] = declared
-            end
         end
-        return fixed, list, is_simple
-    end
-
-    -- An operation: its names, and its parameters in turn with their fields. One that stands alone has no `cmd_name`.
-    local function ready_operation(opcode_name, cmd_name, row)
-        local name = cmd_name and opcode_name .. "." .. cmd_name or opcode_name
-        local operation, list, is_simple = ready_parameters(name, cmd_name, row)
-        operation.name, operation.title = name, gsub(name, "%.", " ")
-        if cmd_name then operation.cmd_name = cmd_name end
-        if list then operation.list = list end
         if is_simple then operation.is_simple = true end
         return operation
     end
@@ -223,30 +246,63 @@ do
         return false
     end
 
-    -- Opcode number to operation, or to a table of operations by CMD; one such set for each dialect.
-    INSTRUCTION_SETS = {}
+    -- A table whose entries are made when they are first asked for, from what is known by the same keys.
+    local function made_late(known, make)
+        return setmetatable({}, { __index = function(made, key)
+            local found = known[key]
+            if not found then return nil end
+            made[key] = make(found)
+            return made[key]
+        end })
+    end
+
+    -- Dialects share operations.
+    local ready_operations = {}
+
+    local function operation_of(number)
+        if not ready_operations[number] then
+            ready_operations[number] = ready_operation(number)
+            sources[number] = false
+        end
+        return ready_operations[number]
+    end
+
+    local function entry_of(known)
+        if type(known) == "number" then return operation_of(known) end
+        return { name = known.name, commands = made_late(known.commands, operation_of) }
+    end
+
+    -- What an opcode is to a dialect: the number of an operation; or a family's name, and such numbers by CMD.
+    local function known_entry(row, numbers, dialect)
+        if not row.commands then return numbers[row] end
+        local commands = {}
+        for _, command in ipairs(row.commands) do
+            if has_dialect(command, dialect) then commands[command[1]] = numbers[command] end
+        end
+        return { name = row[2], commands = commands }
+    end
+
+    -- By dialect and opcode.
+    local known_entries = {}
     for _, dialect in ipairs(DIALECTS) do
-        INSTRUCTION_SETS[dialect] = {}
+        known_entries[dialect] = {}
     end
 
     for _, row in ipairs(OPERATIONS) do
-        local number, name = row[1], row[2]
-        local plain = not row.commands and ready_operation(name, nil, row)
-        local commands = {}
+        local numbers = {}
         for _, command in ipairs(row.commands or {}) do
-            commands[#commands + 1] = { row = command, operation = ready_operation(name, command[2], command) }
+            numbers[command] = note_operation(row[2] .. "." .. command[2], command[4])
         end
-        for _, dialect in ipairs(DIALECTS) do
-            if has_dialect(row, dialect) then
-                local entry = plain or { name = name, commands = {} }
-                for _, command in ipairs(commands) do
-                    if has_dialect(command.row, dialect) then
-                        entry.commands[command.row[1]] = command.operation
-                    end
-                end
-                INSTRUCTION_SETS[dialect][number] = entry
-            end
+        if not row.commands then numbers[row] = note_operation(row[2], row[4]) end
+        for dialect, entries in pairs(known_entries) do
+            if has_dialect(row, dialect) then entries[row[1]] = known_entry(row, numbers, dialect) end
         end
+    end
+
+    -- Opcode number to operation, or to a table of operations by CMD; one such set for each dialect.
+    INSTRUCTION_SETS = {}
+    for dialect, entries in pairs(known_entries) do
+        INSTRUCTION_SETS[dialect] = made_late(entries, entry_of)
     end
 
     -- System commands by number, with the fields of their messages.

@@ -8,14 +8,14 @@ do
 
     -- What was found out of the bodies of commands, as a dialogue says the same again and again. A body has a row,
     -- which some of its bytes tell. One that comes to its row twice, with no other between, has an entry there from
-    -- then on; so what comes once costs little, and no table grows for it. An entry has what others find out of it:
+    -- then on; so what comes once costs little. An entry has what others find out of it:
     --   line      what is said of it in one line
     --   trouble   what is wrong with it, where something is: `fault`, `complaints`
     --   steps     what it adds to the tree
     --   layout    that of its replies
     --   number    under which it is kept for good
     local ROWS = 8191
-    local entries, keys = {}, {}
+    local entries, keys
 
     -- Once the lists that entries keep have so many elements together, there is no room for another one. After so many
     -- that found none all is forgotten: by then the dialogue may be another one.
@@ -26,9 +26,7 @@ do
     local last_body, last_entry
 
     function memory.forget_entries()
-        for row = 1, ROWS do
-            entries[row], keys[row] = false, 0
-        end
+        entries, keys = {}, {}
         elements, refused, last_body, last_entry = 0, 0, nil, nil
     end
     memory.forget_entries()

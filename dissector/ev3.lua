@@ -5054,8 +5054,8 @@ do
         end
     end
 
-    -- All operations by a number of their own: name, parameters as text, and where its fields begin.
-    local names, sources, first_fields = {}, {}, {}
+    -- All operations by a number of their own: name and parameters in one text, and where the fields begin.
+    local sources, first_fields = {}, {}
 
     -- Names, directions and types stand for themselves in the text of parameters.
     local WORDS = setmetatable({ ENUMERATIONS = ENUMERATIONS }, { __index = function(_, word) return word end })
@@ -5066,8 +5066,8 @@ do
 
     -- Notes an operation and makes its fields; its number.
     local function note_operation(name, source)
-        local number = #names + 1
-        names[number], sources[number], first_fields[number] = name, source, #fields + 1
+        local number = #sources + 1
+        sources[number], first_fields[number] = name .. " " .. source, #fields + 1
         declare_fields(name, read_rows(source))
         return number
     end
@@ -5076,7 +5076,8 @@ do
     -- list at its end, if it has one; whether it is simple: no argument tells anything of another. One that stands
     -- alone has no `cmd_name`.
     local function ready_operation(number)
-        local name, rows = names[number], read_rows(sources[number])
+        local name, source = sources[number]:match("^(%S+) (.*)$")
+        local rows = read_rows(source)
         local cmd_name = name:match("%.(.+)$")
         local operation = { name = name, title = gsub(name, "%.", " "), cmd_name = cmd_name }
         local lengths, types = telling_of(rows)
@@ -5489,9 +5490,10 @@ do
     READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
 
     -- A zero would end the text there; it is shown as its symbol.
-    local utf8_of = { ["\0"] = "\226\144\128" }
-    for code = 0x80, 0xFF do
-        utf8_of[string.char(code)] = string.char(0xC0 + floor(code / 0x40), 0x80 + code % 0x40)
+    local function utf8_of(character)
+        local code = byte(character)
+        if code == 0 then return "\226\144\128" end
+        return string.char(0xC0 + floor(code / 0x40), 0x80 + code % 0x40)
     end
 
     -- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
@@ -5752,12 +5754,10 @@ do
     MOST_VALUES = 12
     local MOST_TEXT = 60
 
-    -- Numbers up to the size of a frame are written but once: that takes longer than reading them.
+    -- Counts up to the size of a frame, and numbers of one byte, are written but once: that takes longer than reading
+    -- them.
     local MOST_WRITTEN = 0x3FF
     local counted, written = {}, {}
-    for value = -0x80, 0xFF do
-        written[value] = format("%d", value)
-    end
 
     function plural(count, word)
         local texts = counted[word]
@@ -5776,16 +5776,14 @@ do
     -- What stands in a line for a byte of a text: for a control character its symbol, as a line end would cut the line;
     -- for those that have none, U+0080 to U+009F, a mark, as some terminals obey them; for others their UTF-8.
     local REPLACEMENT = "\239\191\189"
-    local in_line = {}
-    for code = 0, 0xFF do
-        local character, symbol = string.char(code), string.char(code == 0x7F and 0xA1 or (0x80 + code) % 0x100)
+    local function in_line(character)
+        local code = byte(character)
         if code < 0x20 or code == 0x7F then
-            in_line[character] = "\226\144" .. symbol
-        elseif code >= 0x80 and code < 0xA0 then
-            in_line[character] = REPLACEMENT
-        else
-            in_line[character] = utf8_text(character)
+            return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
+        elseif code < 0xA0 then
+            return REPLACEMENT
         end
+        return utf8_text(character)
     end
 
     function on_one_line(text)
@@ -5803,8 +5801,10 @@ do
         if text then return text end
         -- Not a number is the one value that is not equal to itself.
         if value ~= value then return "NaN" end
-        if value % 1 == 0 and value > -1e15 and value < 1e15 then return format("%d", value) end
-        return format("%.7g", value)
+        if value % 1 ~= 0 or value <= -1e15 or value >= 1e15 then return format("%.7g", value) end
+        text = format("%d", value)
+        if value >= -0x80 and value <= 0xFF then written[value] = text end
+        return text
     end
 
     -- What there is to say of a value beside the name that Wireshark itself shows: its special meaning, or the names of
@@ -6727,6 +6727,7 @@ local value_of_row, say_operations, show_operations, show_steps
 do
     local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
+    local unpack = table.unpack
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
@@ -6953,8 +6954,9 @@ do
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         local line = first and first.title .. said .. further[count] or ""
-        if steps then steps.line, steps.count = line, step_count end
-        return line, at, fault, steps
+        -- A list that grew has room for up to twice as much.
+        local noted = steps and { line = line, count = step_count, unpack(steps, 1, step_count) }
+        return line, at, fault, noted
     end
 
     -- Without a tree: what is wrong with any argument, and what a reply will hold.

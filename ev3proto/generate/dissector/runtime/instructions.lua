@@ -188,8 +188,8 @@ do
         end
     end
 
-    -- All operations by a number of their own: name, parameters as text, and where its fields begin.
-    local names, sources, first_fields = {}, {}, {}
+    -- All operations by a number of their own: name and parameters in one text, and where the fields begin.
+    local sources, first_fields = {}, {}
 
     -- Names, directions and types stand for themselves in the text of parameters.
     local WORDS = setmetatable({ ENUMERATIONS = ENUMERATIONS }, { __index = function(_, word) return word end })
@@ -200,8 +200,8 @@ do
 
     -- Notes an operation and makes its fields; its number.
     local function note_operation(name, source)
-        local number = #names + 1
-        names[number], sources[number], first_fields[number] = name, source, #fields + 1
+        local number = #sources + 1
+        sources[number], first_fields[number] = name .. " " .. source, #fields + 1
         declare_fields(name, read_rows(source))
         return number
     end
@@ -210,7 +210,8 @@ do
     -- list at its end, if it has one; whether it is simple: no argument tells anything of another. One that stands
     -- alone has no `cmd_name`.
     local function ready_operation(number)
-        local name, rows = names[number], read_rows(sources[number])
+        local name, source = sources[number]:match("^(%S+) (.*)$")
+        local rows = read_rows(source)
         local cmd_name = name:match("%.(.+)$")
         local operation = { name = name, title = gsub(name, "%.", " "), cmd_name = cmd_name }
         local lengths, types = telling_of(rows)

@@ -7,6 +7,7 @@ local value_of_row, say_operations, show_operations, show_steps
 do
     local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
+    local unpack = table.unpack
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
@@ -233,8 +234,9 @@ do
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         local line = first and first.title .. said .. further[count] or ""
-        if steps then steps.line, steps.count = line, step_count end
-        return line, at, fault, steps
+        -- A list that grew has room for up to twice as much.
+        local noted = steps and { line = line, count = step_count, unpack(steps, 1, step_count) }
+        return line, at, fault, noted
     end
 
     -- Without a tree: what is wrong with any argument, and what a reply will hold.

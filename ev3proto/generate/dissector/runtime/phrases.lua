@@ -9,12 +9,10 @@ do
     MOST_VALUES = 12
     local MOST_TEXT = 60
 
-    -- Numbers up to the size of a frame are written but once: that takes longer than reading them.
+    -- Counts up to the size of a frame, and numbers of one byte, are written but once: that takes longer than reading
+    -- them.
     local MOST_WRITTEN = 0x3FF
     local counted, written = {}, {}
-    for value = -0x80, 0xFF do
-        written[value] = format("%d", value)
-    end
 
     function plural(count, word)
         local texts = counted[word]
@@ -33,16 +31,14 @@ do
     -- What stands in a line for a byte of a text: for a control character its symbol, as a line end would cut the line;
     -- for those that have none, U+0080 to U+009F, a mark, as some terminals obey them; for others their UTF-8.
     local REPLACEMENT = "\239\191\189"
-    local in_line = {}
-    for code = 0, 0xFF do
-        local character, symbol = string.char(code), string.char(code == 0x7F and 0xA1 or (0x80 + code) % 0x100)
+    local function in_line(character)
+        local code = byte(character)
         if code < 0x20 or code == 0x7F then
-            in_line[character] = "\226\144" .. symbol
-        elseif code >= 0x80 and code < 0xA0 then
-            in_line[character] = REPLACEMENT
-        else
-            in_line[character] = utf8_text(character)
+            return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
+        elseif code < 0xA0 then
+            return REPLACEMENT
         end
+        return utf8_text(character)
     end
 
     function on_one_line(text)
@@ -60,8 +56,10 @@ do
         if text then return text end
         -- Not a number is the one value that is not equal to itself.
         if value ~= value then return "NaN" end
-        if value % 1 == 0 and value > -1e15 and value < 1e15 then return format("%d", value) end
-        return format("%.7g", value)
+        if value % 1 ~= 0 or value <= -1e15 or value >= 1e15 then return format("%.7g", value) end
+        text = format("%d", value)
+        if value >= -0x80 and value <= 0xFF then written[value] = text end
+        return text
     end
 
     -- What there is to say of a value beside the name that Wireshark itself shows: its special meaning, or the names of

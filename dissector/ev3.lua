@@ -4870,6 +4870,15 @@ end
 -- wants all fields at the start. An operation is made ready when it is first met: a capture has a few of them, and the
 -- collector goes through all that Lua holds again and again.
 
+-- A table whose entries are made when they are first asked for; where there is none, it is asked for again.
+local function made_late(make)
+    return setmetatable({}, { __index = function(made, key)
+        local entry = make(key)
+        if entry then made[key] = entry end
+        return entry
+    end })
+end
+
 local INSTRUCTION_SETS, SYSTEM_COMMANDS
 do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
@@ -4973,15 +4982,14 @@ do
 
     -- The elements of a list by number, for one type of them: all the same but for the number in the name.
     local function numbered(element)
-        return setmetatable({}, { __index = function(elements, number)
+        return made_late(function(number)
             local one = setmetatable({}, { __index = element })
             one.name = element.name .. "[" .. number .. "]"
             one.numbered = one.name
             one.value_key = " " .. one.name .. "="
             one.label_head = one.name .. ":"
-            elements[number] = one
             return one
-        end })
+        end)
     end
 
     -- Which values an element of a list takes. Where another argument tells its type, a double holds whatever it is.
@@ -5113,30 +5121,18 @@ do
         return false
     end
 
-    -- A table whose entries are made when they are first asked for, from what is known by the same keys.
-    local function made_late(known, make)
-        return setmetatable({}, { __index = function(made, key)
-            local found = known[key]
-            if not found then return nil end
-            made[key] = make(found)
-            return made[key]
-        end })
-    end
+    -- By number, as dialects share operations.
+    local ready_operations = made_late(function(number)
+        local operation = ready_operation(number)
+        sources[number] = false
+        return operation
+    end)
 
-    -- Dialects share operations.
-    local ready_operations = {}
-
-    local function operation_of(number)
-        if not ready_operations[number] then
-            ready_operations[number] = ready_operation(number)
-            sources[number] = false
-        end
-        return ready_operations[number]
-    end
-
-    local function entry_of(known)
-        if type(known) == "number" then return operation_of(known) end
-        return { name = known.name, commands = made_late(known.commands, operation_of) }
+    local function ready_entry(known)
+        if type(known) == "number" then return ready_operations[known] end
+        local numbers = known.commands
+        local commands = made_late(function(cmd) return numbers[cmd] and ready_operations[numbers[cmd]] end)
+        return { name = known.name, commands = commands }
     end
 
     -- What an opcode is to a dialect: the number of an operation; or a family's name, and such numbers by CMD.
@@ -5169,7 +5165,7 @@ do
     -- Opcode number to operation, or to a table of operations by CMD; one such set for each dialect.
     INSTRUCTION_SETS = {}
     for dialect, entries in pairs(known_entries) do
-        INSTRUCTION_SETS[dialect] = made_late(entries, entry_of)
+        INSTRUCTION_SETS[dialect] = made_late(function(code) return entries[code] and ready_entry(entries[code]) end)
     end
 
     -- System commands by number, with the fields of their messages.
@@ -5490,11 +5486,11 @@ do
     READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
 
     -- A zero would end the text there; it is shown as its symbol.
-    local function utf8_of(character)
+    local utf8_of = made_late(function(character)
         local code = byte(character)
         if code == 0 then return "\226\144\128" end
         return string.char(0xC0 + floor(code / 0x40), 0x80 + code % 0x40)
-    end
+    end)
 
     -- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
     function utf8_text(text)
@@ -5776,7 +5772,7 @@ do
     -- What stands in a line for a byte of a text: for a control character its symbol, as a line end would cut the line;
     -- for those that have none, U+0080 to U+009F, a mark, as some terminals obey them; for others their UTF-8.
     local REPLACEMENT = "\239\191\189"
-    local function in_line(character)
+    local in_line = made_late(function(character)
         local code = byte(character)
         if code < 0x20 or code == 0x7F then
             return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
@@ -5784,7 +5780,7 @@ do
             return REPLACEMENT
         end
         return utf8_text(character)
-    end
+    end)
 
     function on_one_line(text)
         if not find(text, "[\0-\31\127-\255]") then return text end
@@ -6904,10 +6900,9 @@ do
     end
 
     -- How many operations follow the first one. Each text is written but once.
-    local further = setmetatable({ "" }, { __index = function(texts, count)
-        texts[count] = " (+" .. plural(count - 1, "operation") .. ")"
-        return texts[count]
-    end })
+    local further = made_late(function(count)
+        return count == 1 and "" or " (+" .. plural(count - 1, "operation") .. ")"
+    end)
 
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
     -- What a reply will hold is noted. Returns the line, empty where there is no operation; the offset after what could
@@ -7599,7 +7594,7 @@ end
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step, judge_split
+local is_flawless, may_become_flawless, is_sensible_command, find_frame, find_step, judge_split
 
 -- What is done for connections that may be others': one table, as there is little room for locals. What they tell may
 -- also be PERHAPS, where it is ours or a chance.
@@ -7753,28 +7748,6 @@ do
         end
         if type.carries ~= "direct" or not type.is_command or #part <= COMMAND_HEADER_SIZE then return true end
         return can_be_read_now(part, #part, true)
-    end
-
-    -- What a text tells that should begin with a frame: the first one must be without a fault and of a type that
-    -- `accepts` takes, as it goes the right way; `is_sensible`, where it is given, must take it, too. Whatever follows
-    -- must look like a frame.
-    function judge_frames(text, at, accepts, is_sensible)
-        local is_first = true
-        while at < #text do
-            local size = frame_size(byte(text, at + 1, at + 2))
-            if not may_start(text, at) then return nil end
-            if not size or at + size > #text then
-                if not is_first then return OURS end
-                return may_become_flawless(text, at, accepts) and PART or nil
-            end
-            if is_first then
-                local message = read_message(sub(text, at + 1, at + size))
-                if not is_flawless(message, true) or not accepts(message.type) then return nil end
-                if is_sensible and not is_sensible(message) then return nil end
-            end
-            at, is_first = at + size, false
-        end
-        return OURS
     end
 
     -- What a text tells, from an offset on, that should begin with a frame of a type that `accepts` takes, as it goes

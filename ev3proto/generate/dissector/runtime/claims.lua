@@ -6,7 +6,7 @@
 -- What the beginning of some data tells: OURS, PART where more is needed to tell, nil for what is not ours.
 local OURS, PART = "ours", "part"
 
-local is_flawless, may_become_flawless, is_sensible_command, judge_frames, find_frame, find_step, judge_split
+local is_flawless, may_become_flawless, is_sensible_command, find_frame, find_step, judge_split
 
 -- What is done for connections that may be others': one table, as there is little room for locals. What they tell may
 -- also be PERHAPS, where it is ours or a chance.
@@ -160,28 +160,6 @@ do
         end
         if type.carries ~= "direct" or not type.is_command or #part <= COMMAND_HEADER_SIZE then return true end
         return can_be_read_now(part, #part, true)
-    end
-
-    -- What a text tells that should begin with a frame: the first one must be without a fault and of a type that
-    -- `accepts` takes, as it goes the right way; `is_sensible`, where it is given, must take it, too. Whatever follows
-    -- must look like a frame.
-    function judge_frames(text, at, accepts, is_sensible)
-        local is_first = true
-        while at < #text do
-            local size = frame_size(byte(text, at + 1, at + 2))
-            if not may_start(text, at) then return nil end
-            if not size or at + size > #text then
-                if not is_first then return OURS end
-                return may_become_flawless(text, at, accepts) and PART or nil
-            end
-            if is_first then
-                local message = read_message(sub(text, at + 1, at + size))
-                if not is_flawless(message, true) or not accepts(message.type) then return nil end
-                if is_sensible and not is_sensible(message) then return nil end
-            end
-            at, is_first = at + size, false
-        end
-        return OURS
     end
 
     -- What a text tells, from an offset on, that should begin with a frame of a type that `accepts` takes, as it goes

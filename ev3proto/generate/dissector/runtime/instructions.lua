@@ -4,6 +4,15 @@
 -- wants all fields at the start. An operation is made ready when it is first met: a capture has a few of them, and the
 -- collector goes through all that Lua holds again and again.
 
+-- A table whose entries are made when they are first asked for; where there is none, it is asked for again.
+local function made_late(make)
+    return setmetatable({}, { __index = function(made, key)
+        local entry = make(key)
+        if entry then made[key] = entry end
+        return entry
+    end })
+end
+
 local INSTRUCTION_SETS, SYSTEM_COMMANDS
 do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
@@ -107,15 +116,14 @@ do
 
     -- The elements of a list by number, for one type of them: all the same but for the number in the name.
     local function numbered(element)
-        return setmetatable({}, { __index = function(elements, number)
+        return made_late(function(number)
             local one = setmetatable({}, { __index = element })
             one.name = element.name .. "[" .. number .. "]"
             one.numbered = one.name
             one.value_key = " " .. one.name .. "="
             one.label_head = one.name .. ":"
-            elements[number] = one
             return one
-        end })
+        end)
     end
 
     -- Which values an element of a list takes. Where another argument tells its type, a double holds whatever it is.
@@ -247,30 +255,18 @@ do
         return false
     end
 
-    -- A table whose entries are made when they are first asked for, from what is known by the same keys.
-    local function made_late(known, make)
-        return setmetatable({}, { __index = function(made, key)
-            local found = known[key]
-            if not found then return nil end
-            made[key] = make(found)
-            return made[key]
-        end })
-    end
+    -- By number, as dialects share operations.
+    local ready_operations = made_late(function(number)
+        local operation = ready_operation(number)
+        sources[number] = false
+        return operation
+    end)
 
-    -- Dialects share operations.
-    local ready_operations = {}
-
-    local function operation_of(number)
-        if not ready_operations[number] then
-            ready_operations[number] = ready_operation(number)
-            sources[number] = false
-        end
-        return ready_operations[number]
-    end
-
-    local function entry_of(known)
-        if type(known) == "number" then return operation_of(known) end
-        return { name = known.name, commands = made_late(known.commands, operation_of) }
+    local function ready_entry(known)
+        if type(known) == "number" then return ready_operations[known] end
+        local numbers = known.commands
+        local commands = made_late(function(cmd) return numbers[cmd] and ready_operations[numbers[cmd]] end)
+        return { name = known.name, commands = commands }
     end
 
     -- What an opcode is to a dialect: the number of an operation; or a family's name, and such numbers by CMD.
@@ -303,7 +299,7 @@ do
     -- Opcode number to operation, or to a table of operations by CMD; one such set for each dialect.
     INSTRUCTION_SETS = {}
     for dialect, entries in pairs(known_entries) do
-        INSTRUCTION_SETS[dialect] = made_late(entries, entry_of)
+        INSTRUCTION_SETS[dialect] = made_late(function(code) return entries[code] and ready_entry(entries[code]) end)
     end
 
     -- System commands by number, with the fields of their messages.

@@ -184,10 +184,9 @@ do
     end
 
     -- How many operations follow the first one. Each text is written but once.
-    local further = setmetatable({ "" }, { __index = function(texts, count)
-        texts[count] = " (+" .. plural(count - 1, "operation") .. ")"
-        return texts[count]
-    end })
+    local further = made_late(function(count)
+        return count == 1 and "" or " (+" .. plural(count - 1, "operation") .. ")"
+    end)
 
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
     -- What a reply will hold is noted. Returns the line, empty where there is no operation; the offset after what could

@@ -31,7 +31,7 @@ do
     -- What stands in a line for a byte of a text: for a control character its symbol, as a line end would cut the line;
     -- for those that have none, U+0080 to U+009F, a mark, as some terminals obey them; for others their UTF-8.
     local REPLACEMENT = "\239\191\189"
-    local function in_line(character)
+    local in_line = made_late(function(character)
         local code = byte(character)
         if code < 0x20 or code == 0x7F then
             return "\226\144" .. string.char(code == 0x7F and 0xA1 or 0x80 + code)
@@ -39,7 +39,7 @@ do
             return REPLACEMENT
         end
         return utf8_text(character)
-    end
+    end)
 
     function on_one_line(text)
         if not find(text, "[\0-\31\127-\255]") then return text end

@@ -82,11 +82,11 @@ do
     READ_TYPE = { [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16 }
 
     -- A zero would end the text there; it is shown as its symbol.
-    local function utf8_of(character)
+    local utf8_of = made_late(function(character)
         local code = byte(character)
         if code == 0 then return "\226\144\128" end
         return string.char(0xC0 + floor(code / 0x40), 0x80 + code % 0x40)
-    end
+    end)
 
     -- The brick's strings are ISO-8859-1, Wireshark's are UTF-8.
     function utf8_text(text)

@@ -4860,8 +4860,13 @@ local experts = {
 }
 
 -- Wireshark collects expert information also where it makes no tree: `item` is the root of it then.
-local function complain(item, kind, text)
-    item:add_proto_expert_info(experts[kind], text)
+local complain
+do
+    local add_expert_info = TreeItem.add_proto_expert_info
+
+    function complain(item, kind, text)
+        add_expert_info(item, experts[kind], text)
+    end
 end
 
 -- The instruction set, made ready -----------------------------------------------------------------------------------
@@ -5333,13 +5338,13 @@ do
         end
 
         function notes.put(place, first, second, third)
-            local number = floor(place / PAGE)
-            if number < open_number then
+            local start = open_number * PAGE
+            if place < start then
                 additions[place] = pack(FORMAT, first, second, third)
                 return
-            elseif number > open_number then
+            elseif place >= start + PAGE then
                 close_page()
-                open_number = number
+                open_number = floor(place / PAGE)
             end
             local at = count
             open[at + 1], open[at + 2] = place, first
@@ -5829,8 +5834,8 @@ do
 
     local function one_value_text(output, value)
         local parameter = output.parameter
-        if type(value) == "string" then return shortened(value) end
         if output.is_handle then return number_text(value) end
+        if parameter.type == STRING then return shortened(value) end
         local enum, unit = parameter.enum, parameter.unit
         local name = enum and not enum.is_flags and enum.names[value]
         if name then return name end
@@ -6723,6 +6728,7 @@ local value_of_row, say_operations, show_operations, show_steps
 do
     local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
+    local new_range = Tvb.range
     local unpack = table.unpack
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
@@ -6759,6 +6765,15 @@ do
         return complaints
     end
 
+    -- How much memory a command asks for, as a complaint ends.
+    local function asked_texts(scope)
+        return made_late(function(asked)
+            return format(" of the %s memory, of which the command asks for %s", scope, plural(asked, "byte"))
+        end)
+    end
+
+    local BEYOND_GLOBAL, BEYOND_LOCAL = asked_texts("global"), asked_texts("local")
+
     -- What the brick refuses, or what lies beyond the memory that the command asks for: kinds and texts in turn, after
     -- those that are in `complaints`, where there are any.
     local function variable_complaints(complaints, view, parameter, encoding, index)
@@ -6781,9 +6796,8 @@ do
         end
         if index + size > asked then
             view.is_beyond = view.is_line
-            local scope = is_global and " of the global memory" or " of the local memory"
             complaints = with_complaint(complaints, "beyond_memory", parameter.name .. " reaches up to byte "
-                .. number_text(index + size) .. scope .. ", of which the command asks for " .. plural(asked, "byte"))
+                .. number_text(index + size) .. (is_global and BEYOND_GLOBAL or BEYOND_LOCAL)[asked])
         end
         return complaints
     end
@@ -6820,20 +6834,10 @@ do
         end
     end
 
-    -- An argument, what is wrong with it, and its encoding. All but its value may be missing: what is shown instead of
-    -- that or after it, complaints, and the encoding. A range costs more than an item: one serves both.
-    local function add_argument(heading, range, size, declared, value, label, addition, complaints, encoding)
-        local added
-        if label or addition then
-            added = add(heading, declared, range, value, label, addition)
-        else
-            added = add(heading, declared, range, value)
+    local function complain_all(item, complaints)
+        for index = 1, #complaints, 2 do
+            complain(item, complaints[index], complaints[index + 1])
         end
-        if size > 1 then set_len(added, size) end
-        for index = 1, complaints and #complaints or 0, 2 do
-            complain(added, complaints[index], complaints[index + 1])
-        end
-        if encoding then add(added, ENCODING, range, encoding) end
     end
 
     -- What a command adds to the tree, step by step, so that one that comes again is not read again. Each step is so
@@ -6850,19 +6854,28 @@ do
         step_count = count + STEP
     end
 
-    -- Adds what was noted of a command, and returns its line.
+    -- Adds what was noted of a command, and returns its line. A range costs more than an item: one serves an argument
+    -- and its encoding.
     function show_steps(known, item, tvb, start)
         local heading
         for index = 1, known.count, STEP do
             local at, size, declared, value = known[index], known[index + 1], known[index + 2], known[index + 3]
-            local range = tvb(start + at, 1)
+            local label, range = known[index + 4], new_range(tvb, start + at, 1)
+            local added
             if declared then
-                add_argument(heading, range, size, declared, value, known[index + 4], known[index + 5],
-                    known[index + 6], known[index + 7])
+                local addition, complaints, encoding = known[index + 5], known[index + 6], known[index + 7]
+                if label or addition then
+                    added = add(heading, declared, range, value, label, addition)
+                else
+                    added = add(heading, declared, range, value)
+                end
+                if complaints then complain_all(added, complaints) end
+                if encoding then add(added, ENCODING, range, encoding) end
             else
-                heading = add(item, OPCODE, range, value, known[index + 4])
-                if size > 1 then set_len(heading, size) end
+                added = add(item, OPCODE, range, value, label)
+                heading = added
             end
+            if size > 1 then set_len(added, size) end
         end
         return known.line
     end
@@ -6875,22 +6888,30 @@ do
 
     local function show_argument(view, parameter, encoding, value, declared, at, stop)
         local own_field, own, label, addition, complaints = declared, value, false, false, false
+        local range, size, name, added = new_range(buffer, base + at, 1), stop - at, encoding.label, nil
         if encoding.scope then
             own = encoding.texts[value]
             own_field, label = VARIABLE, parameter.label_head .. " " .. own
+            added = add(heading, VARIABLE, range, own, label)
             check_variable(view, parameter, encoding, value, declared)
-            complaints = view.complaints or false
-            view.complaints = nil
-        elseif not (encoding.is_number and parameter.is_plain) then
+            if view.complaints then
+                complaints = view.complaints
+                view.complaints = nil
+                complain_all(added, complaints)
+            end
+        elseif encoding.is_number and parameter.is_plain then
+            added = add(heading, declared, range, value)
+        else
             if encoding.is_number and parameter.special and parameter.kind == NUMBER then
                 addition = parameter.special[value] or false
             else
                 own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
             end
+            if label and addition then label, addition = label .. " " .. addition, false end
+            added = add(heading, own_field, range, own, label, addition)
         end
-        if label and addition then label, addition = label .. " " .. addition, false end
-        local size, name = stop - at, encoding.label
-        add_argument(heading, buffer(base + at, 1), size, own_field, own, label, addition, complaints, name)
+        if size > 1 then set_len(added, size) end
+        add(added, ENCODING, range, name)
         if steps then note_step(at, size, own_field, own, label, addition, complaints, name) end
         if parameter.key then say_phrase(parameter, encoding, value) end
         if parameter.tells_length and tells_length(parameter, encoding) then
@@ -6914,7 +6935,7 @@ do
         layout_notes.start()
         while at < stop and not fault do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
-            heading = add(item, OPCODE, tvb(start + at, 1))
+            heading = add(item, OPCODE, new_range(tvb, start + at, 1))
             local operation, after, reason, kind = select_operation(text, at, stop)
             if not operation then
                 fault = { at = after, reason = reason, kind = kind }
@@ -6926,8 +6947,12 @@ do
             if name then
                 local size = after - at - 1
                 local encoding = size > 1 and ENCODINGS[byte(text, at + 2)].label
-                local range, own = tvb(start + at + 1, 1), operation.name
-                add_argument(heading, range, size, CMD, own, false, false, false, encoding)
+                local range, own = new_range(tvb, start + at + 1, 1), operation.name
+                local added = add(heading, CMD, range, own)
+                if size > 1 then
+                    set_len(added, size)
+                    add(added, ENCODING, range, encoding)
+                end
                 if steps then note_step(at + 1, size, CMD, own, false, false, false, encoding) end
             end
             pieces[1], pieces[2], piece_count = name and " " or "", name or "", 2
@@ -7030,6 +7055,7 @@ local read_message, show_message
 do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
     local set_len, set_text = TreeItem.set_len, TreeItem.set_text
+    local new_range = Tvb.range
     local LENGTH, COUNTER, TYPE = field.length, field.counter, field.type
 
     local report_field = {}
@@ -7065,7 +7091,8 @@ do
     -- How many bytes of global and of local memory a direct command asks for.
     local function asked_memory(text)
         local sizes = unsigned16(text, HEADER_SIZE)
-        return sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
+        local globals = sizes % (GLOBAL_MASK + 1)
+        return globals, (sizes - globals) / (GLOBAL_MASK + 1)
     end
 
     local function say_direct_command(message)
@@ -7095,7 +7122,7 @@ do
             add_rest(item, tvb, base, HEADER_SIZE, stop)
             return say_cut_command(message)
         end
-        local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
+        local range = new_range(tvb, base + HEADER_SIZE, MEMORY_FIELD)
         local asked = add_le(item, field.memory_sizes, range)
         add_le(asked, field.globals, range)
         add_le(asked, field.locals, range)
@@ -7142,6 +7169,11 @@ do
     -- `range` is that of its bytes.
     local function add_output(item, tvb, base, output, range)
         local parameter = output.parameter
+        -- Most are numbers of which the field says all.
+        if parameter.is_plain and not (output.list or output.is_handle) then
+            add(item, output.field, range, output.value)
+            return
+        end
         local name = parameter.name
         if not output.list then
             local declared, value, label, addition =
@@ -7162,7 +7194,7 @@ do
     local function add_direct_reply(message, item, tvb, base)
         local stop, outputs, count = message.stop, message.outputs, message.count
         if stop == HEADER_SIZE then return end
-        local memory = tvb(base + HEADER_SIZE, stop - HEADER_SIZE)
+        local memory = new_range(tvb, base + HEADER_SIZE, stop - HEADER_SIZE)
         add(item, field.memory, memory)
         local first = 1
         while first <= count do
@@ -7174,17 +7206,18 @@ do
             local start, after = stop, HEADER_SIZE
             for index = first, last do
                 local output = outputs[index]
-                local at = HEADER_SIZE + output.index
-                start, after = math.min(start, at), math.max(after, at + output.size)
+                local at, size = HEADER_SIZE + output.index, output.size
+                if at < start then start = at end
+                if at + size > after then after = at + size end
             end
             local name, size = outputs[first].operation.name, after - start
             -- A range costs as much as half an item. Often an operation has one value, and a reply one operation.
-            local range = size == stop - HEADER_SIZE and memory or tvb(base + start, size)
+            local range = size == stop - HEADER_SIZE and memory or new_range(tvb, base + start, size)
             local added = add(item, field.answers, range, name)
             for index = first, last do
                 local output = outputs[index]
                 local own = output.size == size and range
-                    or tvb(base + HEADER_SIZE + output.index, output.size)
+                    or new_range(tvb, base + HEADER_SIZE + output.index, output.size)
                 add_output(added, tvb, base, output, own)
             end
             first = last + 1
@@ -7444,12 +7477,12 @@ do
 
     -- The item of a message, with its header. Its text may come later.
     local function add_frame(tree, tvb, base, message, line)
-        local range = tvb(base, message.stop)
+        local range = new_range(tvb, base, message.stop)
         local item = add_item(tree, range, line)
         -- A range costs more than an item: the length has none of its own.
         set_len(add(item, LENGTH, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
-        add_le(item, COUNTER, tvb(base + LENGTH_FIELD, 2))
-        add(item, TYPE, tvb(base + HEADER_SIZE - 1, 1))
+        add_le(item, COUNTER, new_range(tvb, base + LENGTH_FIELD, 2))
+        add(item, TYPE, new_range(tvb, base + HEADER_SIZE - 1, 1))
         return item
     end
 

@@ -142,13 +142,13 @@ do
         end
 
         function notes.put(place, first, second, third)
-            local number = floor(place / PAGE)
-            if number < open_number then
+            local start = open_number * PAGE
+            if place < start then
                 additions[place] = pack(FORMAT, first, second, third)
                 return
-            elseif number > open_number then
+            elseif place >= start + PAGE then
                 close_page()
-                open_number = number
+                open_number = floor(place / PAGE)
             end
             local at = count
             open[at + 1], open[at + 2] = place, first

@@ -8,6 +8,7 @@ local read_message, show_message
 do
     local add, add_le, set_generated = TreeItem.add, TreeItem.add_le, TreeItem.set_generated
     local set_len, set_text = TreeItem.set_len, TreeItem.set_text
+    local new_range = Tvb.range
     local LENGTH, COUNTER, TYPE = field.length, field.counter, field.type
 
     local report_field = {}
@@ -43,7 +44,8 @@ do
     -- How many bytes of global and of local memory a direct command asks for.
     local function asked_memory(text)
         local sizes = unsigned16(text, HEADER_SIZE)
-        return sizes % (GLOBAL_MASK + 1), floor(sizes / (GLOBAL_MASK + 1))
+        local globals = sizes % (GLOBAL_MASK + 1)
+        return globals, (sizes - globals) / (GLOBAL_MASK + 1)
     end
 
     local function say_direct_command(message)
@@ -73,7 +75,7 @@ do
             add_rest(item, tvb, base, HEADER_SIZE, stop)
             return say_cut_command(message)
         end
-        local range = tvb(base + HEADER_SIZE, MEMORY_FIELD)
+        local range = new_range(tvb, base + HEADER_SIZE, MEMORY_FIELD)
         local asked = add_le(item, field.memory_sizes, range)
         add_le(asked, field.globals, range)
         add_le(asked, field.locals, range)
@@ -120,6 +122,11 @@ do
     -- `range` is that of its bytes.
     local function add_output(item, tvb, base, output, range)
         local parameter = output.parameter
+        -- Most are numbers of which the field says all.
+        if parameter.is_plain and not (output.list or output.is_handle) then
+            add(item, output.field, range, output.value)
+            return
+        end
         local name = parameter.name
         if not output.list then
             local declared, value, label, addition =
@@ -140,7 +147,7 @@ do
     local function add_direct_reply(message, item, tvb, base)
         local stop, outputs, count = message.stop, message.outputs, message.count
         if stop == HEADER_SIZE then return end
-        local memory = tvb(base + HEADER_SIZE, stop - HEADER_SIZE)
+        local memory = new_range(tvb, base + HEADER_SIZE, stop - HEADER_SIZE)
         add(item, field.memory, memory)
         local first = 1
         while first <= count do
@@ -152,17 +159,18 @@ do
             local start, after = stop, HEADER_SIZE
             for index = first, last do
                 local output = outputs[index]
-                local at = HEADER_SIZE + output.index
-                start, after = math.min(start, at), math.max(after, at + output.size)
+                local at, size = HEADER_SIZE + output.index, output.size
+                if at < start then start = at end
+                if at + size > after then after = at + size end
             end
             local name, size = outputs[first].operation.name, after - start
             -- A range costs as much as half an item. Often an operation has one value, and a reply one operation.
-            local range = size == stop - HEADER_SIZE and memory or tvb(base + start, size)
+            local range = size == stop - HEADER_SIZE and memory or new_range(tvb, base + start, size)
             local added = add(item, field.answers, range, name)
             for index = first, last do
                 local output = outputs[index]
                 local own = output.size == size and range
-                    or tvb(base + HEADER_SIZE + output.index, output.size)
+                    or new_range(tvb, base + HEADER_SIZE + output.index, output.size)
                 add_output(added, tvb, base, output, own)
             end
             first = last + 1
@@ -422,12 +430,12 @@ do
 
     -- The item of a message, with its header. Its text may come later.
     local function add_frame(tree, tvb, base, message, line)
-        local range = tvb(base, message.stop)
+        local range = new_range(tvb, base, message.stop)
         local item = add_item(tree, range, line)
         -- A range costs more than an item: the length has none of its own.
         set_len(add(item, LENGTH, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
-        add_le(item, COUNTER, tvb(base + LENGTH_FIELD, 2))
-        add(item, TYPE, tvb(base + HEADER_SIZE - 1, 1))
+        add_le(item, COUNTER, new_range(tvb, base + LENGTH_FIELD, 2))
+        add(item, TYPE, new_range(tvb, base + HEADER_SIZE - 1, 1))
         return item
     end
 

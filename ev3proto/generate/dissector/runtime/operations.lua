@@ -7,6 +7,7 @@ local value_of_row, say_operations, show_operations, show_steps
 do
     local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
+    local new_range = Tvb.range
     local unpack = table.unpack
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
@@ -43,6 +44,15 @@ do
         return complaints
     end
 
+    -- How much memory a command asks for, as a complaint ends.
+    local function asked_texts(scope)
+        return made_late(function(asked)
+            return format(" of the %s memory, of which the command asks for %s", scope, plural(asked, "byte"))
+        end)
+    end
+
+    local BEYOND_GLOBAL, BEYOND_LOCAL = asked_texts("global"), asked_texts("local")
+
     -- What the brick refuses, or what lies beyond the memory that the command asks for: kinds and texts in turn, after
     -- those that are in `complaints`, where there are any.
     local function variable_complaints(complaints, view, parameter, encoding, index)
@@ -65,9 +75,8 @@ do
         end
         if index + size > asked then
             view.is_beyond = view.is_line
-            local scope = is_global and " of the global memory" or " of the local memory"
             complaints = with_complaint(complaints, "beyond_memory", parameter.name .. " reaches up to byte "
-                .. number_text(index + size) .. scope .. ", of which the command asks for " .. plural(asked, "byte"))
+                .. number_text(index + size) .. (is_global and BEYOND_GLOBAL or BEYOND_LOCAL)[asked])
         end
         return complaints
     end
@@ -104,20 +113,10 @@ do
         end
     end
 
-    -- An argument, what is wrong with it, and its encoding. All but its value may be missing: what is shown instead of
-    -- that or after it, complaints, and the encoding. A range costs more than an item: one serves both.
-    local function add_argument(heading, range, size, declared, value, label, addition, complaints, encoding)
-        local added
-        if label or addition then
-            added = add(heading, declared, range, value, label, addition)
-        else
-            added = add(heading, declared, range, value)
+    local function complain_all(item, complaints)
+        for index = 1, #complaints, 2 do
+            complain(item, complaints[index], complaints[index + 1])
         end
-        if size > 1 then set_len(added, size) end
-        for index = 1, complaints and #complaints or 0, 2 do
-            complain(added, complaints[index], complaints[index + 1])
-        end
-        if encoding then add(added, ENCODING, range, encoding) end
     end
 
     -- What a command adds to the tree, step by step, so that one that comes again is not read again. Each step is so
@@ -134,19 +133,28 @@ do
         step_count = count + STEP
     end
 
-    -- Adds what was noted of a command, and returns its line.
+    -- Adds what was noted of a command, and returns its line. A range costs more than an item: one serves an argument
+    -- and its encoding.
     function show_steps(known, item, tvb, start)
         local heading
         for index = 1, known.count, STEP do
             local at, size, declared, value = known[index], known[index + 1], known[index + 2], known[index + 3]
-            local range = tvb(start + at, 1)
+            local label, range = known[index + 4], new_range(tvb, start + at, 1)
+            local added
             if declared then
-                add_argument(heading, range, size, declared, value, known[index + 4], known[index + 5],
-                    known[index + 6], known[index + 7])
+                local addition, complaints, encoding = known[index + 5], known[index + 6], known[index + 7]
+                if label or addition then
+                    added = add(heading, declared, range, value, label, addition)
+                else
+                    added = add(heading, declared, range, value)
+                end
+                if complaints then complain_all(added, complaints) end
+                if encoding then add(added, ENCODING, range, encoding) end
             else
-                heading = add(item, OPCODE, range, value, known[index + 4])
-                if size > 1 then set_len(heading, size) end
+                added = add(item, OPCODE, range, value, label)
+                heading = added
             end
+            if size > 1 then set_len(added, size) end
         end
         return known.line
     end
@@ -159,22 +167,30 @@ do
 
     local function show_argument(view, parameter, encoding, value, declared, at, stop)
         local own_field, own, label, addition, complaints = declared, value, false, false, false
+        local range, size, name, added = new_range(buffer, base + at, 1), stop - at, encoding.label, nil
         if encoding.scope then
             own = encoding.texts[value]
             own_field, label = VARIABLE, parameter.label_head .. " " .. own
+            added = add(heading, VARIABLE, range, own, label)
             check_variable(view, parameter, encoding, value, declared)
-            complaints = view.complaints or false
-            view.complaints = nil
-        elseif not (encoding.is_number and parameter.is_plain) then
+            if view.complaints then
+                complaints = view.complaints
+                view.complaints = nil
+                complain_all(added, complaints)
+            end
+        elseif encoding.is_number and parameter.is_plain then
+            added = add(heading, declared, range, value)
+        else
             if encoding.is_number and parameter.special and parameter.kind == NUMBER then
                 addition = parameter.special[value] or false
             else
                 own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
             end
+            if label and addition then label, addition = label .. " " .. addition, false end
+            added = add(heading, own_field, range, own, label, addition)
         end
-        if label and addition then label, addition = label .. " " .. addition, false end
-        local size, name = stop - at, encoding.label
-        add_argument(heading, buffer(base + at, 1), size, own_field, own, label, addition, complaints, name)
+        if size > 1 then set_len(added, size) end
+        add(added, ENCODING, range, name)
         if steps then note_step(at, size, own_field, own, label, addition, complaints, name) end
         if parameter.key then say_phrase(parameter, encoding, value) end
         if parameter.tells_length and tells_length(parameter, encoding) then
@@ -198,7 +214,7 @@ do
         layout_notes.start()
         while at < stop and not fault do
             -- The opcode is the heading of its operation: it stands for all the bytes of it.
-            heading = add(item, OPCODE, tvb(start + at, 1))
+            heading = add(item, OPCODE, new_range(tvb, start + at, 1))
             local operation, after, reason, kind = select_operation(text, at, stop)
             if not operation then
                 fault = { at = after, reason = reason, kind = kind }
@@ -210,8 +226,12 @@ do
             if name then
                 local size = after - at - 1
                 local encoding = size > 1 and ENCODINGS[byte(text, at + 2)].label
-                local range, own = tvb(start + at + 1, 1), operation.name
-                add_argument(heading, range, size, CMD, own, false, false, false, encoding)
+                local range, own = new_range(tvb, start + at + 1, 1), operation.name
+                local added = add(heading, CMD, range, own)
+                if size > 1 then
+                    set_len(added, size)
+                    add(added, ENCODING, range, encoding)
+                end
                 if steps then note_step(at + 1, size, CMD, own, false, false, false, encoding) end
             end
             pieces[1], pieces[2], piece_count = name and " " or "", name or "", 2

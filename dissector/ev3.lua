@@ -5289,10 +5289,57 @@ do
         return floor(place / OFFSETS)
     end
 
-    -- What is kept for good lies outside of Lua, in byte arrays: Lua lets all that it holds double before it frees
-    -- anything.
+    -- What is kept for good lies outside of Lua, in byte arrays: Lua goes through all that it holds whenever it frees
+    -- something, and lets it double before it does.
     local new_bytes, pack, unpack = ByteArray.new, Struct.pack, Struct.unpack
     local NUMBER_SIZE = 8
+
+    -- Keeps texts, each by a number that tells where it is. Some are joined at once: Lua has few texts to go through,
+    -- and few byte arrays.
+    local MOST_LENGTH = 0x10000
+
+    function memory.new_texts()
+        local PAGE, MOST_PIECES = 0x10000, 64
+        local pages, parts, pieces, count, size
+        local texts = {}
+
+        function texts.forget()
+            pages, parts, pieces, count, size = {}, {}, {}, 0, 0
+        end
+        texts.forget()
+
+        local function join_pieces()
+            parts[#parts + 1], count = concat(pieces, "", 1, count), 0
+        end
+
+        local function close_page()
+            join_pieces()
+            pages[#pages + 1] = new_bytes(concat(parts), true)
+            parts, size = {}, 0
+        end
+
+        function texts.put(text)
+            if size >= PAGE / 2 then
+                close_page()
+            elseif count == MOST_PIECES then
+                join_pieces()
+            end
+            local known = (#pages * PAGE + size) * MOST_LENGTH + #text
+            count = count + 1
+            pieces[count], size = text, size + #text
+            return known
+        end
+
+        function texts.get(number)
+            local length = number % MOST_LENGTH
+            local at = floor(number / MOST_LENGTH)
+            local page, start = pages[floor(at / PAGE) + 1], at % PAGE
+            if page then return page:raw(start, length) end
+            return sub(concat(parts) .. concat(pieces, "", 1, count), start + 1, start + length)
+        end
+
+        return texts
+    end
 
     -- Keeps what is known of messages, by place: 1 or 3 numbers each. What is known of some packets in a row is packed
     -- as soon as a later packet has something; what is added to them afterwards is little, and kept beside it.
@@ -5304,12 +5351,15 @@ do
         local FORMAT, FULL_FORMAT = ("d"):rep(width), ("d"):rep(most)
         -- Of the last packets: place and numbers in turn. The list is used again for those that follow.
         local open, count, open_number = {}, 0, 0
-        local pages, additions, last, last_number
+        -- A page by its number: a byte array, or the number of a text if it is short.
+        local pages, packed = {}, memory.new_texts()
+        local additions, last, last_number
         local notes, pieces = {}, {}
 
         function notes.forget()
             open, count, open_number = {}, 0, 0
             pages, additions, last, last_number = {}, {}, {}, nil
+            packed.forget()
         end
         notes.forget()
 
@@ -5322,7 +5372,8 @@ do
                 pieces[stop] = pack(size == most and FULL_FORMAT or ("d"):rep(size),
                     table.unpack(open, first, first + size - 1))
             end
-            pages[open_number] = new_bytes(concat(pieces, "", 1, stop), true)
+            local text = concat(pieces, "", 1, stop)
+            pages[open_number] = #text < MOST_LENGTH and packed.put(text) or new_bytes(text, true)
             count = 0
         end
 
@@ -5330,7 +5381,7 @@ do
         local function read_page(number)
             local found, page = {}, pages[number]
             if not page then return found end
-            local text = page:raw()
+            local text = type(page) == "number" and packed.get(page) or page:raw()
             for at = 1, #text, step * NUMBER_SIZE do
                 found[unpack("d", text, at)] = sub(text, at + NUMBER_SIZE, at + step * NUMBER_SIZE - 1)
             end
@@ -5371,39 +5422,6 @@ do
         end
 
         return notes
-    end
-
-    -- Keeps texts, each by a number that tells where it is.
-    function memory.new_texts()
-        local PAGE, MOST_LENGTH = 0x10000, 0x10000
-        local pages, pieces, count, size
-        local texts = {}
-
-        function texts.forget()
-            pages, pieces, count, size = {}, {}, 0, 0
-        end
-        texts.forget()
-
-        function texts.put(text)
-            if size >= PAGE / 2 then
-                pages[#pages + 1] = new_bytes(concat(pieces, "", 1, count), true)
-                count, size = 0, 0
-            end
-            local known = (#pages * PAGE + size) * MOST_LENGTH + #text
-            count = count + 1
-            pieces[count], size = text, size + #text
-            return known
-        end
-
-        function texts.get(number)
-            local length = number % MOST_LENGTH
-            local at = floor(number / MOST_LENGTH)
-            local page, start = pages[floor(at / PAGE) + 1], at % PAGE
-            if page then return page:raw(start, length) end
-            return sub(concat(pieces, "", 1, count), start + 1, start + length)
-        end
-
-        return texts
     end
 end
 

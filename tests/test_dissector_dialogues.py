@@ -1,0 +1,71 @@
+"""Long dialogues: which command a reply answers is kept in little space, and stays there for whoever looks later."""
+
+from __future__ import annotations
+
+import struct
+from itertools import cycle, islice
+
+from support.packets import RAW_IP, Capture, Connection
+from support.wireshark import Tshark
+
+import ev3proto
+
+UNLOCK = ev3proto.Unlock("06165300000a").build()
+READINGS = {"VBATT": ("01", "V"), "IBATT": ("02", "A"), "TBATT": ("05", "°C")}
+"""Of what UI_READ reads: the CMD in hexadecimal, and the unit."""
+
+
+def frame(counter: int, kind: str, body: str) -> bytes:
+    after_length = struct.pack("<H", counter & 0xFFFF) + bytes.fromhex(kind + body)
+    return struct.pack("<H", len(after_length)) + after_length
+
+
+def command(counter: int, what: str) -> bytes:
+    """Asks for a reading, then plays a tone: no two of these commands are the same."""
+    tone = "94 01 05 82" + struct.pack("<h", counter).hex() + "8164"
+    return frame(counter, "00", f"0400 81 {READINGS[what][0]} 60" + tone)
+
+
+def reply(counter: int, value: float) -> bytes:
+    return frame(counter, "02", struct.pack("<f", value).hex())
+
+
+def test_a_long_dialogue(tshark: Tshark) -> None:
+    """4,500 commands, each with its reply after it."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(UNLOCK)
+    asked = list(islice(cycle(READINGS), 4500))
+    for counter, what in enumerate(asked):
+        connection.send(command(counter, what))
+        connection.receive(reply(counter, counter / 4))
+    path = tshark.place(capture.data(), "long.pcap")
+    fields = ("-e", "ev3.request_in", "-e", "ev3.response_in", "-e", "_ws.col.Info")
+    _, *found = tshark.run(path, "-2", "-T", "fields", *fields).splitlines()
+    expected = []
+    for counter, what in enumerate(asked):
+        number = 2 * counter + 2
+        expected += [
+            f"\t{number + 1}\tUI_READ GET_{what} (+1 operation)",
+            f"{number}\t\treply to UI_READ GET_{what}: {counter / 4:g} {READINGS[what][1]}",
+        ]
+    assert found == expected
+
+
+def test_many_commands_in_a_packet(tshark: Tshark) -> None:
+    """3,000 commands in one packet and their replies in another; what is known of them is looked up much later."""
+    counters = range(3000)
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(UNLOCK)
+    connection.send(b"".join(frame(counter, "00", "0400 81 01 60") for counter in counters))
+    connection.receive(b"".join(reply(counter, 7.5) for counter in counters))
+    for counter in range(3000, 3300):
+        connection.send(command(counter, "VBATT"))
+        connection.receive(reply(counter, 8))
+    path = tshark.place(capture.data(), "many.pcap")
+    fields = ("-e", "frame.number", "-e", "ev3.request_in", "-e", "ev3.response_in")
+    _, commands, replies, *others = tshark.run(path, "-2", "-T", "fields", *fields).splitlines()
+    assert commands == "2\t\t" + ",".join(["3"] * 3000)
+    assert replies == "3\t" + ",".join(["2"] * 3000) + "\t"
+    assert others[-2:] == ["602\t\t603", "603\t602\t"]

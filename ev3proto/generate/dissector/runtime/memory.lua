@@ -99,11 +99,12 @@ do
     local NUMBER_SIZE = 8
 
     -- Keeps texts, each by a number that tells where it is. Some are joined at once: Lua has few texts to go through,
-    -- and few byte arrays.
+    -- and few byte arrays. They are few enough for less than 1 kB, nearly always: before the C library hands out more
+    -- than that, it joins all small blocks that are free, which takes long.
     local MOST_LENGTH = 0x10000
 
     function memory.new_texts()
-        local PAGE, MOST_PIECES = 0x10000, 64
+        local PAGE, MOST_PIECES = 0x10000, 20
         local pages, parts, pieces, count, size
         local texts = {}
 
@@ -151,7 +152,7 @@ do
         local PAGE = 256 * OFFSETS
         local step = width + 1
         -- Numbers that are packed at once.
-        local most = 60 * step
+        local most = 30 * step
         local FORMAT, FULL_FORMAT = ("d"):rep(width), ("d"):rep(most)
         -- Of the last packets: place and numbers in turn. The list is used again for those that follow.
         local open, count, open_number = {}, 0, 0

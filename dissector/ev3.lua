@@ -5218,12 +5218,19 @@ do
     local MOST_ELEMENTS, MOST_REFUSED = 0x10000, 0x2000
     local elements, refused = 0, 0
 
+    -- Steps are long. Where most commands find no room for theirs, what the others keep costs more than it saves, as
+    -- Lua goes through all of it whenever it frees something. So once that many found none, and steps were not used
+    -- twice as often, all is forgotten, and nothing is kept of the next commands that are added to the tree, so many.
+    local MOST_CROWDED, PAUSE = 0x200, 0x4000
+    local used, crowded, pause
+
     -- Of the body that was asked for last: a command and its reply ask several times.
     local last_body, last_entry
 
     function memory.forget_entries()
         entries, keys = {}, {}
         elements, refused, last_body, last_entry = 0, 0, nil, nil
+        used, crowded, pause = 0, 0, 0
     end
     memory.forget_entries()
 
@@ -5244,8 +5251,12 @@ do
         return last_entry
     end
 
-    -- The same when a command comes.
-    function memory.meet(body)
+    -- The same when a command comes, which is added to the tree or not.
+    function memory.meet(body, is_shown)
+        if is_shown and pause > 0 then
+            pause, last_body, last_entry = pause - 1, body, nil
+            return nil
+        end
         local key = key_of(body)
         local row = 1 + key % ROWS
         local entry = entries[row]
@@ -5270,6 +5281,27 @@ do
         if elements < MOST_ELEMENTS then return true end
         refused = refused + 1
         if refused > MOST_REFUSED then memory.forget_entries() end
+        return false
+    end
+
+    -- The steps that an entry keeps, if it does.
+    function memory.steps_of(entry)
+        local steps = entry.steps
+        if steps then used = used + 1 end
+        return steps
+    end
+
+    -- Whether entries may keep more steps.
+    function memory.has_room_for_steps()
+        if memory.has_room() then return true end
+        crowded = crowded + 1
+        if crowded >= MOST_CROWDED then
+            if used < 2 * crowded then
+                memory.forget_entries()
+                pause = PAUSE
+            end
+            used, crowded = 0, 0
+        end
         return false
     end
 
@@ -7145,11 +7177,10 @@ do
         local asked = add_le(item, field.memory_sizes, range)
         add_le(asked, field.globals, range)
         add_le(asked, field.locals, range)
-        local entry = memory.meet(message.body)
-        if entry and entry.steps then
-            return line_of(message, show_steps(entry.steps, item, tvb, base))
-        end
-        local is_noted = entry ~= nil and memory.has_room()
+        local entry = memory.meet(message.body, true)
+        local known = entry and memory.steps_of(entry)
+        if known then return line_of(message, show_steps(known, item, tvb, base)) end
+        local is_noted = entry ~= nil and memory.has_room_for_steps()
         local globals, locals = asked_memory(text)
         local line, after, fault, steps =
             show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, globals, locals, is_noted)

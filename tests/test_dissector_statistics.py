@@ -252,4 +252,25 @@ def test_what_is_known_of_an_operation_is_read_when_it_comes(tmp_path: Path) -> 
         for frames in (tones, [*tones, *every_operation()]):
             capture = tshark.place(tcp_capture(Segment(True, frame) for frame in frames), "frames.pcap")
             held.append(int(tshark.run(capture, "-T", "fields", "-e", "ev3.op").split()[-1]))
-    assert held[1] - held[0] > 250
+    assert held[1] - held[0] > 150
+
+
+def long_command(number: int) -> bytes:
+    """Thirty tones in one command, the first with a frequency of its own."""
+    body = "0000" + "94 01 01 82" + struct.pack("<h", number).hex() + "82E803" + "94 01 01 05 05" * 29
+    after_length = struct.pack("<HB", number, 0x80) + bytes.fromhex(body)
+    return struct.pack("<H", len(after_length)) + after_length
+
+
+def test_no_steps_are_kept_where_most_commands_find_no_room_for_theirs(tmp_path: Path) -> None:
+    """What is kept of a few is gone through again and again, and saves less than that takes."""
+    script = tmp_path / "ev3.lua"
+    script.write_text(build() + HELD)
+    held = []
+    with Tshark.from_setting(script) as tshark:
+        for commands in (50, 600):
+            frames = [long_command(number) for _ in range(5) for number in range(300, 300 + commands)]
+            capture = tshark.place(tcp_capture(Segment(True, frame) for frame in frames), "frames.pcap")
+            held.append(int(tshark.run(capture, "-T", "fields", "-e", "ev3.op").split()[-1]))
+    few, many = held
+    assert many < 0.75 * few

@@ -79,11 +79,10 @@ do
         local asked = add_le(item, field.memory_sizes, range)
         add_le(asked, field.globals, range)
         add_le(asked, field.locals, range)
-        local entry = memory.meet(message.body)
-        if entry and entry.steps then
-            return line_of(message, show_steps(entry.steps, item, tvb, base))
-        end
-        local is_noted = entry ~= nil and memory.has_room()
+        local entry = memory.meet(message.body, true)
+        local known = entry and memory.steps_of(entry)
+        if known then return line_of(message, show_steps(known, item, tvb, base)) end
+        local is_noted = entry ~= nil and memory.has_room_for_steps()
         local globals, locals = asked_memory(text)
         local line, after, fault, steps =
             show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, globals, locals, is_noted)

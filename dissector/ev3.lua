@@ -5219,8 +5219,8 @@ do
     local elements, refused = 0, 0
 
     -- Steps are long. Where most commands find no room for theirs, what the others keep costs more than it saves, as
-    -- Lua goes through all of it whenever it frees something. So once that many found none, and steps were not used
-    -- twice as often, all is forgotten, and nothing is kept of the next commands that are added to the tree, so many.
+    -- Lua goes through all of it whenever it frees something. So once MOST_CROWDED found none, and steps were used less
+    -- than twice as often, all is forgotten, and nothing is kept of the next PAUSE commands that are added to the tree.
     local MOST_CROWDED, PAUSE = 0x200, 0x4000
     local used, crowded, pause
 
@@ -5295,11 +5295,11 @@ do
     function memory.has_room_for_steps()
         if memory.has_room() then return true end
         crowded = crowded + 1
-        if crowded >= MOST_CROWDED then
-            if used < 2 * crowded then
-                memory.forget_entries()
-                pause = PAUSE
-            end
+        if crowded < MOST_CROWDED then return false end
+        if used < 2 * crowded then
+            memory.forget_entries()
+            pause = PAUSE
+        else
             used, crowded = 0, 0
         end
         return false
@@ -5326,11 +5326,12 @@ do
     local new_bytes, pack, unpack = ByteArray.new, Struct.pack, Struct.unpack
     local NUMBER_SIZE = 8
 
-    -- Keeps texts, each by a number that tells where it is. Some are joined at once: Lua has few texts to go through,
-    -- and few byte arrays. They are few enough for less than 1 kB, nearly always: before the C library hands out more
-    -- than that, it joins all small blocks that are free, which takes long.
+    -- Texts that are kept are shorter than this.
     local MOST_LENGTH = 0x10000
 
+    -- Keeps texts, each by a number that tells where it is. Some are joined at once, so that Lua has few to go through:
+    -- so many that bodies of commands make less than 1 kB together, nearly always. Before the C library hands out more,
+    -- it joins all small blocks that are free, which takes long.
     function memory.new_texts()
         local PAGE, MOST_PIECES = 0x10000, 20
         local pages, parts, pieces, count, size
@@ -5379,13 +5380,13 @@ do
     function memory.new_notes(width)
         local PAGE = 256 * OFFSETS
         local step = width + 1
-        -- Numbers that are packed at once.
+        -- Numbers that are packed at once: less than 1 kB, too.
         local most = 30 * step
         local FORMAT, FULL_FORMAT = ("d"):rep(width), ("d"):rep(most)
         -- Of the last packets: place and numbers in turn. The list is used again for those that follow.
         local open, count, open_number = {}, 0, 0
-        -- A page by its number: a byte array, or the number of a text if it is short.
-        local pages, packed = {}, memory.new_texts()
+        -- A page by its number: that of a text in `packed`, or a byte array if it is too long for one.
+        local pages, packed = nil, memory.new_texts()
         local additions, last, last_number
         local notes, pieces = {}, {}
 

@@ -5202,102 +5202,143 @@ local memory, place_of, number_of
 do
     memory = {}
 
-    -- What was found out of the bodies of commands, as a dialogue says the same again and again. A body has a row,
-    -- which some of its bytes tell. One that comes to its row twice, with no other between, has an entry there from
-    -- then on; so what comes once costs little. An entry has what others find out of it:
-    --   line      what is said of it in one line
-    --   trouble   what is wrong with it, where something is: `fault`, `complaints`
-    --   steps     what it adds to the tree
-    --   layout    that of its replies
-    --   number    under which it is kept for good
+    -- What was found out of the bodies of commands, as a dialogue says the same again and again. A body has a number,
+    -- its entry, by which others keep in these tables what they find out:
+    --   lines      what is said of it in one line
+    --   troubles   what is wrong with it, where something is: `fault`, `complaints`
+    --   steps      what it adds to the tree
+    --   layouts    that of its replies
+    --   numbers    under which it is kept for good
+    -- So many bodies have an entry at most, and all but the steps takes so much together, in elements of a list.
+    local MOST_ENTRIES, MOST_ELEMENTS = 5000, 0x60000
+    local entries, count, elements
+
+    -- The bytes that an element takes, and the elements that an entry takes with nothing kept.
+    local ELEMENT_SIZE, ENTRY_ELEMENTS = 16, 8
+
+    -- Where there is no room for another entry, what counts is how many commands had one, of so many at least. If less
+    -- than a quarter had, all is forgotten: by then the dialogue is another one. If entries never were of use, commands
+    -- hardly repeat, and only one that comes again gets an entry from then on: Lua goes through all that it holds
+    -- whenever it frees something.
+    local LEAST_MET = 1000
+    local met, known, was_of_use, is_choosy
+
+    -- The same holds for commands that are added to the tree, as steps are long. A command comes again where no other in
+    -- its row came in between. Some bytes of the body tell the row.
     local ROWS = 8191
-    local entries, keys
+    local keys
 
-    -- Once the lists that entries keep have so many elements together, there is no room for another one. After so many
-    -- that found none all is forgotten: by then the dialogue may be another one.
-    local MOST_ELEMENTS, MOST_REFUSED = 0x10000, 0x2000
-    local elements, refused = 0, 0
+    -- Where most commands find no room for their steps, what the others keep costs more than it saves. So once
+    -- MOST_CROWDED found none, and steps were used less than twice as often, all steps are forgotten, and nothing is
+    -- kept of the next PAUSE commands that are added to the tree.
+    local MOST_STEP_ELEMENTS, MOST_CROWDED, PAUSE = 0x10000, 0x200, 0x4000
+    local step_elements, used, crowded, pause
 
-    -- Steps are long. Where most commands find no room for theirs, what the others keep costs more than it saves, as
-    -- Lua goes through all of it whenever it frees something. So once MOST_CROWDED found none, and steps were used less
-    -- than twice as often, all is forgotten, and nothing is kept of the next PAUSE commands that are added to the tree.
-    local MOST_CROWDED, PAUSE = 0x200, 0x4000
-    local used, crowded, pause
-
-    -- Of the body that was asked for last: a command and its reply ask several times.
-    local last_body, last_entry
+    local function forget_steps()
+        memory.steps = {}
+        step_elements, used, crowded, pause = 0, 0, 0, 0
+    end
 
     function memory.forget_entries()
-        entries, keys = {}, {}
-        elements, refused, last_body, last_entry = 0, 0, nil, nil
-        used, crowded, pause = 0, 0, 0
+        entries, count, elements, keys = {}, 0, 0, {}
+        memory.lines, memory.troubles, memory.layouts, memory.numbers = {}, {}, {}, {}
+        met, known, was_of_use, is_choosy = 0, 0, false, false
+        forget_steps()
     end
     memory.forget_entries()
 
-    -- Bytes near the start and at the end, as bodies are alike in others. A few are so short that some are missing.
-    local function key_of(body)
-        local a, b, c, d, e = byte(body, 3, 7)
-        local y, z = byte(body, -2, -1)
-        if not e then return (a or 0) + 0x100 * (b or 0) + 0x10000 * (c or 0) + 0x1000000 * (d or 0) end
-        return #body + 0x101 * a + 0x1003 * b + 0x10007 * c + 0x10000D * d + 0x1000015 * e + 0x3000011 * y
-            + 0x700001F * z
+    local function is_full()
+        return count >= MOST_ENTRIES or elements >= MOST_ELEMENTS
+    end
+
+    local function look_back()
+        if known >= met / 4 then
+            met, known, was_of_use = 0, 0, true
+            return
+        end
+        local hardly_repeat = not was_of_use
+        memory.forget_entries()
+        is_choosy = hardly_repeat
     end
 
     -- Its entry, if it has one.
     function memory.entry_of(body)
-        if body == last_body then return last_entry end
-        local entry = entries[1 + key_of(body) % ROWS]
-        last_body, last_entry = body, entry and entry.body == body and entry or nil
-        return last_entry
+        return entries[body]
     end
 
-    -- The same when a command comes, which is added to the tree or not.
-    function memory.meet(body, is_shown)
-        if is_shown and pause > 0 then
-            pause, last_body, last_entry = pause - 1, body, nil
-            return nil
+    -- Bytes near the start and at the end, as bodies are alike in others. A few are so short that some are missing.
+    local function key_of(body)
+        local a, b, c, d, e, f, g = byte(body, 3, 9)
+        local y, z = byte(body, -2, -1)
+        if not g then
+            return (a or 0) + 0x100 * (b or 0) + 0x10000 * (c or 0) + 0x1000000 * (d or 0) + 0x100000000 * (e or 0)
+                + 0x10000000000 * (f or 0)
         end
+        return #body + 0x101 * a + 0x1003 * b + 0x10007 * c + 0x10000D * d + 0x1000015 * e + 0x1800037 * f
+            + 0x280003D * g + 0x3000011 * y + 0x700001F * z
+    end
+
+    local function comes_again(body)
         local key = key_of(body)
         local row = 1 + key % ROWS
-        local entry = entries[row]
-        if not entry or entry.body ~= body then
-            if keys[row] == key then
-                if entry then elements = elements - entry.count end
-                entry = {
-                    body = body, line = false, trouble = false, steps = false, layout = false, number = false,
-                    count = 0,
-                }
-                entries[row] = entry
-            else
-                keys[row], entry = key, nil
-            end
+        if keys[row] == key then return true end
+        keys[row] = key
+        return false
+    end
+
+    -- The same when a command comes, which is added to the tree or not: it may get one.
+    function memory.meet(body, is_shown)
+        if is_shown and pause > 0 then
+            pause = pause - 1
+            return nil
         end
-        last_body, last_entry = body, entry
+        met = met + 1
+        local entry = entries[body]
+        if entry then
+            known = known + 1
+        elseif is_full() then
+            if met >= LEAST_MET then look_back() end
+        elseif not (is_shown or is_choosy) or comes_again(body) then
+            count = count + 1
+            elements = elements + ENTRY_ELEMENTS + #body / ELEMENT_SIZE
+            entry = count
+            entries[body] = entry
+        end
         return entry
     end
 
-    -- Whether entries may keep more lists.
-    function memory.has_room()
-        if elements < MOST_ELEMENTS then return true end
-        refused = refused + 1
-        if refused > MOST_REFUSED then memory.forget_entries() end
-        return false
+    -- Whether so many elements more may be kept. They count from then on.
+    function memory.take_room(added)
+        if elements + added > MOST_ELEMENTS then return false end
+        elements = elements + added
+        return true
+    end
+
+    -- Keeps the line of an entry and what is wrong with the command, if there is room.
+    function memory.keep_line(entry, line, fault, complaints)
+        local size = #line
+        for index = 2, complaints and #complaints or 0, 2 do
+            size = size + #complaints[index] + 2 * ELEMENT_SIZE
+        end
+        if not memory.take_room(size / ELEMENT_SIZE) then return end
+        memory.lines[entry] = line
+        if fault or complaints then memory.troubles[entry] = { fault = fault, complaints = complaints } end
     end
 
     -- The steps that an entry keeps, if it does.
     function memory.steps_of(entry)
-        local steps = entry.steps
+        local steps = memory.steps[entry]
         if steps then used = used + 1 end
         return steps
     end
 
     -- Whether entries may keep more steps.
     function memory.has_room_for_steps()
-        if memory.has_room() then return true end
+        if step_elements < MOST_STEP_ELEMENTS then return true end
         crowded = crowded + 1
         if crowded < MOST_CROWDED then return false end
         if used < 2 * crowded then
-            memory.forget_entries()
+            forget_steps()
             pause = PAUSE
         else
             used, crowded = 0, 0
@@ -5305,9 +5346,10 @@ do
         return false
     end
 
-    -- Says that an entry keeps a list of so many elements from now on.
-    function memory.count_elements(entry, count)
-        entry.count, elements = entry.count + count, elements + count
+    -- Keeps the steps of an entry, so many elements.
+    function memory.keep_steps(entry, steps, size)
+        memory.steps[entry] = steps
+        step_elements = step_elements + size
     end
 
     -- A message's place is the number of its packet and its offset there, in one number.
@@ -6267,8 +6309,8 @@ do
     -- The number of a body that is kept. One that comes again and again has the number that it had.
     local function number_of_body(body)
         local entry = memory.entry_of(body)
-        local number = entry and entry.number or bodies.put(body)
-        if entry then entry.number = number end
+        local number = entry and memory.numbers[entry] or bodies.put(body)
+        if entry then memory.numbers[entry] = number end
         return number
     end
 
@@ -6541,6 +6583,9 @@ do
     -- `lengths`, by the offset of their operation, are constants that say how long outputs are.
     local OUTPUT = 6
 
+    -- The elements that a layout takes besides.
+    local LAYOUT_ELEMENTS = 24
+
     -- The layout of the command that is being read, or was read last.
     local draft = {}
     local draft_size, draft_lengths, draft_first
@@ -6692,12 +6737,15 @@ do
     -- command is read.
     function layout_notes.layout_for(body)
         local entry = memory.entry_of(body)
-        if entry and entry.layout then return entry.layout end
+        local layout = entry and memory.layouts[entry]
+        if layout then return layout end
         if body ~= draft_body then draft_layout(body) end
-        if not entry or not memory.has_room() then return draft end
-        memory.count_elements(entry, draft_size)
-        entry.layout = copy_of_draft()
-        return entry.layout
+        -- Where nothing else is kept, the command is read whenever it comes, and its layout with it.
+        if not entry or not (memory.lines[entry] or memory.steps[entry]) then return draft end
+        if not memory.take_room(draft_size + LAYOUT_ELEMENTS) then return draft end
+        layout = copy_of_draft()
+        memory.layouts[entry] = layout
+        return layout
     end
 
     local function head_of(layout)
@@ -7151,19 +7199,18 @@ do
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
         local entry = memory.meet(body)
-        if entry and entry.line then
-            local trouble = entry.trouble
+        local line = entry and memory.lines[entry]
+        if line then
+            local trouble = memory.troubles[entry]
             if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
-            return line_of(message, entry.line, message.fault)
+            return line_of(message, line, message.fault)
         end
-        local line, fault, complaints =
+        local fault, complaints
+        line, fault, complaints =
             say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
         if message.type.wants_reply then layout_notes.keep(body) end
         message.fault, message.complaints = fault, complaints
-        if entry then
-            entry.line = line
-            if fault or complaints then entry.trouble = { fault = fault, complaints = complaints } end
-        end
+        if entry then memory.keep_line(entry, line, fault, complaints) end
         return line_of(message, line, fault)
     end
 
@@ -7190,8 +7237,7 @@ do
             message.fault = fault
             add_rest(item, tvb, base, after, stop)
         elseif is_noted then
-            memory.count_elements(entry, steps.count)
-            entry.steps = steps
+            memory.keep_steps(entry, steps, steps.count)
         end
         return line_of(message, line, fault)
     end

@@ -57,17 +57,48 @@ def test_a_fault_in_the_first_operation_is_told_of_with_the_type_of_each_command
 
 
 def test_more_commands_than_there_is_room_for(tshark: Tshark) -> None:
-    """4,000 tones, again and again: they are kept, find no room, are forgotten, and kept again."""
-    frequencies, rounds = range(1000, 5000), 6
+    """5,500 tones, again and again: they are kept, find no room, are forgotten, and kept again."""
+    frequencies, rounds = range(1000, 6500), 5
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for _ in range(rounds):
         for frequency in frequencies:
             connection.send(frame("0000 94 01 05 82" + struct.pack("<h", frequency).hex() + "8164"))
     path = tshark.place(capture.data(), "tones.pcap")
+    lines = [f"SOUND TONE volume=5 frequency={frequency} duration=100" for frequency in frequencies]
+    assert tshark.run(path, "-o", 'gui.column.format:"Info","%i"').splitlines() == lines * rounds
     fields = ("-e", "_ws.col.Info", "-e", "ev3.sound.tone.frequency", "-e", "ev3.argument.encoding")
     found = tshark.run(path, "-T", "fields", *fields).splitlines()
-    expected = [
-        f"SOUND TONE volume=5 frequency={frequency} duration=100\t{frequency}\tLC0,LC2,LC1" for frequency in frequencies
+    assert (
+        found
+        == [f"{line}\t{frequency}\tLC0,LC2,LC1" for line, frequency in zip(lines, frequencies, strict=True)] * rounds
+    )
+
+
+def test_replies_to_commands_that_come_again(tshark: Tshark) -> None:
+    """The values are those of each reply, without a tree and with one."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    expected = []
+    for number in range(1, 6):
+        volts = struct.pack("<f", number + 0.5)
+        for body, memory, line in (
+            ("0400 81 01 60", volts, f"UI_READ GET_VBATT: {number}.5 V"),
+            (
+                "0500 81 01 60 7C 04 64",
+                volts + bytes([number]),
+                f"UI_READ GET_VBATT: VBATT={number}.5 V VOLUME={number} %",
+            ),
+            ("0400 D3 0D 04 60", b"EV%d\0" % number, f'COM_GET GET_BRICKNAME: "EV{number}"'),
+        ):
+            connection.send(frame(body, 0x00))
+            connection.receive(struct.pack("<HHB", 3 + len(memory), 1, 0x02) + memory)
+            expected.append("reply to " + line)
+    path = tshark.place(capture.data(), "replies.pcap")
+    assert tshark.run(path, "-o", 'gui.column.format:"Info","%i"').splitlines()[1::2] == expected
+    # Fields need the tree.
+    found = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info", "-e", "ev3.ui_read.get_vbatt.value").splitlines()[
+        1::2
     ]
-    assert found == expected * rounds
+    values = [volts for number in range(1, 6) for volts in (f"{number}.5", f"{number}.5", "")]
+    assert found == [f"{line}\t{value}" for line, value in zip(expected, values, strict=True)]

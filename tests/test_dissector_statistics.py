@@ -8,13 +8,11 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
-from support.frames import Segment, tcp_capture
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
 from support.wireshark import Tshark
 
 import ev3proto
 from ev3proto.generate.dissector.build import build
-from ev3proto.tables import OPCODES
 
 CAPTURES = Path(__file__).parent.parent / "captures"
 
@@ -189,90 +187,3 @@ def test_the_main_chunk_has_room_for_locals(tmp_path: Path) -> None:
     script.write_text(re.sub(r"^(do\n.*?)^end$", rf"\1{room}\nend", build(), flags=re.MULTILINE | re.DOTALL) + room)
     with Tshark.from_setting(script) as tshark:
         assert tshark.lua_errors(tshark.place(CAPTURES / "daisy.pcap")) == []
-
-
-def test_how_lua_frees_for_other_plugins_is_left_alone() -> None:
-    """All scripts share one Lua: what is set for it is set for all. To ask how much it holds, or to free, sets none."""
-    uses = set(re.findall(r"collectgarbage\b(?:\((.*?)\))?", build()))
-    assert uses == {'"count"', ""}
-
-
-WATCH = """
-do
-    local held, freed = ("x"):rep(%d * 1024 * 1024), 0
-    local function watch()
-        setmetatable({}, { __gc = function() freed = freed + 1 watch() end })
-    end
-    watch()
-    local tap = Listener.new("frame")
-    function tap.draw() print(freed, #held) end
-end
-"""
-"""A script that holds so much, and says at the end of the run how often Lua went through all that it holds."""
-
-
-def test_what_packets_leave_behind_is_freed_soon(tmp_path: Path) -> None:
-    """But not where other plugins hold much, as it takes long to go through that."""
-    script = tmp_path / "ev3.lua"
-    freed = []
-    for held in (0, 40):
-        script.write_text(build() + WATCH % held)
-        with Tshark.from_setting(script) as tshark:
-            capture = tshark.place(tcp_capture(Segment(True, tone(number)) for number in range(3000)), "tones.pcap")
-            freed.append(int(tshark.run(capture, "-T", "fields", "-e", "ev3.op").split()[-2]))
-    assert freed[0] >= 5
-    assert freed[1] <= 2
-
-
-HELD = """
-do
-    local tap = Listener.new("frame")
-    function tap.draw() collectgarbage() print(math.floor(collectgarbage("count"))) end
-end
-"""
-"""A script that says at the end of the run how many kilobytes Lua holds."""
-
-
-def held_after(tshark: Tshark, frames: Iterable[bytes]) -> int:
-    """What Lua holds after it read these frames with a tree."""
-    capture = tshark.place(tcp_capture(Segment(True, frame) for frame in frames), "frames.pcap")
-    return int(tshark.run(capture, "-T", "fields", "-e", "ev3.op").split()[-1])
-
-
-def every_operation() -> Iterable[bytes]:
-    """A frame for each, with zeros as its arguments."""
-    for opcode in OPCODES:
-        for command in opcode.commands or (None,):
-            selected = b"" if command is None else bytes([0x81, command.number])
-            zeros = bytes(len((command or opcode).parameters))
-            body = bytes([0, 0, opcode.number]) + selected + zeros
-            yield struct.pack("<HHB", 3 + len(body), 1, 0x80) + body
-
-
-def test_what_is_known_of_an_operation_is_read_when_it_comes(tmp_path: Path) -> None:
-    """Lua goes through all that it holds whenever it frees something, and most captures have a few operations."""
-    script = tmp_path / "ev3.lua"
-    script.write_text(build() + HELD)
-    tones = [tone(number) for number in range(10)]
-    with Tshark.from_setting(script) as tshark:
-        few, all_of_them = (held_after(tshark, frames) for frames in (tones, [*tones, *every_operation()]))
-    assert all_of_them - few > 200
-
-
-def long_command(number: int) -> bytes:
-    """Thirty tones in one command, the first with a frequency of its own."""
-    body = "0000" + "94 01 01 82" + struct.pack("<h", number).hex() + "82E803" + "94 01 01 05 05" * 29
-    after_length = struct.pack("<HB", number, 0x80) + bytes.fromhex(body)
-    return struct.pack("<H", len(after_length)) + after_length
-
-
-def test_no_steps_are_kept_where_most_commands_find_no_room_for_theirs(tmp_path: Path) -> None:
-    """What is kept of a few is gone through again and again, and saves less than that takes."""
-    script = tmp_path / "ev3.lua"
-    script.write_text(build() + HELD)
-    with Tshark.from_setting(script) as tshark:
-        few, many = (
-            held_after(tshark, [long_command(number) for _ in range(5) for number in range(300, 300 + commands)])
-            for commands in (50, 600)
-        )
-    assert many < 0.75 * few

@@ -57,8 +57,8 @@ do
     -- The number of a body that is kept. One that comes again and again has the number that it had.
     local function number_of_body(body)
         local entry = memory.entry_of(body)
-        local number = entry and entry.number or bodies.put(body)
-        if entry then entry.number = number end
+        local number = entry and memory.numbers[entry] or bodies.put(body)
+        if entry then memory.numbers[entry] = number end
         return number
     end
 

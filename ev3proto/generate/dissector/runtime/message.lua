@@ -52,19 +52,18 @@ do
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
         local entry = memory.meet(body)
-        if entry and entry.line then
-            local trouble = entry.trouble
+        local line = entry and memory.lines[entry]
+        if line then
+            local trouble = memory.troubles[entry]
             if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
-            return line_of(message, entry.line, message.fault)
+            return line_of(message, line, message.fault)
         end
-        local line, fault, complaints =
+        local fault, complaints
+        line, fault, complaints =
             say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
         if message.type.wants_reply then layout_notes.keep(body) end
         message.fault, message.complaints = fault, complaints
-        if entry then
-            entry.line = line
-            if fault or complaints then entry.trouble = { fault = fault, complaints = complaints } end
-        end
+        if entry then memory.keep_line(entry, line, fault, complaints) end
         return line_of(message, line, fault)
     end
 
@@ -91,8 +90,7 @@ do
             message.fault = fault
             add_rest(item, tvb, base, after, stop)
         elseif is_noted then
-            memory.count_elements(entry, steps.count)
-            entry.steps = steps
+            memory.keep_steps(entry, steps, steps.count)
         end
         return line_of(message, line, fault)
     end

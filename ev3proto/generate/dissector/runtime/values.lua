@@ -31,6 +31,9 @@ do
     -- `lengths`, by the offset of their operation, are constants that say how long outputs are.
     local OUTPUT = 6
 
+    -- The elements that a layout takes besides.
+    local LAYOUT_ELEMENTS = 24
+
     -- The layout of the command that is being read, or was read last.
     local draft = {}
     local draft_size, draft_lengths, draft_first
@@ -182,12 +185,15 @@ do
     -- command is read.
     function layout_notes.layout_for(body)
         local entry = memory.entry_of(body)
-        if entry and entry.layout then return entry.layout end
+        local layout = entry and memory.layouts[entry]
+        if layout then return layout end
         if body ~= draft_body then draft_layout(body) end
-        if not entry or not memory.has_room() then return draft end
-        memory.count_elements(entry, draft_size)
-        entry.layout = copy_of_draft()
-        return entry.layout
+        -- Where nothing else is kept, the command is read whenever it comes, and its layout with it.
+        if not entry or not (memory.lines[entry] or memory.steps[entry]) then return draft end
+        if not memory.take_room(draft_size + LAYOUT_ELEMENTS) then return draft end
+        layout = copy_of_draft()
+        memory.layouts[entry] = layout
+        return layout
     end
 
     local function head_of(layout)

@@ -58,7 +58,7 @@ def test_a_fault_in_the_first_operation_is_told_of_with_the_type_of_each_command
 
 def test_more_commands_than_there_is_room_for(tshark: Tshark) -> None:
     """5,500 tones, again and again: they are kept, find no room, are forgotten, and kept again."""
-    frequencies, rounds = range(1000, 6500), 5
+    frequencies, rounds = range(1000, 6500), 3
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     for _ in range(rounds):

@@ -27,8 +27,8 @@ do
     local LEAST_MET = 1000
     local met, known, was_of_use, is_choosy
 
-    -- The same holds for commands that are added to the tree, as steps are long. A command comes again where no other in
-    -- its row came in between. Some bytes of the body tell the row.
+    -- The same holds for commands that are added to the tree, as steps are long. A command comes again where no other
+    -- in its row came in between. Some bytes of the body tell the row.
     local ROWS = 8191
     local keys
 

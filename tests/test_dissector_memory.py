@@ -52,21 +52,23 @@ def test_what_packets_leave_behind_is_freed_soon(tmp_path: Path) -> None:
     assert freed[1] <= 2
 
 
-SAYS = """
+HELD = """
 do
-    local said = 0
     local tap = Listener.new("frame")
-    function tap.draw() print(math.floor(said)) end
-    %s
+    function tap.draw() collectgarbage() print(math.floor(collectgarbage("count"))) end
 end
 """
-"""A script that says a number at the end of the run."""
+"""A script that says at the end of the run how many kilobytes Lua holds."""
 
-HELD = SAYS % 'function tap.draw() collectgarbage() print(math.floor(collectgarbage("count"))) end'
-"""The kilobytes that Lua holds."""
-
-WORK = SAYS % 'debug.sethook(function() said = said + 1 end, "", 100)'
-"""What Lua does, in hundreds of instructions of its machine."""
+WORK = """
+do
+    local hundreds = 0
+    debug.sethook(function() hundreds = hundreds + 1 end, "", 100)
+    local tap = Listener.new("frame")
+    function tap.draw() print(hundreds) end
+end
+"""
+"""A script that says at the end of the run what Lua did, in hundreds of instructions of its machine."""
 
 WITH_TREE = ("-T", "fields", "-e", "ev3.op")
 
@@ -126,6 +128,16 @@ def test_a_command_that_came_before_is_not_read_again(tmp_path: Path) -> None:
     with Tshark.from_setting(script) as tshark:
         none, once, twice = (number_said(tshark, frames) for frames in ([], tones, tones * 2))
     assert twice - once < 0.7 * (once - none)
+
+
+def test_what_is_of_use_is_kept_where_there_is_no_room_for_more(tmp_path: Path) -> None:
+    script = tmp_path / "ev3.lua"
+    script.write_text(build() + WORK)
+    tones = [tone(0, frequency) for frequency in range(5000)]
+    both = tones * 2 + [tone(0, frequency) for frequency in range(6000, 6100)]
+    with Tshark.from_setting(script) as tshark:
+        none, once, before, after = (number_said(tshark, frames) for frames in ([], tones, both, both + tones))
+    assert after - before < 0.7 * (once - none)
 
 
 def test_of_commands_that_never_come_again_little_is_held(tmp_path: Path) -> None:

@@ -150,10 +150,10 @@ do
         return false
     end
 
-    -- Keeps the steps of an entry, so many elements.
-    function memory.keep_steps(entry, steps, size)
+    -- Keeps the steps of an entry.
+    function memory.keep_steps(entry, steps)
         memory.steps[entry] = steps
-        step_elements = step_elements + size
+        step_elements = step_elements + steps.count
     end
 
     -- A message's place is the number of its packet and its offset there, in one number.

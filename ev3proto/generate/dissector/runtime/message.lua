@@ -90,7 +90,7 @@ do
             message.fault = fault
             add_rest(item, tvb, base, after, stop)
         elseif is_noted then
-            memory.keep_steps(entry, steps, steps.count)
+            memory.keep_steps(entry, steps)
         end
         return line_of(message, line, fault)
     end

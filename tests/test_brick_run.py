@@ -71,6 +71,22 @@ def test_source_and_image(tmp_path: Path) -> None:
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
+def test_a_picture_that_cannot_be_written_is_an_error_before_the_program_runs(tmp_path: Path) -> None:
+    source, picture = tmp_path / "square.lms", tmp_path / "nowhere" / "x.png"
+    source.write_text(SQUARE)
+    done = run_ev3proto_text("run", source, "--screenshot", picture)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == f"{picture}: cannot be written: No such file or directory\n"
+
+
+def test_the_name_of_a_source_stays_on_its_line(tmp_path: Path) -> None:
+    source = tmp_path / "a\nb.lms"
+    source.write_text("vmthread MAIN {\n    FOO(1)\n}\n")
+    done = run_ev3proto_text("run", source)
+    assert done.returncode == 1
+    assert "a\\u000ab.lms, line 2" in done.stderr.splitlines()[0]
+
+
 @pytest.mark.parametrize(
     ("source", "status", "expected"),
     [

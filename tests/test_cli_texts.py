@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from support.cli import run_ev3proto
+from support.cli import run_ev3proto, run_ev3proto_text
 
 LOG = """09:12:31.000 sent 08 00 01 00 00 04 00 81 01 60
 09:12:31.010 recv 07 00 01 00 02 a4 70 fd 40
@@ -169,3 +169,10 @@ def test_what_is_neither_text_nor_capture_is_named_by_its_first_bytes(command: s
     done = run(command, str(path))
     assert done.returncode == 1
     assert b"it starts with 61 62 63 01 02 20 74 68;" in done.stderr
+
+
+@pytest.mark.parametrize(("count", "sentence"), [(1, "1 byte of padding follows"), (3, "3 bytes of padding follow")])
+def test_padding_is_counted(count: int, sentence: str) -> None:
+    done = run_ev3proto_text("decode", "06002A0080000001" + "00" * count)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines()[-1] == f"        {sentence} the frame"

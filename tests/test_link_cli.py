@@ -86,6 +86,12 @@ def test_send_shows_errors_in_what_the_brick_takes_and_sends_it() -> None:
     assert "nothing was sent" not in done.stderr
 
 
+def test_copy_reads_no_more_than_a_brick_has_room_for() -> None:
+    done = run_ev3proto_text("copy", "virtual", "/dev/zero", "brick:../prjs/x.rtf")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == "/dev/zero: more than 256 MiB, for which no brick has room\n"
+
+
 @pytest.mark.parametrize(
     ("words", "status", "sentence"),
     [

@@ -298,6 +298,12 @@ def test_an_argument_may_be_short(text: str) -> None:
         ("hello", "column 1: 'hello' is no hex"),
         ("robot.log", "column 1: 'robot.log' is no hex"),
         ("0e0", "odd number"),
+        (
+            "0e002a0080000094010182b80182e80",
+            "'0e002a0080000094010182b…' has an odd number of hex digits (31)",
+        ),
+        ("0e002a0080000094010182b80182e80g", "column 32: 'g' is no hex digit"),
+        ("0x0e002a0080000094010182b80182eg", "column 32: 'g' is no hex digit"),
         ("0e 00 2x", "column 7: '2x' is no hex"),
         ("[300]", "more than 255"),
         ("0x0E, 0x1FF", "column 7: '0x1FF' is more than 255"),

@@ -14,9 +14,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from support.cli import ROOT
 from support.packets import RAW_IP, Capture, Connection, datagram
 from support.stub_brick import HangUp, reply, stub_brick
-from support.terminal import on_a_terminal, steering
+from support.terminal import OURS, on_a_terminal, steering
 from support.wireshark import Tshark
 
 import ev3proto
@@ -363,7 +364,16 @@ def test_what_tshark_says(tmp_path: Path, tshark: Tshark, capture: bytes, monkey
 def test_the_headings_of_tables_have_colours(name: str) -> None:
     shown = harmless(name, "captures/wifi.pcapng")
     assert "\x1b[2m" in shown
-    assert "\\u" not in shown
+    assert "\\u001b" not in shown
+
+
+@pytest.mark.parametrize("kind", ["dumb", "xterm"])
+def test_a_narrow_terminal_cuts_no_number(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in {"TERM": kind, "COLUMNS": "20", "LINES": "25", "NO_COLOR": "1"}.items():
+        monkeypatch.setenv(name, value)
+    shown = harmless("values", ROOT / "captures" / "usb-plugged.pcap", "--filter", "op == UI_READ.GET_VBATT")
+    for word in ("time [s]", "0.072790", "0.004", "7.92"):
+        assert word in OURS.sub("", shown)
 
 
 def test_every_help() -> None:

@@ -17,6 +17,7 @@ from ev3proto.cli.brick import folder, interrupted, read_script_file
 from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import complain, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of, is_image
+from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -100,18 +101,19 @@ def _image(file: Path) -> bytes:
     from ev3proto.program.image import MAX_IMAGE
     from ev3proto.text.assembly.errors import AssemblyError
 
+    label = visible(str(file))
     try:
         with file.open("rb") as stream:
             found = stream.read(MAX_IMAGE + 1)
     except OSError as error:
-        complain(f"{file}: cannot be read: {error.strerror or error}")
+        complain(f"{label}: cannot be read: {error.strerror or error}")
         sys.exit(1)
     if is_image(found):
         return found
     try:
         return assemble(found).image
     except AssemblyError as error:
-        complain_of(str(file), error)
+        complain_of(label, error)
         sys.exit(1)
 
 

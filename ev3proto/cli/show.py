@@ -69,7 +69,8 @@ class Show:
             else:
                 self._printer.lines(tree(exchange, seen))
             if padding:
-                self._printer.text(f"        {padding} bytes of padding follow the frame")
+                follows = "1 byte of padding follows" if padding == 1 else f"{padding} bytes of padding follow"
+                self._printer.text(f"        {follows} the frame")
 
     def program(self, program: Program, image: bytes, origin: str | None = None) -> None:
         """A program and its image, and where it comes from if that is not plain."""

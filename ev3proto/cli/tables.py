@@ -1,4 +1,4 @@
-"""Tables for people: as wide as they are into a pipe, as wide as the terminal at most on one."""
+"""Tables for people: as wide as they are into a pipe, on a terminal as wide as that, where their numbers fit."""
 
 from __future__ import annotations
 
@@ -12,6 +12,12 @@ from ev3proto.text.visible import visible
 TEXTS = {"kind", "operation", "text", "path", "direction", "state", "brick", "what", "part"}
 """The columns that have texts in them, which stand left and may be folded; the others have numbers."""
 
+LEAST_TEXT = 12
+"""Cells of a terminal that a column of texts has at least, however narrow the terminal is."""
+
+GAP = "  "
+"""What stands between two columns."""
+
 
 class Tables:
     """Prints headings and tables, with an empty line between them.
@@ -23,6 +29,7 @@ class Tables:
         from rich.console import Console
 
         self._console = Console(highlight=False, markup=False, emoji=False)
+        self._size = self._console.size
         self._on_terminal = self._console.is_terminal
         self._hidden = hidden
         self._is_first = True
@@ -43,6 +50,7 @@ class Tables:
 
     def _on_screen(self, titles: list[str], *rows: list[str]) -> list[str]:
         """The lines of a table in colours, folded where the terminal is not as wide."""
+        from rich.console import ConsoleDimensions
         from rich.table import Table
         from rich.text import Text
 
@@ -52,21 +60,40 @@ class Tables:
             table.add_column(title, justify="left" if is_text else "right", overflow="fold", no_wrap=not is_text)
         for row in rows:
             table.add_row(*map(Text, row))
+        # Rich would cut numbers and omit columns. A line that is wider than the terminal goes on in its next one.
+        width, height = self._size
+        # Of a terminal that it does not know, Rich takes a width only with a height.
+        self._console.size = ConsoleDimensions(max(width, _least_width([titles, *rows])), height)
         with self._console.capture() as captured:
             self._console.print(table)
         return [line.rstrip() for line in captured.get().splitlines()]
+
+
+def _widths(rows: list[list[str]]) -> list[int]:
+    """How wide the columns are where nothing is folded, in cells of a terminal."""
+    from rich.cells import cell_len
+
+    return [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
+
+
+def _least_width(rows: list[list[str]]) -> int:
+    """How wide a table is at least: its numbers as they are, its texts folded."""
+    widths = [
+        min(width, LEAST_TEXT) if title in TEXTS else width for title, width in zip(rows[0], _widths(rows), strict=True)
+    ]
+    return sum(widths) + len(GAP) * (len(widths) - 1)
 
 
 def _plain(rows: list[list[str]]) -> list[str]:
     """The same lines without colours, as wide as they are. Rich would take a kilobyte and more for each cell."""
     from rich.cells import cell_len
 
-    widths = [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
+    widths = _widths(rows)
     lines = []
     for row in rows:
         columns = []
         for title, cell, width in zip(rows[0], row, widths, strict=True):
             space = " " * (width - cell_len(cell))
             columns.append(cell + space if title in TEXTS else space + cell)
-        lines.append("  ".join(columns).rstrip())
+        lines.append(GAP.join(columns).rstrip())
     return lines

@@ -22,6 +22,7 @@ from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_move
 from ev3proto.link.modes import SyncMode
 from ev3proto.link.printing import RECEIVED, SENT
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
+from ev3proto.link.source_file import read_source
 from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
 from ev3proto.whole_files import write_whole
 
@@ -256,7 +257,7 @@ class AsyncEV3:
 
     async def download(self, source: bytes | str | Path, path: str, progress: Progress = nothing_moved) -> File:
         """Writes a file to the brick; see `EV3.download`."""
-        data = source if isinstance(source, bytes) else await asyncio.to_thread(Path(source).read_bytes)
+        data = source if isinstance(source, bytes) else await asyncio.to_thread(read_source, source)
         return await self._run(file_moves.download(data, path, progress))
 
     async def upload(

@@ -19,6 +19,7 @@ from ev3proto.link.modes import SyncMode
 from ev3proto.link.printing import RECEIVED, SENT, frame_line, meaning_line
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.sharing import Shared
+from ev3proto.link.source_file import read_source
 from ev3proto.link.targets import Target, chosen_target
 from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
@@ -394,11 +395,11 @@ class EV3:
             The file as the brick lists it.
 
         Raises:
-            OSError: The file cannot be read.
+            OSError: The file cannot be read, or has more than 256 MiB.
             SystemCommandError: The brick does not take it.
             TransferError: It has not arrived as it was sent.
         """
-        data = source if isinstance(source, bytes) else Path(source).read_bytes()
+        data = source if isinstance(source, bytes) else read_source(source)
         return self._run(file_moves.download(data, path, progress))
 
     def upload(self, path: str, destination: str | Path | None = None, progress: Progress = nothing_moved) -> bytes:

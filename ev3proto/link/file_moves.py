@@ -34,7 +34,7 @@ Progress = Callable[[int, int], None]
 """Is called with how many bytes have been moved, and how many there are."""
 
 MOST_FILE = 1 << 28
-"""Bytes of the largest file or listing that is read from a brick: more than any brick has, card included, in RAM."""
+"""Bytes of the largest file that is moved, and of the largest listing: more than any brick has room for in its RAM."""
 
 _DIGEST_DIGITS = 32
 _SIZE_DIGITS = 8

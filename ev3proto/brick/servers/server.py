@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import ipaddress
+import os
 from collections.abc import AsyncIterator
 from contextlib import AsyncExitStack, asynccontextmanager
 from dataclasses import dataclass, field
@@ -113,6 +114,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         host = Host(brick, say, options.faults)
         stack.callback(host.stop)
         if options.screenshot is not None:
+            _expect_place(options.screenshot)
             stack.callback(_save_screenshot, brick, options.screenshot, say)
         if options.record is not None:
             recorder = _recorder(options.record, say)
@@ -169,6 +171,13 @@ def _save_screenshot(brick: Brick, path: Path, say: Say) -> None:
         save_screenshot(brick, path)
     except OSError as error:
         say(f"{path}: the display cannot be saved: {error.strerror or error}")
+
+
+def _expect_place(path: Path) -> None:
+    """Says at once that a file can have no place there, and not when all is over. ServerError where that is so."""
+    if not os.access(path.parent, os.W_OK):
+        reason = "Permission denied" if path.parent.exists() else "No such file or directory"
+        raise ServerError(f"{path}: cannot be written: {reason}")
 
 
 def _recorder(path: Path, say: Say) -> Recorder:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste.head import clean_head, head_before
-from ev3proto.text.paste.pieces import Found, short
+from ev3proto.text.paste.pieces import MOST_SHORT, Found, short
 
 _GROUP = late_pattern(r"[^\s,;:|\-]+")
 _HEX_GROUP = late_pattern(r"(0[xX])?([0-9a-fA-F]+)")
@@ -17,6 +17,7 @@ _SEPARATORS = " \t\r\n\f\v,;:|-"
 
 _REMARK = late_pattern(r"\s(?:#|//)")
 _WORD = late_pattern(r"(?<![^\W_])[a-zA-Z]{3,}(?![^\W_])")
+_STRANGE = late_pattern(r"[^0-9a-fA-FxX]")
 _HEX_DIGIT = late_pattern(r"[0-9a-fA-F]")
 
 _LESSON = late_pattern(r"0[xX]\|(?P<groups>[^\s\"'`()<>,;]*+)")
@@ -24,6 +25,7 @@ _LESSON_FRAME = late_pattern(r"0[xX]\|[0-9a-fA-F]{2}:[0-9a-fA-F]{2}\|[0-9a-fA-F]
 _LESSON_REST = late_pattern(r"[0-9a-fA-F\s:|.…]*+$")
 
 _FROMHEX = late_pattern(r"\b(?:fromhex|unhexlify)\(\s{0,8}b?([\"'])(?P<groups>[^\"']*+)")
+_NO_HEX = "is no hex"
 
 
 def bare(line: str, *, is_sure: bool) -> Found | None:
@@ -83,6 +85,9 @@ def _hex(line: str, start: int, end: int, *, cut: bool) -> tuple[bytes, str | No
         digits.append(text[: len(text) & ~1])
         if len(text) % 2 and not (cut and group is groups[-1]):
             reason = f"has an odd number of hex digits ({len(text)}), two make a byte"
+        if reason == _NO_HEX and len(group[0]) > MOST_SHORT and (strange := _STRANGE.search(group[0])):
+            problem = f"column {group.start() + strange.start() + 1}: {strange[0]!r} is no hex digit"
+            break
         if reason is not None:
             problem = f"column {group.start() + 1}: {short(group[0])!r} {reason}"
             break
@@ -93,7 +98,7 @@ def _digits(group: str, *, is_alone: bool) -> tuple[str, str | None]:
     """The digits of a group, or why there are none. After 0x stands one byte, or all of them if the group is alone."""
     number = _HEX_GROUP.fullmatch(group)
     if number is None:
-        return "", "is no hex"
+        return "", _NO_HEX
     prefix, digits = number.groups()
     if prefix and len(digits) > 2 and not is_alone:
         return "", "is more than 255, which a byte cannot be"

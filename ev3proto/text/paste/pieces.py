@@ -18,6 +18,9 @@ MAX_LINE = 1 << 20
 MAX_TEXT = 200
 """Characters of a piece that are shown of it."""
 
+MOST_SHORT = 24
+"""Characters of a piece that a sentence quotes."""
+
 MAX_COLLECTED = 1 << 16
 """Bytes (of an array: characters) of the longest piece that is collected over several lines."""
 
@@ -88,7 +91,8 @@ def check_text(text: str) -> None:
         raise TypeError(f"what was pasted is a text, not {type(text).__name__}")
 
 
-def short(text: str, limit: int = 24) -> str:
-    """The text stripped, and no longer than that, for showing it."""
+def short(text: str, limit: int = MOST_SHORT) -> str:
+    """The text stripped, for showing it; where it is longer than that, it ends in an ellipsis in place of the rest."""
     # Sliced first: the text may be a megabyte, of which nobody wants a copy.
-    return text[: limit * 4].strip()[:limit].rstrip()
+    head = text[: limit * 4].strip()
+    return head if len(head) <= limit else head[: limit - 1].rstrip() + "…"

@@ -6193,15 +6193,24 @@ do
         return short or late
     end
 
+    -- Says whether there is something of that name. To rename it to its own name changes nothing, and succeeds where to
+    -- open it would fail, as with a link to nothing, or wait for ever, as with a pipe. Where a system should not allow
+    -- that, it is opened.
+    local function is_there(path)
+        if os.rename(path, path) then return true end
+        local file = io.open(path, "rb")
+        if file then file:close() end
+        return file ~= nil
+    end
+
     -- Writes the files into a folder that exists. Files that are there stay as they are. Returns a line on each.
     local function export_files(folder)
         if not folder:find("%S") then return "Nothing was written: name a folder that exists" end
         local taken, lines = {}, {}
         for _, transfer in ipairs(files) do
             local path = folder .. "/" .. safe_name(transfer.path, taken)
-            local there, outcome = io.open(path, "rb"), nil
-            if there then
-                there:close()
+            local outcome
+            if is_there(path) then
                 outcome = "kept, it was there before"
             else
                 local data = concat(transfer.pieces)

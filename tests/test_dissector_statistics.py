@@ -69,6 +69,15 @@ def test_files_are_exported(tshark: Tshark) -> None:
     assert "first.rbf: kept, it was there before" in tshark.run(CAPTURES / "wifi.pcapng", *words)
 
 
+def test_a_link_in_the_folder_is_not_followed(tshark: Tshark) -> None:
+    folder, outside = export_folder(tshark, "linked"), export_folder(tshark, "outside")
+    (folder / "first.rbf").symlink_to(Path("..") / outside.name / "first.rbf")
+    said = tshark.run(CAPTURES / "wifi.pcapng", "-q", "-o", f"ev3.export:{folder}")
+    assert "first.rbf: kept, it was there before" in said
+    assert list(outside.iterdir()) == []
+    assert (folder / "values.rtf").stat().st_size == 2710
+
+
 def test_what_cannot_be_exported_is_said_and_leaves_nothing(tshark: Tshark) -> None:
     """A folder that is missing, and a disk with room for 2,560 bytes a file: first.rbf fits, values.rtf does not."""
     capture = tshark.place(CAPTURES / "wifi.pcapng")

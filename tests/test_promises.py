@@ -23,6 +23,7 @@ from ev3proto.capture.timeline import collecting
 from ev3proto.cli import live, texts, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.generate.dissector.build import build
+from ev3proto.link import file_moves
 from ev3proto.program.image import MAX_IMAGE
 from ev3proto.semantics import pairing, transfers
 from ev3proto.tables.claims import STRANGE_PACKETS
@@ -54,6 +55,7 @@ LIMITS = {
     "An array or a dump over several lines": f"{MAX_COLLECTED // KIB} KiB",
     "A file of nothing but frames": f"{texts.MOST_RAW // MIB} MiB",
     "A program image": f"{MAX_IMAGE // MIB} MiB",
+    "A file that `copy` moves, a listing of a folder": f"{file_moves.MOST_FILE // MIB} MiB",
     "Files in a capture": f"{files.MOST_FILES:,}, of which {files.MOST_OPEN} are open at a time",
     "`stats`: bricks, files, and unanswered commands, faults, skipped pieces one by one": (
         f"{statistics.MOST_PEERS}, {statistics.MOST_TRANSFERS}, {statistics.MOST_LISTED}"

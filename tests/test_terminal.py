@@ -364,7 +364,8 @@ def test_what_tshark_says(tmp_path: Path, tshark: Tshark, capture: bytes, monkey
 def test_the_headings_of_tables_have_colours(name: str) -> None:
     shown = harmless(name, "captures/wifi.pcapng")
     assert "\x1b[2m" in shown
-    assert "\\u001b" not in shown
+    # The listing in this capture has line feeds of its own.
+    assert "\\u" not in shown.replace("\\u000a", "")
 
 
 @pytest.mark.parametrize("kind", ["dumb", "xterm"])

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from ev3proto.cli.output import Printer
 from ev3proto.dialogue import Exchange
-from ev3proto.errors import Fault
+from ev3proto.errors import Fault, counted
 from ev3proto.text.heading import Seen, heading, origin
 from ev3proto.text.notations import NOTATIONS
 from ev3proto.text.spans import Line, Role, plain_text
@@ -69,8 +69,8 @@ class Show:
             else:
                 self._printer.lines(tree(exchange, seen))
             if padding:
-                follows = "1 byte of padding follows" if padding == 1 else f"{padding} bytes of padding follow"
-                self._printer.text(f"        {follows} the frame")
+                follow = "follows" if padding == 1 else "follow"
+                self._printer.text(f"        {counted(padding, 'byte')} of padding {follow} the frame")
 
     def program(self, program: Program, image: bytes, origin: str | None = None) -> None:
         """A program and its image, and where it comes from if that is not plain."""

@@ -172,9 +172,11 @@ def reason(data: bytes, *, is_dense: bool, is_decimal: bool) -> str | None:
 
 def bare_reason(data: bytes) -> str | None:
     """What bytes without a header are, as a sentence, and which option reads them; None where they are none."""
-    if len(data) < HEADER_SIZE or _counts_up(data) or abs(frame_size(data) - len(data)) <= NEARLY:
+    if len(data) < HEADER_SIZE or _counts_up(data):
         return None
     says = frame_size(data)
+    if abs(says - len(data)) <= NEARLY:
+        return None
     if is_frame_size(says) and data[_TYPE_AT] in _TYPES and says < len(data) and not any(data[says:]):
         return None  # a frame with padding
     for text, make in _BARE:

@@ -120,6 +120,29 @@ def test_no_steps_are_kept_where_most_commands_find_no_room_for_theirs(tmp_path:
     assert many < 0.75 * few
 
 
+def question(number: int) -> bytes:
+    """Reads a sensor thirty times, after a tone with a frequency of its own."""
+    body = "0400" + "94 01 01 82" + struct.pack("<h", number).hex() + "82E803" + "9D 00 00 00 00 60" * 30
+    after_length = struct.pack("<HB", 0, 0x00) + bytes.fromhex(body)
+    return struct.pack("<H", len(after_length)) + after_length
+
+
+def test_no_layouts_of_replies_are_kept_where_no_steps_are(tmp_path: Path) -> None:
+    """A command that is read each time tells each time what its reply will hold."""
+    script = tmp_path / "ev3.lua"
+    script.write_text(build() + HELD)
+    answer = Segment(False, struct.pack("<HHB", 7, 0, 2) + bytes(4))
+    held = []
+    with Tshark.from_setting(script) as tshark:
+        for commands, rounds in ((3000, 1), (600, 5)):
+            asked = [question(number) for _ in range(rounds) for number in range(300, 300 + commands)]
+            dialogue = (segment for frame in asked for segment in (Segment(True, frame), answer))
+            capture = tshark.place(tcp_capture(dialogue), "questions.pcap")
+            held.append(int(tshark.run(capture, *WITH_TREE).split()[-1]))
+    never_again, crowded = held
+    assert crowded - never_again < 150
+
+
 def test_a_command_that_came_before_is_not_read_again(tmp_path: Path) -> None:
     """However many others came in between, up to some thousands."""
     script = tmp_path / "ev3.lua"

@@ -33,21 +33,17 @@ do
     local keys
 
     -- Where most commands find no room for their steps, what the others keep costs more than it saves. So once
-    -- MOST_CROWDED found none, and steps were used less than twice as often, all steps are forgotten, and nothing is
-    -- kept of the next PAUSE commands that are added to the tree.
+    -- MOST_CROWDED found none, and steps were used less than twice as often, all is forgotten, and nothing is kept of
+    -- the next PAUSE commands that are added to the tree.
     local MOST_STEP_ELEMENTS, MOST_CROWDED, PAUSE = 0x10000, 0x200, 0x4000
     local step_elements, used, crowded, pause
-
-    local function forget_steps()
-        memory.steps = {}
-        step_elements, used, crowded, pause = 0, 0, 0, 0
-    end
 
     function memory.forget_entries()
         entries, count, elements, keys = {}, 0, 0, {}
         memory.lines, memory.troubles, memory.layouts, memory.numbers = {}, {}, {}, {}
         met, known, was_of_use, is_choosy = 0, 0, false, false
-        forget_steps()
+        memory.steps = {}
+        step_elements, used, crowded, pause = 0, 0, 0, 0
     end
     memory.forget_entries()
 
@@ -142,7 +138,7 @@ do
         crowded = crowded + 1
         if crowded < MOST_CROWDED then return false end
         if used < 2 * crowded then
-            forget_steps()
+            memory.forget_entries()
             pause = PAUSE
         else
             used, crowded = 0, 0

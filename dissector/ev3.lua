@@ -5992,12 +5992,12 @@ do
 
     -- By name: how many messages, bytes of them, answers, and the seconds until these.
     local operations, bricks
-    local row_counts, files, kept_bytes
+    local row_counts, files, kept_bytes, omitted
     local wanted, answered
 
     function statistics.forget()
         operations, bricks, row_counts = {}, {}, { 0, 0 }
-        files, kept_bytes = {}, 0
+        files, kept_bytes, omitted = {}, 0, 0
         wanted, answered = 0, 0
     end
     statistics.forget()
@@ -6076,11 +6076,14 @@ do
         end
     end
 
-    -- A piece of a file that is moved; `transfer` is where it is kept.
+    -- A piece of a file that is moved; `transfer` is where it is kept. An empty file has none but the empty one.
     function statistics.keep_piece(transfer, data)
-        if transfer.is_dropped or not data or data == "" then return end
+        if transfer.is_dropped or data == "" and transfer.size ~= 0 then return end
         if not transfer.pieces then
-            if #files >= MOST_FILES then transfer.is_dropped = true return end
+            if #files >= MOST_FILES then
+                transfer.is_dropped, omitted = true, omitted + 1
+                return
+            end
             transfer.pieces = {}
             files[#files + 1] = transfer
         end
@@ -6130,17 +6133,25 @@ do
         return columns_text(lines)
     end
 
+    -- A text on the files that were kept, and how many there were besides.
+    local function with_omitted(text)
+        if omitted == 0 then return text end
+        return format("%s\nand %s more, of which nothing was kept", text, plural(omitted, "file"))
+    end
+
     local function files_text()
         local lines = { { "File", "moved", "size" } }
         for _, transfer in ipairs(files) do
             local size = transfer.size and format("%d", transfer.size) or ""
             lines[#lines + 1] = { on_one_line(transfer.path), format("%d", transfer.done), size }
         end
-        return columns_text(lines)
+        return with_omitted(columns_text(lines))
     end
 
     local function all_text()
-        local counts = format("%d of %s that want a reply have none", wanted - answered, plural(wanted, "command"))
+        local of_all = wanted == 1 and "1 command that wants a reply has none"
+            or format("%d commands that want a reply have none", wanted)
+        local counts = format("%d of %s", wanted - answered, of_all)
         return concat({
             table_text("Operation", operations, true), "", table_text("Brick", bricks), "", files_text(), "", counts,
         }, "\n") .. "\n"
@@ -6199,6 +6210,12 @@ do
         return file ~= nil
     end
 
+    -- What is said of a file that has another size than was announced.
+    local function flaw_of(transfer, size)
+        if not transfer.size or size == transfer.size then return "" end
+        return size < transfer.size and ", not all of it" or format(", but its size was said to be %d", transfer.size)
+    end
+
     -- Writes the files into a folder that exists. Files that are there stay as they are. Returns a line on each.
     local function export_files(folder)
         if not folder:find("%S") then return "Nothing was written: name a folder that exists" end
@@ -6211,13 +6228,11 @@ do
             else
                 local data = concat(transfer.pieces)
                 local failure = write_file(path, data)
-                local is_whole = not transfer.size or #data == transfer.size
-                outcome = failure and "not written: " .. failure
-                    or plural(#data, "byte") .. (is_whole and "" or ", not all of it")
+                outcome = failure and "not written: " .. failure or plural(#data, "byte") .. flaw_of(transfer, #data)
             end
             lines[#lines + 1] = path .. ": " .. outcome
         end
-        return lines[1] and concat(lines, "\n") or "no files were moved in this capture"
+        return lines[1] and with_omitted(concat(lines, "\n")) or "no files were moved in this capture"
     end
 
     local function show_window(title, text)
@@ -6470,6 +6485,17 @@ do
         return best
     end
 
+    -- Adds a piece to a file and returns that. One that is complete takes no more, as the brick has closed it: then the
+    -- handle stands for another one, of which the beginning is missing in the capture, and nothing is known.
+    local function add_piece(talk, handle, transfer, piece)
+        if #piece > 0 and transfer.size and transfer.done >= transfer.size then
+            talk.open[handle] = nil
+            return nil
+        end
+        transfer.done = transfer.done + #piece
+        return transfer
+    end
+
     -- The file that a system command is about, as far as it is now.
     local function follow_request(talk, message)
         local command, values = message.command, message.fields
@@ -6480,10 +6506,9 @@ do
             return transfer
         end
         local transfer = talk.open[values.handle]
-        if transfer and values.data then
-            if counts_all then statistics.keep_piece(transfer, values.data) end
-            transfer.done = transfer.done + #values.data
-        end
+        if not transfer or not values.data then return transfer end
+        transfer = add_piece(talk, values.handle, transfer, values.data)
+        if transfer and counts_all then statistics.keep_piece(transfer, values.data) end
         return transfer
     end
 
@@ -6496,26 +6521,24 @@ do
     local function follow_reply(talk, message, request)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS.fails[message.status] ~= false
-        local transfer
+        local handle, transfer = values.handle or asked_handle(request), nil
         if command.transfer == "begin" then
             transfer = talk.begun[message.counter]
             talk.begun[message.counter] = nil
             if failed or not values.handle then return transfer end
             -- Where the command was not seen, the handle stands for another file than before all the same.
-            talk.open[values.handle] = transfer
+            talk.open[handle] = transfer
         else
-            local handle = values.handle or asked_handle(request)
             transfer = handle and talk.open[handle]
             -- The brick takes a handle back when a file is closed, complete or in trouble.
             if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
                 talk.open[handle] = nil
             end
         end
-        if transfer then
-            if counts_all and not values.list then statistics.keep_piece(transfer, values.data) end
-            transfer.size = values.size or values.list_size or transfer.size
-            transfer.done = transfer.done + #(values.data or "") + #(values.list or "")
-        end
+        if not transfer then return nil end
+        transfer.size = values.size or values.list_size or transfer.size
+        transfer = add_piece(talk, handle, transfer, values.data or values.list or "")
+        if transfer and counts_all and not values.list then statistics.keep_piece(transfer, values.data or "") end
         return transfer
     end
 

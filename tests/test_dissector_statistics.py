@@ -110,6 +110,64 @@ def exported(tshark: Tshark, folder: Path, names: list[str]) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
+def moved(tshark: Tshark, messages: Iterable[tuple[bool, ev3proto.Message]], *words: str) -> list[str]:
+    """What is said at the end of a run on these messages, each with whether it goes to the brick."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for to_brick, message in messages:
+        (connection.send if to_brick else connection.receive)(message.build())
+    return tshark.run(tshark.place(capture.data(), "moved.pcap"), "-q", *words).splitlines()
+
+
+def download(
+    counter: int, path: str, size: int, *pieces: bytes, handle: int = 0
+) -> Iterable[tuple[bool, ev3proto.Message]]:
+    """A file that goes to the brick, whose replies come before the next command."""
+    yield True, ev3proto.system_command("BEGIN_DOWNLOAD", counter=counter, reply=True, size=size, path=path)
+    yield False, ev3proto.system_reply("BEGIN_DOWNLOAD", counter=counter, handle=handle)
+    for number, piece in enumerate(pieces, counter + 1):
+        yield True, ev3proto.system_command("CONTINUE_DOWNLOAD", counter=number, reply=True, handle=handle, data=piece)
+
+
+def test_an_empty_file_is_exported(tshark: Tshark) -> None:
+    folder = export_folder(tshark, "empty")
+    said = moved(tshark, download(0, "../prjs/empty.rtf", 0), "-o", f"ev3.export:{folder}")
+    assert said == [f"{folder}/empty.rtf: 0 bytes"]
+    assert [(path.name, path.stat().st_size) for path in folder.iterdir()] == [("empty.rtf", 0)]
+
+
+def test_a_file_of_another_size_than_was_said(tshark: Tshark) -> None:
+    folder = export_folder(tshark, "sizes")
+    messages = [*download(0, "short.rtf", 9, b"12345678"), *download(10, "long.rtf", 3, b"12", b"34")]
+    assert moved(tshark, messages, "-o", f"ev3.export:{folder}") == [
+        f"{folder}/short.rtf: 8 bytes, not all of it",
+        f"{folder}/long.rtf: 4 bytes, but its size was said to be 3",
+    ]
+
+
+def test_a_complete_file_takes_no_more(tshark: Tshark) -> None:
+    """Where the reply to the next file's beginning is missing, its pieces have the handle of the file before."""
+    folder = export_folder(tshark, "complete")
+    second = [(True, message) for to_brick, message in download(10, "second.rtf", 2, b"cd") if to_brick]
+    said = moved(tshark, [*download(0, "first.rtf", 2, b"ab"), *second], "-o", f"ev3.export:{folder}")
+    assert said == [f"{folder}/first.rtf: 2 bytes"]
+    assert (folder / "first.rtf").read_bytes() == b"ab"
+
+
+def test_how_many_files_are_not_kept(tshark: Tshark) -> None:
+    """256 are."""
+    folder = export_folder(tshark, "many")
+    messages = [sent for number in range(258) for sent in download(10 * number, f"{number}.rtf", 1, b"x")]
+    said = moved(tshark, messages, "-o", f"ev3.export:{folder}", "-o", "ev3.statistics:TRUE")
+    assert said.count("and 2 files more, of which nothing was kept") == 2
+    assert len(list(folder.iterdir())) == 256
+
+
+def test_one_command_is_counted_in_the_singular(tshark: Tshark) -> None:
+    said = moved(tshark, list(download(0, "x.rtf", 1))[:1], "-o", "ev3.statistics:TRUE")
+    assert "1 of 1 command that wants a reply has none" in said
+
+
 def test_exported_files_stay_in_their_folder(tshark: Tshark) -> None:
     folder = export_folder(tshark, "named")
     before = {path.name for path in tshark.folder.iterdir()}

@@ -117,6 +117,21 @@ def test_files_both_ways(tmp_path: Path) -> None:
     assert (second.command, second.direction, second.packets) == ("BEGIN_UPLOAD", "from brick", (9, 12))
 
 
+def test_a_complete_file_takes_no_more(tmp_path: Path) -> None:
+    """Where the reply to the next file's beginning is missing, its pieces have the handle of the file before."""
+    brick = Brick()
+    brick.download("../prjs/first.rtf", b"ab")
+    brick.says(ev3proto.system_command("BEGIN_DOWNLOAD", counter=9, reply=True, size=2, path="../prjs/second.rtf"))
+    brick.says(ev3proto.system_command("CONTINUE_DOWNLOAD", counter=10, reply=True, handle=0, data=b"cd"))
+    found = told(recover(brick.events, tmp_path))
+    assert found == [
+        ("../prjs/first.rtf", 2, "complete"),
+        ("../prjs/second.rtf", 0, "incomplete"),
+        ("handle 0, its path was not captured", 2, "incomplete"),
+    ]
+    assert (tmp_path / "prjs/first.rtf").read_bytes() == b"ab"
+
+
 def test_a_survey_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     brick = Brick()

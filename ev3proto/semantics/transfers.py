@@ -80,11 +80,8 @@ class Transfers:
             if len(self._begun) > MOST_BEGUN:
                 self._remove(self._begun.pop(next(iter(self._begun))))
             return transfer
-        transfer_or_none = self._open.get(_number(message.fields.get("handle")))
-        data = message.fields.get("data")
-        if transfer_or_none is not None and isinstance(data, bytes):
-            transfer_or_none.transferred += len(data)
-        return transfer_or_none
+        number = _number(message.fields.get("handle"))
+        return self._moved(self._open.get(number), number, message)
 
     def progress(self, reply: SystemReply, request: Message | None) -> Transfer | None:
         """The same for a reply, with the command that it answers."""
@@ -108,16 +105,31 @@ class Transfers:
             handle = reply.fields.get("handle")
             if handle is None and isinstance(request, SystemCommand):
                 handle = request.fields.get("handle")
-            transfer = self._open.get(_number(handle))
+            number = _number(handle)
+            transfer = self._open.get(number)
             # The brick takes a handle back when a file is closed, complete or in trouble.
             if entry.transfer == "close" or reply.is_error or reply.status is SystemStatus.END_OF_FILE:
-                self._remove(self._open.pop(_number(handle), None))
+                self._remove(self._open.pop(number, None))
         if transfer is not None:
             for name in ("size", "list_size"):
                 if name in reply.fields:
                     transfer.size = _number(reply.fields[name])
-            for name in ("data", "list"):
-                transfer.transferred += len(reply.fields.get(name, b""))  # type: ignore[arg-type]
+        return self._moved(transfer, number, reply)
+
+    def _moved(self, transfer: Transfer | None, number: int, message: SystemCommand | SystemReply) -> Transfer | None:
+        """The transfer under a handle, with what a message has of it counted in.
+
+        One that is complete takes no more, as the brick has closed it. Then the handle stands for another one, whose
+        beginning was not seen, and nothing is known of that.
+        """
+        pieces = [message.fields.get(name, b"") for name in ("data", "list")]
+        size = sum(len(piece) for piece in pieces if isinstance(piece, bytes | str))
+        if transfer is None or not size:
+            return transfer
+        if transfer.is_complete:
+            self._remove(self._open.pop(number, None))
+            return None
+        transfer.transferred += size
         return transfer
 
     def _add(self, transfer: Transfer, number: int) -> None:

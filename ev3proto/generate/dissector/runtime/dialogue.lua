@@ -213,6 +213,17 @@ do
         return best
     end
 
+    -- Adds a piece to a file and returns that. One that is complete takes no more, as the brick has closed it: then the
+    -- handle stands for another one, of which the beginning is missing in the capture, and nothing is known.
+    local function add_piece(talk, handle, transfer, piece)
+        if #piece > 0 and transfer.size and transfer.done >= transfer.size then
+            talk.open[handle] = nil
+            return nil
+        end
+        transfer.done = transfer.done + #piece
+        return transfer
+    end
+
     -- The file that a system command is about, as far as it is now.
     local function follow_request(talk, message)
         local command, values = message.command, message.fields
@@ -223,10 +234,9 @@ do
             return transfer
         end
         local transfer = talk.open[values.handle]
-        if transfer and values.data then
-            if counts_all then statistics.keep_piece(transfer, values.data) end
-            transfer.done = transfer.done + #values.data
-        end
+        if not transfer or not values.data then return transfer end
+        transfer = add_piece(talk, values.handle, transfer, values.data)
+        if transfer and counts_all then statistics.keep_piece(transfer, values.data) end
         return transfer
     end
 
@@ -239,26 +249,24 @@ do
     local function follow_reply(talk, message, request)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS.fails[message.status] ~= false
-        local transfer
+        local handle, transfer = values.handle or asked_handle(request), nil
         if command.transfer == "begin" then
             transfer = talk.begun[message.counter]
             talk.begun[message.counter] = nil
             if failed or not values.handle then return transfer end
             -- Where the command was not seen, the handle stands for another file than before all the same.
-            talk.open[values.handle] = transfer
+            talk.open[handle] = transfer
         else
-            local handle = values.handle or asked_handle(request)
             transfer = handle and talk.open[handle]
             -- The brick takes a handle back when a file is closed, complete or in trouble.
             if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
                 talk.open[handle] = nil
             end
         end
-        if transfer then
-            if counts_all and not values.list then statistics.keep_piece(transfer, values.data) end
-            transfer.size = values.size or values.list_size or transfer.size
-            transfer.done = transfer.done + #(values.data or "") + #(values.list or "")
-        end
+        if not transfer then return nil end
+        transfer.size = values.size or values.list_size or transfer.size
+        transfer = add_piece(talk, handle, transfer, values.data or values.list or "")
+        if transfer and counts_all and not values.list then statistics.keep_piece(transfer, values.data or "") end
         return transfer
     end
 

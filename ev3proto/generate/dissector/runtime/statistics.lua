@@ -19,12 +19,12 @@ do
 
     -- By name: how many messages, bytes of them, answers, and the seconds until these.
     local operations, bricks
-    local row_counts, files, kept_bytes
+    local row_counts, files, kept_bytes, omitted
     local wanted, answered
 
     function statistics.forget()
         operations, bricks, row_counts = {}, {}, { 0, 0 }
-        files, kept_bytes = {}, 0
+        files, kept_bytes, omitted = {}, 0, 0
         wanted, answered = 0, 0
     end
     statistics.forget()
@@ -103,11 +103,14 @@ do
         end
     end
 
-    -- A piece of a file that is moved; `transfer` is where it is kept.
+    -- A piece of a file that is moved; `transfer` is where it is kept. An empty file has none but the empty one.
     function statistics.keep_piece(transfer, data)
-        if transfer.is_dropped or not data or data == "" then return end
+        if transfer.is_dropped or data == "" and transfer.size ~= 0 then return end
         if not transfer.pieces then
-            if #files >= MOST_FILES then transfer.is_dropped = true return end
+            if #files >= MOST_FILES then
+                transfer.is_dropped, omitted = true, omitted + 1
+                return
+            end
             transfer.pieces = {}
             files[#files + 1] = transfer
         end
@@ -157,17 +160,25 @@ do
         return columns_text(lines)
     end
 
+    -- A text on the files that were kept, and how many there were besides.
+    local function with_omitted(text)
+        if omitted == 0 then return text end
+        return format("%s\nand %s more, of which nothing was kept", text, plural(omitted, "file"))
+    end
+
     local function files_text()
         local lines = { { "File", "moved", "size" } }
         for _, transfer in ipairs(files) do
             local size = transfer.size and format("%d", transfer.size) or ""
             lines[#lines + 1] = { on_one_line(transfer.path), format("%d", transfer.done), size }
         end
-        return columns_text(lines)
+        return with_omitted(columns_text(lines))
     end
 
     local function all_text()
-        local counts = format("%d of %s that want a reply have none", wanted - answered, plural(wanted, "command"))
+        local of_all = wanted == 1 and "1 command that wants a reply has none"
+            or format("%d commands that want a reply have none", wanted)
+        local counts = format("%d of %s", wanted - answered, of_all)
         return concat({
             table_text("Operation", operations, true), "", table_text("Brick", bricks), "", files_text(), "", counts,
         }, "\n") .. "\n"
@@ -226,6 +237,12 @@ do
         return file ~= nil
     end
 
+    -- What is said of a file that has another size than was announced.
+    local function flaw_of(transfer, size)
+        if not transfer.size or size == transfer.size then return "" end
+        return size < transfer.size and ", not all of it" or format(", but its size was said to be %d", transfer.size)
+    end
+
     -- Writes the files into a folder that exists. Files that are there stay as they are. Returns a line on each.
     local function export_files(folder)
         if not folder:find("%S") then return "Nothing was written: name a folder that exists" end
@@ -238,13 +255,11 @@ do
             else
                 local data = concat(transfer.pieces)
                 local failure = write_file(path, data)
-                local is_whole = not transfer.size or #data == transfer.size
-                outcome = failure and "not written: " .. failure
-                    or plural(#data, "byte") .. (is_whole and "" or ", not all of it")
+                outcome = failure and "not written: " .. failure or plural(#data, "byte") .. flaw_of(transfer, #data)
             end
             lines[#lines + 1] = path .. ": " .. outcome
         end
-        return lines[1] and concat(lines, "\n") or "no files were moved in this capture"
+        return lines[1] and with_omitted(concat(lines, "\n")) or "no files were moved in this capture"
     end
 
     local function show_window(title, text)

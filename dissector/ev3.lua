@@ -8457,10 +8457,18 @@ do
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
 
+    -- The endpoint that was met last, by whether the host sends: its address and its device. To write an address takes
+    -- longer than to compare it.
+    local met
+
     -- The device that a report comes from or goes to, whichever of its endpoints.
     local function device_key(pinfo)
-        local device = tostring(is_from_host(pinfo) and pinfo.dst or pinfo.src)
-        return device:match("^(.*)%.%d+$") or device
+        local is_out = is_from_host(pinfo)
+        local address, known = is_out and pinfo.dst or pinfo.src, met[is_out]
+        if known and known.address == address then return known.device end
+        local text = tostring(address)
+        met[is_out] = { address = address, device = text:match("^(.*)%.%d+$") or text }
+        return met[is_out].device
     end
 
     -- A known fault of the bootloader: its reply comes with the request written over its first bytes.
@@ -8473,55 +8481,55 @@ do
     local taken
 
     local function forget_devices()
-        taken = {}
+        taken, met = {}, {}
     end
     forget_devices()
 
-    local function dissect_report(tvb, text, pinfo, tree)
-        local low, high = byte(text, 1, 2)
-        local stop = math.min(LENGTH_FIELD + low + high * 0x100, #text)
-        local message = read_message(sub(text, 1, stop))
-        local number, is_shown = pinfo.number, has_tree(tree)
+    -- The message at the start of a report. Nobody looks at the bytes of the padding: there are more than 1 kB of both.
+    local function read_report(tvb)
+        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        return read_message(tvb:raw(0, math.min(frame_size(low, high), tvb:len())))
+    end
+
+    local function dissect_report(tvb, message, pinfo, tree)
+        local number, offset, is_shown, captured = pinfo.number, tvb:offset(), has_tree(tree), tvb:len()
         local command, line = message.command, nil
         if is_overwritten(message, pinfo) then
             message.is_overwritten = true
             line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
-        local talk = not pinfo.visited and talk_of(device_key(pinfo))
-        start_line(number, tvb:offset())
-        brick = is_shown and device_key(pinfo)
-        local said, item = dissect_message(tvb, 0, message, talk, place_of(number, tvb:offset()), pinfo, tree,
-            is_shown, line)
+        local device, stop = device_key(pinfo), message.stop
+        local talk = not pinfo.visited and talk_of(device)
+        brick = is_shown and device
+        local said, item = dissect_message(tvb, 0, message, talk, place_of(number, offset), pinfo, tree, is_shown, line)
         if line then
             local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
                 .. " written over its first bytes"
             complain(item or tree, "bootloader_fault", format(reason, command.name))
         end
-        if item and stop < #text then
-            local rest = tvb(stop, #text - stop)
-            item:add(field.padding, rest):append_text(format(" (%s)", plural(#text - stop, "byte")))
+        if item and stop < captured then
+            local rest = tvb(stop, captured - stop)
+            item:add(field.padding, rest):append_text(format(" (%s)", plural(captured - stop, "byte")))
         end
-        say(said)
-        show(pinfo)
-        return #text
+        show_line(pinfo, number, offset, said)
+        return captured
     end
 
     -- A report that holds no frame, though its device is a brick.
-    local function dissect_other_report(tvb, text, pinfo, tree)
-        local low, high = byte(text, 1, 2)
-        start_line(pinfo.number, tvb:offset())
+    local function dissect_other_report(tvb, length, pinfo, tree)
+        local captured = tvb:len()
         brick = device_key(pinfo)
-        say((dissect_no_frame(tvb, 0, #text, low + high * 0x100, tree, has_tree(tree))))
-        show(pinfo)
-        return #text
+        local said = dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))
+        show_line(pinfo, pinfo.number, tvb:offset(), said)
+        return captured
     end
 
     -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
     local function dissect_usb(tvb, pinfo, tree)
         if is_control(pinfo) or tvb:len() < HEADER_SIZE then return 0 end
-        local text = tvb:raw()
-        local dissect = is_length(byte(text, 1, LENGTH_FIELD)) and dissect_report or dissect_other_report
-        return dissect(tvb, text, pinfo, tree)
+        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        if not is_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
+        return dissect_report(tvb, read_report(tvb), pinfo, tree)
     end
 
     local function meet_odd(talk)
@@ -8554,17 +8562,20 @@ do
         return message, type.carries == "direct" and (type.is_command == true) ~= is_from_host(pinfo)
     end
 
-    -- Whether a report holds a frame of ours, although nobody knows its device as a brick. Other devices have reports,
-    -- too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks like a frame
-    -- is taken, until there are faults in a row.
-    local function is_claimed(tvb, pinfo)
+    -- The message of ours that a report holds, if it does, although nobody knows its device as a brick. Other devices
+    -- have reports, too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks
+    -- like a frame is taken, until there are faults in a row.
+    local function claimed_message(tvb, pinfo)
         local message, is_odd = frame_in(tvb, pinfo)
         local key = device_key(pinfo)
         local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
-        if not talk then return false end
+        if not talk then return nil end
         if is_odd then meet_odd(talk) end
         local is_chain, is_taken = REPORT_SIZES[tvb:reported_len()] == "daisy", false
-        if message and is_flawless(message) then
+        if message and talk.is_claimed and message.type.carries ~= "daisy" then
+            -- As below, without a look at all of it.
+            is_taken = true
+        elseif message and is_flawless(message) then
             local type = message.type
             -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
             if is_chain or is_overwritten(message, pinfo) then
@@ -8580,15 +8591,20 @@ do
         if not is_taken and talk.is_claimed then is_taken = message ~= nil end
         talk.faults = is_taken and 0 or (talk.faults or 0) + 1
         if talk.faults >= CLAIMS.faults_in_a_row then talk.is_claimed, talk.faults = false, 0 end
-        return is_taken
+        return is_taken and message or nil
     end
 
     -- Reports of a device whose product is not in the capture, as in most captures that began after plugging in.
     local function guess_usb(tvb, pinfo, tree)
-        local number = pinfo.number
-        if not pinfo.visited and is_claimed(tvb, pinfo) then taken[number] = true end
-        if not taken[number] then return false end
-        dissect_report(tvb, tvb:raw(), pinfo, tree)
+        local number, message = pinfo.number, nil
+        if pinfo.visited then
+            message = taken[number] and read_report(tvb)
+        else
+            message = claimed_message(tvb, pinfo)
+            taken[number] = message ~= nil or nil
+        end
+        if not message then return false end
+        dissect_report(tvb, message, pinfo, tree)
         return true
     end
 
@@ -8616,23 +8632,21 @@ do
     -- ours which types go its way, `steps` is "lost" where the stream was out of step before it.
     local streams, is_ours, continued, earlier, waiting, begun, steps
 
+    -- The directions in which packets went last, by channel and what the capture tells of the direction: their
+    -- addresses with what is known of them. To write addresses takes longer than to compare them.
+    local met
+
     local function forget_streams()
-        streams, is_ours, continued, earlier, waiting, begun, steps = {}, {}, {}, {}, {}, {}, {}
+        streams, is_ours, continued, earlier, waiting, begun, steps, met = {}, {}, {}, {}, {}, {}, {}, {}
     end
     forget_streams()
 
-    -- Devices by the addresses of their hardware: to the others Wireshark adds a device's name as soon as it knows one.
-    local function ends(pinfo)
-        return tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
-    end
-
-    -- What is known of a channel, and the direction in it that a packet has.
-    local function channel_of(pinfo)
-        local from, to, channel = ends(pinfo)
+    -- What is known of a channel, and the direction in it that a packet has, by what is written of its ends.
+    local function stream_between(from, to, channel, direction)
         local talk = talk_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
         talk.sides = talk.sides or {}
         -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
-        local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
+        local key = from .. " > " .. to .. " " .. channel .. " " .. direction
         local stream = streams[key]
         if not stream then
             stream = { left = "", look_at = 0 }
@@ -8640,6 +8654,20 @@ do
             table.insert(talk.sides, stream)
         end
         return talk, stream
+    end
+
+    -- The same of a packet. Devices go by the addresses of their hardware: to the others Wireshark adds a device's name
+    -- as soon as it knows one.
+    local function channel_of(pinfo)
+        local from, to, dlci, direction = pinfo.dl_src, pinfo.dl_dst, pinfo.match_uint, pinfo.p2p_dir
+        local place = dlci * 4 + direction
+        local known = met[place]
+        if not known or known.from ~= from or known.to ~= to then
+            local talk, stream = stream_between(tostring(from), tostring(to), floor(dlci / 2), direction)
+            known = { from = from, to = to, talk = talk, stream = stream }
+            met[place] = known
+        end
+        return known.talk, known.stream
     end
 
     local function is_command(type)
@@ -8823,6 +8851,12 @@ do
         if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
+    -- Whether a text is one frame, as nearly every packet is.
+    local function is_frame(text)
+        local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
+        return code and frame_size(low, high) == #text and is_length(low, high) and MESSAGE_TYPES[code] ~= nil
+    end
+
     local function dissect_rfcomm(tvb, pinfo, tree)
         local piece, number = tvb:raw(), pinfo.number
         if piece == "" then return 0 end
@@ -8850,9 +8884,19 @@ do
         else
             return 0
         end
-        local is_shown, whole, size = has_tree(tree), tvb, #piece
-        start_line(number, tvb:offset())
+        local is_shown, whole, size, offset = has_tree(tree), tvb, #piece, tvb:offset()
         brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
+        if may_be_whole and text == piece and not steps[number] and is_frame(text) then
+            if is_first then
+                stream.step = "likely"
+                count_faults(talk, true, size)
+            end
+            local place = place_of(number, offset)
+            local said = dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)
+            show_line(pinfo, number, offset, said)
+            return size
+        end
+        start_line(number, offset)
         if may_be_whole then
             local before = waiting[number]
             if before then

@@ -11,23 +11,21 @@ do
     -- ours which types go its way, `steps` is "lost" where the stream was out of step before it.
     local streams, is_ours, continued, earlier, waiting, begun, steps
 
+    -- The directions in which packets went last, by channel and what the capture tells of the direction: their
+    -- addresses with what is known of them. To write addresses takes longer than to compare them.
+    local met
+
     local function forget_streams()
-        streams, is_ours, continued, earlier, waiting, begun, steps = {}, {}, {}, {}, {}, {}, {}
+        streams, is_ours, continued, earlier, waiting, begun, steps, met = {}, {}, {}, {}, {}, {}, {}, {}
     end
     forget_streams()
 
-    -- Devices by the addresses of their hardware: to the others Wireshark adds a device's name as soon as it knows one.
-    local function ends(pinfo)
-        return tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
-    end
-
-    -- What is known of a channel, and the direction in it that a packet has.
-    local function channel_of(pinfo)
-        local from, to, channel = ends(pinfo)
+    -- What is known of a channel, and the direction in it that a packet has, by what is written of its ends.
+    local function stream_between(from, to, channel, direction)
         local talk = talk_of((from < to and from .. " " .. to or to .. " " .. from) .. " " .. channel)
         talk.sides = talk.sides or {}
         -- A capture begun after the connection has no addresses, but mostly tells what was sent and what received.
-        local key = from .. " > " .. to .. " " .. channel .. " " .. pinfo.p2p_dir
+        local key = from .. " > " .. to .. " " .. channel .. " " .. direction
         local stream = streams[key]
         if not stream then
             stream = { left = "", look_at = 0 }
@@ -35,6 +33,20 @@ do
             table.insert(talk.sides, stream)
         end
         return talk, stream
+    end
+
+    -- The same of a packet. Devices go by the addresses of their hardware: to the others Wireshark adds a device's name
+    -- as soon as it knows one.
+    local function channel_of(pinfo)
+        local from, to, dlci, direction = pinfo.dl_src, pinfo.dl_dst, pinfo.match_uint, pinfo.p2p_dir
+        local place = dlci * 4 + direction
+        local known = met[place]
+        if not known or known.from ~= from or known.to ~= to then
+            local talk, stream = stream_between(tostring(from), tostring(to), floor(dlci / 2), direction)
+            known = { from = from, to = to, talk = talk, stream = stream }
+            met[place] = known
+        end
+        return known.talk, known.stream
     end
 
     local function is_command(type)
@@ -218,6 +230,12 @@ do
         if list and list.complete_in then item:add(field.fragment_of, list.complete_in):set_generated() end
     end
 
+    -- Whether a text is one frame, as nearly every packet is.
+    local function is_frame(text)
+        local low, high, _, _, code = byte(text, 1, HEADER_SIZE)
+        return code and frame_size(low, high) == #text and is_length(low, high) and MESSAGE_TYPES[code] ~= nil
+    end
+
     local function dissect_rfcomm(tvb, pinfo, tree)
         local piece, number = tvb:raw(), pinfo.number
         if piece == "" then return 0 end
@@ -245,9 +263,19 @@ do
         else
             return 0
         end
-        local is_shown, whole, size = has_tree(tree), tvb, #piece
-        start_line(number, tvb:offset())
+        local is_shown, whole, size, offset = has_tree(tree), tvb, #piece, tvb:offset()
         brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
+        if may_be_whole and text == piece and not steps[number] and is_frame(text) then
+            if is_first then
+                stream.step = "likely"
+                count_faults(talk, true, size)
+            end
+            local place = place_of(number, offset)
+            local said = dissect_message(tvb, 0, read_message(text), talk, place, pinfo, tree, is_shown)
+            show_line(pinfo, number, offset, said)
+            return size
+        end
+        start_line(number, offset)
         if may_be_whole then
             local before = waiting[number]
             if before then

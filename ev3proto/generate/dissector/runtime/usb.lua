@@ -14,10 +14,18 @@ do
         return pinfo.src_port == 0 or pinfo.dst_port == 0
     end
 
+    -- The endpoint that was met last, by whether the host sends: its address and its device. To write an address takes
+    -- longer than to compare it.
+    local met
+
     -- The device that a report comes from or goes to, whichever of its endpoints.
     local function device_key(pinfo)
-        local device = tostring(is_from_host(pinfo) and pinfo.dst or pinfo.src)
-        return device:match("^(.*)%.%d+$") or device
+        local is_out = is_from_host(pinfo)
+        local address, known = is_out and pinfo.dst or pinfo.src, met[is_out]
+        if known and known.address == address then return known.device end
+        local text = tostring(address)
+        met[is_out] = { address = address, device = text:match("^(.*)%.%d+$") or text }
+        return met[is_out].device
     end
 
     -- A known fault of the bootloader: its reply comes with the request written over its first bytes.
@@ -30,55 +38,55 @@ do
     local taken
 
     local function forget_devices()
-        taken = {}
+        taken, met = {}, {}
     end
     forget_devices()
 
-    local function dissect_report(tvb, text, pinfo, tree)
-        local low, high = byte(text, 1, 2)
-        local stop = math.min(LENGTH_FIELD + low + high * 0x100, #text)
-        local message = read_message(sub(text, 1, stop))
-        local number, is_shown = pinfo.number, has_tree(tree)
+    -- The message at the start of a report. Nobody looks at the bytes of the padding: there are more than 1 kB of both.
+    local function read_report(tvb)
+        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        return read_message(tvb:raw(0, math.min(frame_size(low, high), tvb:len())))
+    end
+
+    local function dissect_report(tvb, message, pinfo, tree)
+        local number, offset, is_shown, captured = pinfo.number, tvb:offset(), has_tree(tree), tvb:len()
         local command, line = message.command, nil
         if is_overwritten(message, pinfo) then
             message.is_overwritten = true
             line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
-        local talk = not pinfo.visited and talk_of(device_key(pinfo))
-        start_line(number, tvb:offset())
-        brick = is_shown and device_key(pinfo)
-        local said, item = dissect_message(tvb, 0, message, talk, place_of(number, tvb:offset()), pinfo, tree,
-            is_shown, line)
+        local device, stop = device_key(pinfo), message.stop
+        local talk = not pinfo.visited and talk_of(device)
+        brick = is_shown and device
+        local said, item = dissect_message(tvb, 0, message, talk, place_of(number, offset), pinfo, tree, is_shown, line)
         if line then
             local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
                 .. " written over its first bytes"
             complain(item or tree, "bootloader_fault", format(reason, command.name))
         end
-        if item and stop < #text then
-            local rest = tvb(stop, #text - stop)
-            item:add(field.padding, rest):append_text(format(" (%s)", plural(#text - stop, "byte")))
+        if item and stop < captured then
+            local rest = tvb(stop, captured - stop)
+            item:add(field.padding, rest):append_text(format(" (%s)", plural(captured - stop, "byte")))
         end
-        say(said)
-        show(pinfo)
-        return #text
+        show_line(pinfo, number, offset, said)
+        return captured
     end
 
     -- A report that holds no frame, though its device is a brick.
-    local function dissect_other_report(tvb, text, pinfo, tree)
-        local low, high = byte(text, 1, 2)
-        start_line(pinfo.number, tvb:offset())
+    local function dissect_other_report(tvb, length, pinfo, tree)
+        local captured = tvb:len()
         brick = device_key(pinfo)
-        say((dissect_no_frame(tvb, 0, #text, low + high * 0x100, tree, has_tree(tree))))
-        show(pinfo)
-        return #text
+        local said = dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))
+        show_line(pinfo, pinfo.number, tvb:offset(), said)
+        return captured
     end
 
     -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
     local function dissect_usb(tvb, pinfo, tree)
         if is_control(pinfo) or tvb:len() < HEADER_SIZE then return 0 end
-        local text = tvb:raw()
-        local dissect = is_length(byte(text, 1, LENGTH_FIELD)) and dissect_report or dissect_other_report
-        return dissect(tvb, text, pinfo, tree)
+        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        if not is_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
+        return dissect_report(tvb, read_report(tvb), pinfo, tree)
     end
 
     local function meet_odd(talk)
@@ -111,17 +119,20 @@ do
         return message, type.carries == "direct" and (type.is_command == true) ~= is_from_host(pinfo)
     end
 
-    -- Whether a report holds a frame of ours, although nobody knows its device as a brick. Other devices have reports,
-    -- too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks like a frame
-    -- is taken, until there are faults in a row.
-    local function is_claimed(tvb, pinfo)
+    -- The message of ours that a report holds, if it does, although nobody knows its device as a brick. Other devices
+    -- have reports, too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks
+    -- like a frame is taken, until there are faults in a row.
+    local function claimed_message(tvb, pinfo)
         local message, is_odd = frame_in(tvb, pinfo)
         local key = device_key(pinfo)
         local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
-        if not talk then return false end
+        if not talk then return nil end
         if is_odd then meet_odd(talk) end
         local is_chain, is_taken = REPORT_SIZES[tvb:reported_len()] == "daisy", false
-        if message and is_flawless(message) then
+        if message and talk.is_claimed and message.type.carries ~= "daisy" then
+            -- As below, without a look at all of it.
+            is_taken = true
+        elseif message and is_flawless(message) then
             local type = message.type
             -- Bricks in a chain send commands both ways. They are no computers, whose reports are larger.
             if is_chain or is_overwritten(message, pinfo) then
@@ -137,15 +148,20 @@ do
         if not is_taken and talk.is_claimed then is_taken = message ~= nil end
         talk.faults = is_taken and 0 or (talk.faults or 0) + 1
         if talk.faults >= CLAIMS.faults_in_a_row then talk.is_claimed, talk.faults = false, 0 end
-        return is_taken
+        return is_taken and message or nil
     end
 
     -- Reports of a device whose product is not in the capture, as in most captures that began after plugging in.
     local function guess_usb(tvb, pinfo, tree)
-        local number = pinfo.number
-        if not pinfo.visited and is_claimed(tvb, pinfo) then taken[number] = true end
-        if not taken[number] then return false end
-        dissect_report(tvb, tvb:raw(), pinfo, tree)
+        local number, message = pinfo.number, nil
+        if pinfo.visited then
+            message = taken[number] and read_report(tvb)
+        else
+            message = claimed_message(tvb, pinfo)
+            taken[number] = message ~= nil or nil
+        end
+        if not message then return false end
+        dissect_report(tvb, message, pinfo, tree)
         return true
     end
 

@@ -5348,6 +5348,23 @@ do
         step_elements = step_elements + steps.count
     end
 
+    -- What a packet leaves behind, items and ranges of a tree above all, Lua frees when all that it holds has doubled,
+    -- in small steps. By then it is in no cache of the processor any more, and that takes up to a quarter of the time.
+    -- So it is freed as soon as there is some of it; how Lua frees otherwise stays as it is. Where other scripts hold
+    -- much, all is left to Lua: going through that would take long.
+    do
+        local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
+        local limit = 0
+
+        function memory.free_unused()
+            local size = collectgarbage("count")
+            if size < limit or size > MOST_KILOBYTES then return end
+            -- Objects of other scripts may raise an error when they are freed.
+            pcall(collectgarbage)
+            limit = GROWTH * collectgarbage("count")
+        end
+    end
+
     -- A message's place is the number of its packet and its offset there, in one number.
     local OFFSETS = 0x100000
 
@@ -8449,6 +8466,9 @@ do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
+    -- Methods that each packet needs: looking them up takes longer than what they do.
+    local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
+
     local function is_from_host(pinfo)
         return pinfo.src_port == HOST
     end
@@ -8487,12 +8507,12 @@ do
 
     -- The message at the start of a report. Nobody looks at the bytes of the padding: there are more than 1 kB of both.
     local function read_report(tvb)
-        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
-        return read_message(tvb:raw(0, math.min(frame_size(low, high), tvb:len())))
+        local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        return read_message(bytes_of(tvb, 0, math.min(frame_size(low, high), captured_len(tvb))))
     end
 
     local function dissect_report(tvb, message, pinfo, tree)
-        local number, offset, is_shown, captured = pinfo.number, tvb:offset(), has_tree(tree), tvb:len()
+        local number, offset, is_shown, captured = pinfo.number, offset_of(tvb), has_tree(tree), captured_len(tvb)
         local command, line = message.command, nil
         if is_overwritten(message, pinfo) then
             message.is_overwritten = true
@@ -8517,17 +8537,17 @@ do
 
     -- A report that holds no frame, though its device is a brick.
     local function dissect_other_report(tvb, length, pinfo, tree)
-        local captured = tvb:len()
+        local captured = captured_len(tvb)
         brick = device_key(pinfo)
         local said = dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))
-        show_line(pinfo, pinfo.number, tvb:offset(), said)
+        show_line(pinfo, pinfo.number, offset_of(tvb), said)
         return captured
     end
 
     -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
     local function dissect_usb(tvb, pinfo, tree)
-        if is_control(pinfo) or tvb:len() < HEADER_SIZE then return 0 end
-        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
+        local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
         if not is_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
         return dissect_report(tvb, read_report(tvb), pinfo, tree)
     end
@@ -8550,15 +8570,15 @@ do
 
     -- The frame that a report may hold, and whether the report begins with a frame's length and holds none: it has
     -- another type, another size, or goes the wrong way.
-    local function frame_in(tvb, pinfo)
-        local sort, captured = REPORT_SIZES[tvb:reported_len()], tvb:len()
+    local function frame_in(tvb, sort, pinfo)
+        local captured = captured_len(tvb)
         if not sort or captured < HEADER_SIZE then return nil, false end
-        local low, high, _, _, code = byte(tvb:raw(0, HEADER_SIZE), 1, HEADER_SIZE)
+        local low, high, _, _, code = byte(bytes_of(tvb, 0, HEADER_SIZE), 1, HEADER_SIZE)
         if not is_length(low, high) then return nil, false end
         local size, type = frame_size(low, high), MESSAGE_TYPES[code]
         local is_odd = not type or sort == "daisy" and type.carries ~= "daisy"
         if is_odd then return nil, size <= captured end
-        local message = read_message(tvb:raw(0, math.min(size, captured)))
+        local message = read_message(bytes_of(tvb, 0, math.min(size, captured)))
         return message, type.carries == "direct" and (type.is_command == true) ~= is_from_host(pinfo)
     end
 
@@ -8566,12 +8586,12 @@ do
     -- have reports, too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks
     -- like a frame is taken, until there are faults in a row.
     local function claimed_message(tvb, pinfo)
-        local message, is_odd = frame_in(tvb, pinfo)
-        local key = device_key(pinfo)
+        local sort, key = REPORT_SIZES[tvb:reported_len()], device_key(pinfo)
+        local message, is_odd = frame_in(tvb, sort, pinfo)
         local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
         if not talk then return nil end
         if is_odd then meet_odd(talk) end
-        local is_chain, is_taken = REPORT_SIZES[tvb:reported_len()] == "daisy", false
+        local is_chain, is_taken = sort == "daisy", false
         if message and talk.is_claimed and message.type.carries ~= "daisy" then
             -- As below, without a look at all of it.
             is_taken = true
@@ -8605,6 +8625,7 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, pinfo, tree)
+        memory.free_unused()
         return true
     end
 
@@ -8631,6 +8652,9 @@ do
     -- whole, and `begun` the list of the frame that begins in it and is not whole. `is_ours` tells of a packet that is
     -- ours which types go its way, `steps` is "lost" where the stream was out of step before it.
     local streams, is_ours, continued, earlier, waiting, begun, steps
+
+    -- Methods that each packet needs: looking them up takes longer than what they do.
+    local bytes_of, offset_of = Tvb.raw, Tvb.offset
 
     -- The directions in which packets went last, by channel and what the capture tells of the direction: their
     -- addresses with what is known of them. To write addresses takes longer than to compare them.
@@ -8858,7 +8882,7 @@ do
     end
 
     local function dissect_rfcomm(tvb, pinfo, tree)
-        local piece, number = tvb:raw(), pinfo.number
+        local piece, number = bytes_of(tvb), pinfo.number
         if piece == "" then return 0 end
         local is_first = not pinfo.visited
         local talk, stream, text, may_be_whole
@@ -8884,7 +8908,7 @@ do
         else
             return 0
         end
-        local is_shown, whole, size, offset = has_tree(tree), tvb, #piece, tvb:offset()
+        local is_shown, whole, size, offset = has_tree(tree), tvb, #piece, offset_of(tvb)
         brick = is_shown and tostring(is_ours[number] == is_command and pinfo.dl_dst or pinfo.dl_src)
         if may_be_whole and text == piece and not steps[number] and is_frame(text) then
             if is_first then
@@ -9545,29 +9569,11 @@ do
         ev3.experts = list
     end
 
-    -- What a packet leaves behind, items and ranges of a tree above all, Lua frees when all that it holds has doubled,
-    -- in small steps. By then it is in no cache of the processor any more, and that takes up to a quarter of the time.
-    -- So it is freed as soon as there is some of it; how Lua frees otherwise stays as it is. Where other scripts hold
-    -- much, all is left to Lua: going through that would take long.
-    local free_unused
-    do
-        local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
-        local limit = 0
-
-        function free_unused()
-            local size = collectgarbage("count")
-            if size < limit or size > MOST_KILOBYTES then return end
-            -- Objects of other scripts may raise an error when they are freed.
-            pcall(collectgarbage)
-            limit = GROWTH * collectgarbage("count")
-        end
-    end
-
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
     function ev3.dissector(tvb, pinfo, tree)
         local dissect = carrier_dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
-        free_unused()
+        memory.free_unused()
         return taken
     end
 

@@ -11,29 +11,11 @@ do
         ev3.experts = list
     end
 
-    -- What a packet leaves behind, items and ranges of a tree above all, Lua frees when all that it holds has doubled,
-    -- in small steps. By then it is in no cache of the processor any more, and that takes up to a quarter of the time.
-    -- So it is freed as soon as there is some of it; how Lua frees otherwise stays as it is. Where other scripts hold
-    -- much, all is left to Lua: going through that would take long.
-    local free_unused
-    do
-        local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
-        local limit = 0
-
-        function free_unused()
-            local size = collectgarbage("count")
-            if size < limit or size > MOST_KILOBYTES then return end
-            -- Objects of other scripts may raise an error when they are freed.
-            pcall(collectgarbage)
-            limit = GROWTH * collectgarbage("count")
-        end
-    end
-
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
     function ev3.dissector(tvb, pinfo, tree)
         local dissect = carrier_dissectors[pinfo.port_type]
         local taken = dissect and dissect(tvb, pinfo, tree) or 0
-        free_unused()
+        memory.free_unused()
         return taken
     end
 

@@ -6,6 +6,9 @@ do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
+    -- Methods that each packet needs: looking them up takes longer than what they do.
+    local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
+
     local function is_from_host(pinfo)
         return pinfo.src_port == HOST
     end
@@ -44,12 +47,12 @@ do
 
     -- The message at the start of a report. Nobody looks at the bytes of the padding: there are more than 1 kB of both.
     local function read_report(tvb)
-        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
-        return read_message(tvb:raw(0, math.min(frame_size(low, high), tvb:len())))
+        local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        return read_message(bytes_of(tvb, 0, math.min(frame_size(low, high), captured_len(tvb))))
     end
 
     local function dissect_report(tvb, message, pinfo, tree)
-        local number, offset, is_shown, captured = pinfo.number, tvb:offset(), has_tree(tree), tvb:len()
+        local number, offset, is_shown, captured = pinfo.number, offset_of(tvb), has_tree(tree), captured_len(tvb)
         local command, line = message.command, nil
         if is_overwritten(message, pinfo) then
             message.is_overwritten = true
@@ -74,17 +77,17 @@ do
 
     -- A report that holds no frame, though its device is a brick.
     local function dissect_other_report(tvb, length, pinfo, tree)
-        local captured = tvb:len()
+        local captured = captured_len(tvb)
         brick = device_key(pinfo)
         local said = dissect_no_frame(tvb, 0, captured, length, tree, has_tree(tree))
-        show_line(pinfo, pinfo.number, tvb:offset(), said)
+        show_line(pinfo, pinfo.number, offset_of(tvb), said)
         return captured
     end
 
     -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
     local function dissect_usb(tvb, pinfo, tree)
-        if is_control(pinfo) or tvb:len() < HEADER_SIZE then return 0 end
-        local low, high = byte(tvb:raw(0, LENGTH_FIELD), 1, LENGTH_FIELD)
+        if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
+        local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
         if not is_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
         return dissect_report(tvb, read_report(tvb), pinfo, tree)
     end
@@ -107,15 +110,15 @@ do
 
     -- The frame that a report may hold, and whether the report begins with a frame's length and holds none: it has
     -- another type, another size, or goes the wrong way.
-    local function frame_in(tvb, pinfo)
-        local sort, captured = REPORT_SIZES[tvb:reported_len()], tvb:len()
+    local function frame_in(tvb, sort, pinfo)
+        local captured = captured_len(tvb)
         if not sort or captured < HEADER_SIZE then return nil, false end
-        local low, high, _, _, code = byte(tvb:raw(0, HEADER_SIZE), 1, HEADER_SIZE)
+        local low, high, _, _, code = byte(bytes_of(tvb, 0, HEADER_SIZE), 1, HEADER_SIZE)
         if not is_length(low, high) then return nil, false end
         local size, type = frame_size(low, high), MESSAGE_TYPES[code]
         local is_odd = not type or sort == "daisy" and type.carries ~= "daisy"
         if is_odd then return nil, size <= captured end
-        local message = read_message(tvb:raw(0, math.min(size, captured)))
+        local message = read_message(bytes_of(tvb, 0, math.min(size, captured)))
         return message, type.carries == "direct" and (type.is_command == true) ~= is_from_host(pinfo)
     end
 
@@ -123,12 +126,12 @@ do
     -- have reports, too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks
     -- like a frame is taken, until there are faults in a row.
     local function claimed_message(tvb, pinfo)
-        local message, is_odd = frame_in(tvb, pinfo)
-        local key = device_key(pinfo)
+        local sort, key = REPORT_SIZES[tvb:reported_len()], device_key(pinfo)
+        local message, is_odd = frame_in(tvb, sort, pinfo)
         local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
         if not talk then return nil end
         if is_odd then meet_odd(talk) end
-        local is_chain, is_taken = REPORT_SIZES[tvb:reported_len()] == "daisy", false
+        local is_chain, is_taken = sort == "daisy", false
         if message and talk.is_claimed and message.type.carries ~= "daisy" then
             -- As below, without a look at all of it.
             is_taken = true
@@ -162,6 +165,7 @@ do
         end
         if not message then return false end
         dissect_report(tvb, message, pinfo, tree)
+        memory.free_unused()
         return true
     end
 

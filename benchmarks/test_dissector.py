@@ -19,11 +19,12 @@ it must not exceed.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import pytest
 from support.frames import Segment, tcp_capture
+from support.packets import HCI_WITH_DIRECTION, USBMON, Capture, Device, SerialPort
 from support.wireshark import Tshark
 
 from benchmarks.dialogue import dialogue, repeated, unanswered, usual_dialogue
@@ -44,6 +45,9 @@ MOST = {
 """How many times tshark's own time each kind of output may take."""
 MOST_BYTES = 900
 """Bytes of memory a packet; in a capture as short as these, a good part of it is what the dissector is itself."""
+MOST_EACH = {"one line": 60, "-V": 250}
+"""Microseconds that a packet may take more on any carrier. No ratio, as without the dissector tshark does next to
+nothing with what USB's and Bluetooth's packets carry."""
 LONG, LONG_ROUNDS, MOST_LONG, MOST_LONG_BYTES = 150_000, 2, 2.3, 150
 """The same of a long capture: commands, rounds, and what one line may take."""
 
@@ -94,6 +98,45 @@ def test_dissector_ratios(
             print(f"\ntshark {version}, {name}, {output}: {times}, {each:.0f} bytes a packet", end="")
         assert own / bare <= MOST[name, output]
         assert each <= MOST_BYTES or output == "-V"
+
+
+def usb_capture(segments: Iterable[Segment]) -> bytes:
+    """The same in USB reports of a device that nobody knows, as in most captures."""
+    capture = Capture(USBMON)
+    device = Device(capture)
+    for segment in segments:
+        (device.send if segment.from_host else device.receive)(segment.data)
+    return capture.data()
+
+
+def rfcomm_capture(segments: Iterable[Segment]) -> bytes:
+    """The same on Bluetooth's channel."""
+    capture = Capture(HCI_WITH_DIRECTION)
+    port = SerialPort(capture)
+    for segment in segments:
+        (port.send if segment.from_host else port.receive)(segment.data)
+    return capture.data()
+
+
+@pytest.mark.parametrize(
+    ("name", "capture"), [("WiFi", tcp_capture), ("USB", usb_capture), ("Bluetooth", rfcomm_capture)]
+)
+def test_dissector_on_each_carrier(
+    name: str, capture: Callable[[Iterable[Segment]], bytes], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What the usual dialogue adds to the time of a packet, on USB and Bluetooth beside WiFi."""
+    path = tmp_path / "commands.pcap"
+    path.write_bytes(capture(usual_dialogue(COMMANDS)))
+    with Tshark.from_setting() as tshark:
+        placed = str(tshark.place(path))
+        for output, words in OUTPUTS.items():
+            commands = [[str(tshark.path), *own, "-r", placed, *words] for own in (["-n"], tshark.words)]
+            rounds = [[cost(command)[0] for command in commands] for _ in range(ROUNDS)]
+            bare, own = map(min, zip(*rounds, strict=True))
+            each = 1e6 * (own - bare) / (2 * COMMANDS)
+            with capsys.disabled():
+                print(f"\n{name}, {output}: {each:.0f} microseconds more a packet", end="")
+            assert each <= MOST_EACH[output]
 
 
 def test_dissector_in_a_long_capture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

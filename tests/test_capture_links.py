@@ -56,6 +56,13 @@ LINKS: dict[str, tuple[int, Callable[[bytes], bytes]]] = {
     "QinQ": (1, ethernet(0x88A8, 0x8100)),
     "QinQ as it was": (1, ethernet(0x9100, 0x8100)),
     "provider bridges": (1, ethernet(0x88A8, 0x88A8)),
+    "MPLS": (1, lambda data: bytes(12) + bytes.fromhex("8847 00064040 00065140") + data),
+    "MPLS to many": (1, lambda data: bytes(12) + bytes.fromhex("8848 00065140") + data),
+    "PPPoE": (1, lambda data: bytes(12) + struct.pack(">HHHHH", 0x8864, 0x1100, 7, 2 + len(data), 0x21) + data),
+    "PPPoE in a VLAN": (
+        1,
+        lambda data: ethernet(0x8100)(b"")[:-2] + struct.pack(">HHHHH", 0x8864, 0x1100, 7, 2 + len(data), 0x21) + data,
+    ),
     "three tags": (1, ethernet(0x8100, 0x8100, 0x8100)),
     "loopback": (0, lambda data: struct.pack("<I", 2) + data),
     "loopback of the other order": (0, lambda data: struct.pack(">I", 2) + data),

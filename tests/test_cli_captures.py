@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 from support.cli import run_ev3proto
-from support.packets import RAW_IP, Capture, Connection
+from support.packets import RAW_IP, Capture, Connection, cut, in_tunnels
 
 ROOT = Path(__file__).parent.parent
 CAPTURES = ROOT / "captures"
@@ -258,6 +258,44 @@ def test_a_capture_without_any_frame() -> None:
         1,
         b"",
         "standard input: there is no frame in 0 packets\n",
+    )
+
+
+PACKED = (
+    "6 packets may have others packed into them (GRE 1, AH 1, 802.1ah 1, VXLAN 1, Geneve 1, GTP 1),"
+    " which are not read here: --engine wireshark reads them"
+)
+
+
+@pytest.mark.parametrize(
+    ("words", "nothing"),
+    [
+        (("decode",), "there is no frame in 7 packets"),
+        (("check",), "there is no command in 7 packets"),
+        (("files",), "no file is moved in it"),
+        (("values",), "no reply with its command was found"),
+        (("timeline", "-o", "x.svg"), "there is nothing to draw: no frame was found"),
+    ],
+)
+def test_what_is_packed_into_other_packets_is_no_secret(words: tuple[str, ...], nothing: str, tmp_path: Path) -> None:
+    path = tmp_path / "tunnels.pcap"
+    path.write_bytes(in_tunnels(TONE))
+    words = tuple(str(tmp_path / word) if word.endswith("svg") else word for word in words)
+    done = run(*words, str(path))
+    assert done.returncode == (words[0] != "files")
+    assert done.stderr.decode() == f"{path}: {nothing}; {PACKED}\n"
+
+
+def test_packets_that_were_cut_are_counted_where_no_frame_is_found() -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for _ in range(3):
+        connection.send(TONE)
+    done = run("decode", stdin=cut(capture.data(), 30))
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert done.stderr.decode() == (
+        "standard input: there is no frame in 3 packets;"
+        " of 3 packets only the first bytes were captured (snap length)\n"
     )
 
 

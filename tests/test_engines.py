@@ -18,7 +18,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from support.packets import ACK, RAW_IP, SYN, Capture, Connection, SerialPort, cut, datagram, segment
+from support.packets import ACK, RAW_IP, SYN, Capture, Connection, SerialPort, cut, datagram, in_tunnels, segment
 from support.wireshark import Tshark
 
 from ev3proto.capture import Account, Announcement, CaptureError, Direction, Event, Record, Skipped, from_pyshark, read
@@ -281,6 +281,24 @@ def test_packets_that_were_cut(opened: Open) -> None:
     assert isinstance(skipped, Skipped)
     assert (skipped.data, skipped.missing) == (TONE[:12], 4)
     assert skipped.reason == "a frame is cut off: 12 bytes of it were captured"
+
+
+def test_what_is_packed_into_other_packets_is_read_by_wireshark(opened: Open) -> None:
+    """As the built-in engine says where it reads nothing."""
+    data = in_tunnels(TONE)
+    assert [record.number for record in opened(data)] == [1, 2, 3, 4, 5, 6]
+    ours = builtin(data)
+    assert list(ours.events()) == []
+    assert ours.account.packed == dict.fromkeys(("GRE", "AH", "802.1ah", "VXLAN", "Geneve", "GTP"), 1)
+
+
+def test_packets_that_were_cut_are_counted(opened: Open) -> None:
+    capture = Capture(RAW_IP)
+    Connection(capture).send(TONE)
+    capture.add(datagram(b"hello", target_port=53))
+    for captured in (opened(cut(capture.data(), 35)), builtin(cut(capture.data(), 35))):
+        assert list(captured.events()) == []
+        assert captured.account.cut == 1
 
 
 def test_other_traffic_is_counted(opened: Open) -> None:

@@ -71,12 +71,16 @@ def events(
     trouble: CaptureError | None = None
     try:
         for packet in packets:
+            _, time_ns, data, size, interface, _ = packet
+            captured = len(data)
             if account.first_ns is None:
-                account.first_ns = packet.time_ns
-            account.last_ns = packet.time_ns
+                account.first_ns = time_ns
+            account.last_ns = time_ns
             account.packets += 1
-            account.captured += len(packet.data)
-            yield from readers[packet.interface.link](packet)
+            account.captured += captured
+            if captured < size:
+                account.cut += 1
+            yield from readers[interface.link](packet)
             if late:
                 yield from late
                 late.clear()

@@ -217,6 +217,22 @@ class CaptureSource:
         """How much there is of it, as complaints call it."""
         return counted(self.account.packets, "packet" if self.lines is None else "frame")
 
+    @property
+    def passed_over(self) -> str:
+        """What to say besides where nothing was found: why packets may have frames all the same, empty if none may."""
+        account = self.account
+        said = ""
+        if account.packed:
+            packets = counted(sum(account.packed.values()), "packet")
+            names = ", ".join(f"{name} {count}" for name, count in account.packed.items())
+            said += (
+                f"; {packets} may have others packed into them ({names}), which are not read here:"
+                " --engine wireshark reads them"
+            )
+        if account.cut:
+            said += f"; of {counted(account.cut, 'packet')} only the first bytes were captured (snap length)"
+        return said
+
     def _read(self, capture: Capture) -> Iterator[Event]:
         """The events; skipped bytes are complained about."""
         from ev3proto.capture import Skipped

@@ -72,7 +72,7 @@ def files(
                 source.status |= recovered.outcome is not Outcome.REFUSED
         units.add(source.unit)
         if is_empty and not source.status:
-            complain(f"{source.label}: no file is moved in it")
+            complain(f"{source.label}: no file is moved in it{source.passed_over}")
         status |= source.status
     if rows:
         _list(rows, "lines" if units == {"line"} else "packets")

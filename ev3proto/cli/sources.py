@@ -225,7 +225,7 @@ class SourceReader(ABC):
     def _of_capture(self, capture: CaptureSource, source: Source) -> None:
         if not self.capture(capture) and not capture.status:
             what = f"no {self.wanted} that the filter lets through" if self.reading.filter else f"no {self.wanted}"
-            self.complain(f"{source.label}: there is {what} in {capture.extent}")
+            self.complain(f"{source.label}: there is {what} in {capture.extent}{capture.passed_over}")
         self.at_fault |= bool(capture.status)
 
     def _readable(self, source: Source, lines: Iterator[str]) -> Iterator[str]:

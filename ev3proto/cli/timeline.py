@@ -81,7 +81,8 @@ def timeline(
     drawn = collect(events, chosen, Window(first, last))
     if drawn is None:
         if not any(source.status for source in found):
-            complain(_nothing(labels, first, last, is_timed=is_timed))
+            reasons = "".join(source.passed_over for source in found)
+            complain(_nothing(labels, first, last, is_timed=is_timed) + reasons)
         sys.exit(1)
     _write(drawn, output, names)
     say(f"{output}: written")

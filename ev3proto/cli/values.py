@@ -70,7 +70,9 @@ def values(files: tuple[str, ...], reading: CaptureOptions, form: str | None, pl
         status = 1
     if not found.rows:
         if not status:
-            complain(f"{', '.join(source.label for source in sources)}: no reply with its command was found")
+            names = ", ".join(source.label for source in sources)
+            reasons = "".join(source.passed_over for source in sources)
+            complain(f"{names}: no reply with its command was found{reasons}")
         sys.exit(1)
     most = MOST_COLUMNS[form] if plot is None else MOST_SHOWN
     if most is not None and len(found.units) > most:

@@ -131,6 +131,26 @@ def datagram(
     return _ip(source, target, 17, struct.pack(">HHHH", port, target_port, 8 + len(data), 0) + data)
 
 
+def in_tunnels(data: bytes) -> bytes:
+    """A capture of Ethernet: the same data by six programs, in GRE, AH, 802.1ah, VXLAN, Geneve and GTP; then ARP."""
+    capture = Capture(1)
+    head, is_ip = bytes(12), b"\x08\0"
+    inside = [Connection(Capture(RAW_IP), HOST_PORT + each).segment(True, data) for each in range(6)]
+    capture.add(head + is_ip + _ip(HOST, BRICK, 47, bytes.fromhex("00000800") + inside[0]))
+    capture.add(
+        head + is_ip + _ip(HOST, BRICK, 51, bytes.fromhex("04040000 00000001 00000001") + bytes(12) + inside[1])
+    )
+    capture.add(head + bytes.fromhex("88e7 00000001") + head + is_ip + inside[2])
+    for port, start, packet in (
+        (4789, bytes.fromhex("08000000 00002a00") + head + is_ip, inside[3]),
+        (6081, bytes.fromhex("00006558 00002a00") + head + is_ip, inside[4]),
+        (2152, struct.pack(">BBHI", 0x30, 0xFF, len(inside[5]), 1), inside[5]),
+    ):
+        capture.add(head + is_ip + datagram(start + packet, HOST, 50000, BRICK, port))
+    capture.add(head + bytes.fromhex("0806 0001 0800 0604 0001") + bytes(20))
+    return capture.data()
+
+
 # USB
 
 

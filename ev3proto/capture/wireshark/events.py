@@ -65,6 +65,7 @@ class Events:
         account.packets += 1
         account.captured += captured
         account.other += captured
+        account.cut += row.missing > 0
         account.last_ns = row.time_ns
         if account.first_ns is None:
             account.first_ns = account.last_ns

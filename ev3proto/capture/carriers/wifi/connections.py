@@ -10,6 +10,7 @@ from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.carriers.wifi.claim import ConnectionClaim
 from ev3proto.capture.carriers.wifi.internet import (
     ACK,
+    PACKED_PORTS,
     PORT_SIZE,
     PORTS,
     RST,
@@ -137,8 +138,7 @@ class Connections:
         data, interface = packet.data, packet.interface
         found = transport(interface.link, data)
         if found is None:
-            self._account.other += len(data)
-            return ()
+            return self._pass_over(packet)
         ends, carried, sequence, acknowledged, flags = found
         if flags is None:
             return self._datagram(packet, ends, carried)
@@ -158,6 +158,16 @@ class Connections:
         if stream.times:
             self._weigh(half)
         return events
+
+    def _pass_over(self, packet: Packet) -> Iterable[Event]:
+        """Leaves a packet to others. Where another may be packed into it, that is counted."""
+        from ev3proto.capture.carriers.wifi.layers import packed_into
+
+        self._account.other += len(packet.data)
+        name = packed_into(packet.interface.link, packet.data)
+        if name is not None:
+            self._account.meet_packed(name)
+        return ()
 
     def end(self) -> Iterable[Event]:
         """What was waiting for more."""
@@ -327,6 +337,8 @@ class Connections:
         is_announced = is_for_beacons and is_beacon(data, is_cut=len(packet.data) < packet.size)
         if not data or not (is_announced or target_of(ends) in self._answered):
             self._account.other += len(packet.data)
+            if target_port(ends) in PACKED_PORTS:
+                self._account.meet_packed(PACKED_PORTS[target_port(ends)])
             return
         self._account.headers += len(packet.data) - len(data)
         self._account.texts += len(data)

@@ -42,6 +42,12 @@ _LAYOUTS = {
 _IS_TCP = 6
 _IS_FRAGMENT = 0x3FFF
 
+PACKED_PORTS = {
+    number.to_bytes(2, "big"): name
+    for number, name in {2152: "GTP", 3544: "Teredo", 4789: "VXLAN", 6081: "Geneve"}.items()
+}
+"""Ports of UDP whose datagrams have other packets in them, which are not taken apart here."""
+
 Ends = bytes
 """Sender and receiver: both addresses and both ports, as IPv4 and TCP have them one after the other."""
 

@@ -7,7 +7,17 @@ from collections.abc import Callable
 from typing import Any
 
 from dpkt import UnpackError, ip, ip6, loopback, sll, sll2, tcp, udp
-from dpkt.ethernet import ETH_TYPE_8021AD, ETH_TYPE_8021Q, ETH_TYPE_IP, ETH_TYPE_IP6, ETH_TYPE_QINQ1, Ethernet
+from dpkt.ethernet import (
+    ETH_TYPE_8021AD,
+    ETH_TYPE_8021Q,
+    ETH_TYPE_IP,
+    ETH_TYPE_IP6,
+    ETH_TYPE_MPLS,
+    ETH_TYPE_MPLS_MCAST,
+    ETH_TYPE_QINQ1,
+    ETH_TYPE_PPPoE,
+    Ethernet,
+)
 
 from ev3proto.capture.carriers.wifi.internet import FLAGS, Ends, Transport, port_bytes
 from ev3proto.tables.carriers import Link
@@ -27,10 +37,22 @@ class _IPv6(ip6.IP6):  # type: ignore[misc]
 
 _CARRIED |= {ip.IP_PROTO_IPIP: _IPv4, ip.IP_PROTO_IP6: _IPv6}
 
-_NETWORKS = {ETH_TYPE_IP.to_bytes(2, "big"): _IPv4, ETH_TYPE_IP6.to_bytes(2, "big"): _IPv6}
 _TAGS = {kind.to_bytes(2, "big") for kind in (ETH_TYPE_8021Q, ETH_TYPE_8021AD, ETH_TYPE_QINQ1)}
 _TAG_SIZE = 4
+_LABEL_SIZE, _LAST_LABEL = 4, 0x01
+_PPPOE_SIZE = 8
 _VERSIONS = {4: _IPv4, 6: _IPv6}
+_SESSIONS = {b"\0\x21": _IPv4, b"\0\x57": _IPv6}
+
+_PACKED_KINDS = {b"\x88\xe7": "802.1ah"}
+"""Ethernet's types of packets that have others in them, which are not taken apart here."""
+
+_PACKED_PROTOCOLS = {ip.IP_PROTO_GRE: "GRE", ip.IP_PROTO_AH: "AH"}
+"""The same of IP's protocols."""
+
+
+class _PackedError(KeyError):
+    """A packet has others in it, which are not taken apart here; it is named."""
 
 
 def _of_kind(kind: bytes, data: bytes) -> Any:
@@ -39,16 +61,40 @@ def _of_kind(kind: bytes, data: bytes) -> Any:
     while kind in _TAGS:
         kind = data[at + 2 : at + _TAG_SIZE]
         at += _TAG_SIZE
+    if kind in _PACKED_KINDS:
+        raise _PackedError(_PACKED_KINDS[kind])
     return _NETWORKS[kind](data[at:])
+
+
+def _raw(data: bytes) -> Any:
+    return _VERSIONS[data[0] >> 4](data)
+
+
+def _after_labels(data: bytes) -> Any:
+    """What comes after the labels of MPLS, the last of which says so. What it is, only its first bits tell."""
+    end = next(end for end in range(_LABEL_SIZE, len(data), _LABEL_SIZE) if data[end - 2] & _LAST_LABEL)
+    if data[end] >> 4 not in _VERSIONS:
+        raise _PackedError("MPLS")
+    return _raw(data[end:])
+
+
+def _in_session(data: bytes) -> Any:
+    """What PPPoE carries: before it come the number of the session, a length, and PPP's protocol."""
+    return _SESSIONS[data[_PPPOE_SIZE - 2 : _PPPOE_SIZE]](data[_PPPOE_SIZE:])
+
+
+_NETWORKS: dict[bytes, Callable[[bytes], Any]] = {
+    ETH_TYPE_IP.to_bytes(2, "big"): _IPv4,
+    ETH_TYPE_IP6.to_bytes(2, "big"): _IPv6,
+    ETH_TYPE_MPLS.to_bytes(2, "big"): _after_labels,
+    ETH_TYPE_MPLS_MCAST.to_bytes(2, "big"): _after_labels,
+    ETH_TYPE_PPPoE.to_bytes(2, "big"): _in_session,
+}
 
 
 def _after_type(end: int) -> Callable[[bytes], Any]:
     """For links whose header ends with Ethernet's type."""
     return lambda data: _of_kind(data[end - 2 : end], data[end:])
-
-
-def _raw(data: bytes) -> Any:
-    return _VERSIONS[data[0] >> 4](data)
 
 
 LINKS: dict[int, Callable[[bytes], Any]] = {
@@ -67,7 +113,17 @@ LINKS: dict[int, Callable[[bytes], Any]] = {
 """What reads the packets of each link."""
 
 # For packets cut short or made to confuse, which a capture may well have: dpkt's own, and what its code comes to.
-_TROUBLE = (UnpackError, struct.error, IndexError, ValueError, KeyError, AttributeError, TypeError, RuntimeError)
+_TROUBLE = (
+    UnpackError,
+    struct.error,
+    StopIteration,
+    IndexError,
+    ValueError,
+    KeyError,
+    AttributeError,
+    TypeError,
+    RuntimeError,
+)
 _MOST_LAYERS = 16
 
 
@@ -83,18 +139,45 @@ def dissected(link: int, data: bytes) -> Transport | None:
 
     """
     try:
-        layer = LINKS[link](data)
+        layer = _innermost(LINKS[link](data))
     except _TROUBLE:
         return None
+    inner = None if layer is None or _is_later_fragment(layer) else layer.data
+    if isinstance(inner, tcp.TCP):
+        return _ends(layer, inner), bytes(inner.data), inner.seq, inner.ack, inner._off_flags & FLAGS
+    if isinstance(inner, udp.UDP):
+        return _ends(layer, inner), bytes(inner.data), 0, 0, None
+    return None
+
+
+def packed_into(link: int, data: bytes) -> str | None:
+    """Says why nothing was read in a packet that may have a segment or a datagram in it.
+
+    Args:
+        link: One of `LINKS`: what the packet starts with.
+        data: The packet.
+
+    Returns:
+        The name of what the rest is packed into, which is not taken apart here. None where there is nothing like it.
+
+    """
+    try:
+        layer = _innermost(LINKS[link](data))
+    except _PackedError as error:
+        return str(error.args[0])
+    except _TROUBLE:
+        return None
+    return None if layer is None else _PACKED_PROTOCOLS.get(getattr(layer, "p", 0))
+
+
+def _innermost(layer: Any) -> Any:
+    """The last of packets of IP that are one in the other; None where there are too many, or only parts of them."""
     for _ in range(_MOST_LAYERS):
-        inner = layer.data
-        if _is_later_fragment(layer) or not isinstance(inner, tcp.TCP | udp.UDP | _IPv4 | _IPv6):
+        if not isinstance(layer.data, _IPv4 | _IPv6):
+            return layer
+        if _is_later_fragment(layer):
             return None
-        if isinstance(inner, tcp.TCP):
-            return _ends(layer, inner), bytes(inner.data), inner.seq, inner.ack, inner._off_flags & FLAGS
-        if isinstance(inner, udp.UDP):
-            return _ends(layer, inner), bytes(inner.data), 0, 0, None
-        layer = inner
+        layer = layer.data
     return None
 
 

@@ -127,6 +127,7 @@ TCP = IP[20:]
 HOP_BY_HOP = (0, bytes.fromhex("00 0502 0000 0100"))
 ROUTING = (43, bytes.fromhex("02 00 00 00000000") + bytes(16))
 DESTINATION = (60, bytes.fromhex("01 01 0c") + bytes(12))
+ONLY_FRAGMENT = (44, bytes.fromhex("00 0000 00000001"))
 FIRST_FRAGMENT = (44, bytes.fromhex("00 0001 00000001"))
 LATER_FRAGMENT = (44, bytes.fromhex("00 0011 00000001"))
 
@@ -138,7 +139,7 @@ LATER_FRAGMENT = (44, bytes.fromhex("00 0011 00000001"))
 )
 @pytest.mark.parametrize(
     "extensions",
-    [(), (HOP_BY_HOP,), (HOP_BY_HOP, ROUTING), (DESTINATION,), (HOP_BY_HOP, DESTINATION, ROUTING, FIRST_FRAGMENT)],
+    [(), (HOP_BY_HOP,), (HOP_BY_HOP, ROUTING), (DESTINATION,), (HOP_BY_HOP, DESTINATION, ROUTING, ONLY_FRAGMENT)],
 )
 def test_ipv6_with_extension_headers(link: int, head: bytes, extensions: tuple[tuple[int, bytes], ...]) -> None:
     (record,) = records(pcap(link, timed([head + ipv6(TCP, *extensions)])))
@@ -152,11 +153,13 @@ def test_ipv6_with_extension_headers(link: int, head: bytes, extensions: tuple[t
     [
         ipv6(TCP, HOP_BY_HOP, LATER_FRAGMENT),
         ipv6(TCP, LATER_FRAGMENT),
+        ipv6(TCP, FIRST_FRAGMENT),
         ipv6(TCP, protocol=50),  # encrypted
         ipv6(TCP, protocol=59),  # nothing follows
         ipv6(b"", HOP_BY_HOP),
         ipv6(b"\x06\xff", protocol=0),
         IP[:6] + b"\x20\x10" + IP[8:],  # a later fragment
+        IP[:6] + b"\x20\x00" + IP[8:],  # the first one
         IP[:9] + b"\x01" + IP[10:],  # not TCP
         b"\x15" + IP[1:],  # no version of IP
         b"\x41" + IP[1:],  # header too short

@@ -15,7 +15,7 @@ from ev3proto import bounded
 from ev3proto.capture import conversation, files, packets, record, series, statistics
 from ev3proto.capture.carriers.bluetooth import adapters
 from ev3proto.capture.carriers.usb import reports
-from ev3proto.capture.carriers.wifi import connections, tcp
+from ev3proto.capture.carriers.wifi import connections, fragments, tcp
 from ev3proto.capture.filter import grammar
 from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
@@ -38,6 +38,7 @@ LIMITS = {
     "Commands with one counter": f"{pairing.MOST_PER_KEY}",
     "Files of one connection that wait for the reply to their first command": f"{transfers.MOST_BEGUN}",
     "Segments of one direction of TCP": f"{tcp.MOST_AHEAD // MIB} MiB, {tcp.MOST_SEGMENTS_AHEAD} segments",
+    "IP packets of which parts wait": f"{fragments.MOST_PACKETS}, each {fragments.MOST_SECONDS} seconds",
     "TCP connections": f"{connections.MOST_CONNECTIONS}",
     "Packets of a TCP connection before it is known to be a brick's": f"{STRANGE_PACKETS}",
     "Bytes of each side of a serial port before it is known to be a brick's": f"{MAX_FRAME:,}",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.streams import Context, Stream
 from ev3proto.capture.carriers.wifi.claim import ConnectionClaim
+from ev3proto.capture.carriers.wifi.fragments import Fragment, Fragments
 from ev3proto.capture.carriers.wifi.internet import (
     ACK,
     PACKED_PORTS,
@@ -33,7 +34,7 @@ from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
 from ev3proto.errors import DecodeError, counted
-from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.carriers import Carrier, Link
 from ev3proto.tables.discovery import BEACON_PORT, UNLOCK_REQUEST
 
 if TYPE_CHECKING:
@@ -125,6 +126,7 @@ class Connections:
         self._account = context.account
         self._ports = {port_bytes(port) for port in context.ports if 0 <= port < PORTS}
         self._budget = context.budget
+        self._fragments = Fragments(context.budget)
         self._connections: Bounded[Ends, _Connection] = Bounded(MOST_CONNECTIONS)
         self._halves: dict[Ends, _Half] = {}
         # Where answers to beacons go, where bricks listen as their beacons say, and which end of a connection on
@@ -138,7 +140,7 @@ class Connections:
         data, interface = packet.data, packet.interface
         found = transport(interface.link, data)
         if found is None:
-            return self._pass_over(packet)
+            return self._put_together(packet)
         ends, carried, sequence, acknowledged, flags = found
         if flags is None:
             return self._datagram(packet, ends, carried)
@@ -159,14 +161,28 @@ class Connections:
             self._weigh(half)
         return events
 
-    def _pass_over(self, packet: Packet) -> Iterable[Event]:
-        """Leaves a packet to others. Where another may be packed into it, that is counted."""
-        from ev3proto.capture.carriers.wifi.layers import packed_into
+    def _put_together(self, packet: Packet) -> Iterable[Event]:
+        """Takes a packet without a segment or a datagram: part of one, where it has one, or of others."""
+        from ev3proto.capture.carriers.wifi.layers import MOST_LAYERS, left_in
 
+        link: int = packet.interface.link
         self._account.other += len(packet.data)
-        name = packed_into(packet.interface.link, packet.data)
-        if name is not None:
-            self._account.meet_packed(name)
+        for _ in range(MOST_LAYERS):
+            left = left_in(link, packet.data)
+            if isinstance(left, str):
+                self._account.meet_packed(left)
+            whole = self._fragments.add(left, packet.time_ns) if isinstance(left, Fragment) else None
+            if whole is None:
+                break
+            packet, link = packet._replace(data=whole, size=len(whole)), Link.RAW_IP
+            found = transport(link, whole)
+            if found is not None:
+                # It counts as what it is. What stood around its parts stays with others.
+                self._account.other -= len(whole)
+                ends, carried, *_, flags = found
+                if flags is None:
+                    return self._datagram(packet, ends, carried)
+                return self._segment(packet, found, self._halves.get(ends))
         return ()
 
     def end(self) -> Iterable[Event]:

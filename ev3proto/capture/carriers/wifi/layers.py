@@ -19,6 +19,7 @@ from dpkt.ethernet import (
     Ethernet,
 )
 
+from ev3proto.capture.carriers.wifi.fragments import Fragment
 from ev3proto.capture.carriers.wifi.internet import FLAGS, Ends, Transport, port_bytes
 from ev3proto.tables.carriers import Link
 
@@ -30,9 +31,38 @@ class _IPv4(ip.IP):  # type: ignore[misc]
 
     _protosw = _CARRIED
 
+    def unpack(self, buf: bytes) -> None:
+        self.raw = buf
+        super().unpack(buf)
+
+    @property
+    def part(self) -> Fragment | None:
+        """Which part of a packet it is; None where it is all of it, or was not captured as a whole."""
+        if not self.mf and not self.offset:
+            return None
+        identity = self.id.to_bytes(2, "big") + bytes((self.p,))
+        data = self.raw[4 * self.hl : self.len] if len(self.raw) >= self.len else b""
+        return Fragment(self.src + self.dst, identity, self.p, self.offset * 8, not self.mf, data)
+
 
 class _IPv6(ip6.IP6):  # type: ignore[misc]
     _protosw = _CARRIED
+
+    def unpack(self, buf: bytes) -> None:
+        self.raw = buf
+        super().unpack(buf)
+
+    @property
+    def part(self) -> Fragment | None:
+        """The same, which one of the headers after the first says."""
+        at, end = self.__hdr_len__, self.__hdr_len__ + self.plen
+        for header in self.all_extension_headers:
+            at += header.length
+            if isinstance(header, ip6.IP6FragmentHeader) and (header.m_flag or header.frag_off):
+                data = self.raw[at:end] if len(self.raw) >= end else b""
+                identity = header.id.to_bytes(4, "big")
+                return Fragment(self.src + self.dst, identity, header.nxt, header.frag_off * 8, not header.m_flag, data)
+        return None
 
 
 _CARRIED |= {ip.IP_PROTO_IPIP: _IPv4, ip.IP_PROTO_IP6: _IPv6}
@@ -124,7 +154,8 @@ _TROUBLE = (
     TypeError,
     RuntimeError,
 )
-_MOST_LAYERS = 16
+MOST_LAYERS = 16
+"""Packets of IP that are one in the other, at most."""
 
 
 def dissected(link: int, data: bytes) -> Transport | None:
@@ -142,7 +173,7 @@ def dissected(link: int, data: bytes) -> Transport | None:
         layer = _innermost(LINKS[link](data))
     except _TROUBLE:
         return None
-    inner = None if layer is None or _is_later_fragment(layer) else layer.data
+    inner = None if layer is None or layer.part is not None else layer.data
     if isinstance(inner, tcp.TCP):
         return _ends(layer, inner), bytes(inner.data), inner.seq, inner.ack, inner._off_flags & FLAGS
     if isinstance(inner, udp.UDP):
@@ -150,15 +181,16 @@ def dissected(link: int, data: bytes) -> Transport | None:
     return None
 
 
-def packed_into(link: int, data: bytes) -> str | None:
-    """Says why nothing was read in a packet that may have a segment or a datagram in it.
+def left_in(link: int, data: bytes) -> Fragment | str | None:
+    """Says what there is in a packet in which no segment and no datagram was read.
 
     Args:
         link: One of `LINKS`: what the packet starts with.
         data: The packet.
 
     Returns:
-        The name of what the rest is packed into, which is not taken apart here. None where there is nothing like it.
+        The part of a packet that it carries, or the name of what other packets are packed into, which is not taken
+        apart here. None where there is nothing like it.
 
     """
     try:
@@ -167,16 +199,16 @@ def packed_into(link: int, data: bytes) -> str | None:
         return str(error.args[0])
     except _TROUBLE:
         return None
-    return None if layer is None else _PACKED_PROTOCOLS.get(getattr(layer, "p", 0))
+    if layer is None:
+        return None
+    return layer.part or _PACKED_PROTOCOLS.get(getattr(layer, "p", 0))
 
 
 def _innermost(layer: Any) -> Any:
-    """The last of packets of IP that are one in the other; None where there are too many, or only parts of them."""
-    for _ in range(_MOST_LAYERS):
-        if not isinstance(layer.data, _IPv4 | _IPv6):
+    """The last of packets of IP that are one in the other, or a part of one; None where there are too many."""
+    for _ in range(MOST_LAYERS):
+        if not isinstance(layer.data, _IPv4 | _IPv6) or layer.part is not None:
             return layer
-        if _is_later_fragment(layer):
-            return None
         layer = layer.data
     return None
 
@@ -184,8 +216,3 @@ def _innermost(layer: Any) -> Any:
 def _ends(layer: Any, inner: Any) -> Ends:
     ends: Ends = layer.src + layer.dst + port_bytes(inner.sport) + port_bytes(inner.dport)
     return ends
-
-
-def _is_later_fragment(layer: Any) -> bool:
-    """Whether IPv6 carries a part of a packet that is not its start; of IPv4's dpkt says so itself."""
-    return any(getattr(header, "frag_off", 0) for header in getattr(layer, "all_extension_headers", ()))

@@ -1,0 +1,163 @@
+"""Packets of IP that came in parts, put together. No I/O, and no length is believed that does not fit the others."""
+
+from __future__ import annotations
+
+import struct
+from typing import NamedTuple
+
+from ev3proto.bounded import Bounded, Budget
+
+MOST_PACKETS = 1024
+"""Packets of which parts wait at the same time; of more, the oldest waits no longer."""
+
+MOST_SECONDS = 60
+"""Seconds from the first part of a packet to the last one, at most: the numbers of packets are used again."""
+
+_NANOSECONDS = 1_000_000_000
+_WAITING_SIZE = 2_000
+"""Bytes of memory that a packet takes while it waits, besides its data, about."""
+
+_UNIT = 8
+"""Parts begin at multiples of so many bytes."""
+
+_HEAD_V4, _HEAD_V6 = struct.Struct(">BBHHHBBH"), struct.Struct(">IHBB")
+_ADDRESSES_V4 = 8
+_MOST_SIZE = 0xFFFF - _HEAD_V4.size - _ADDRESSES_V4
+"""Bytes that a packet can carry after the shortest header."""
+
+
+class Fragment(NamedTuple):
+    """A part of a packet.
+
+    addresses  of the sender and the receiver
+    identity   what all parts of a packet have in common besides that
+    protocol   of what the packet carries, as this part has it
+    at         offset of the data in what it carries
+    is_last    no part is after it
+    data       the bytes
+    """
+
+    addresses: bytes
+    identity: bytes
+    protocol: int
+    at: int
+    is_last: bool
+    data: bytes
+
+    @property
+    def end(self) -> int:
+        """The offset after the last byte."""
+        return self.at + len(self.data)
+
+    @property
+    def is_possible(self) -> bool:
+        """Whether a packet can have such a part."""
+        return bool(self.data) and self.end <= _MOST_SIZE and (self.is_last or self.end % _UNIT == 0)
+
+
+class _Waiting:
+    """What came of a packet."""
+
+    __slots__ = ("_data", "_seen", "_size", "begin_ns", "protocol")
+
+    def __init__(self, begin_ns: int) -> None:
+        self.begin_ns = begin_ns
+        self.protocol = 0
+        self._data = bytearray()
+        self._seen = 0  # a bit for each unit
+        self._size: int | None = None
+
+    @property
+    def memory(self) -> int:
+        """Bytes of memory that it takes, about."""
+        return _WAITING_SIZE + len(self._data)
+
+    def add(self, part: Fragment) -> None:
+        """Takes a part, unless it is at odds with what the others say of the end."""
+        if self._size is not None and (part.end > self._size or (part.is_last and part.end < self._size)):
+            return
+        if part.is_last:
+            if len(self._data) > part.end:
+                return
+            self._size = part.end
+        if part.at == 0:
+            self.protocol = part.protocol
+        self._data.extend(bytes(max(part.end - len(self._data), 0)))
+        first, count = part.at // _UNIT, -(-len(part.data) // _UNIT)
+        units = ((1 << count) - 1) << first
+        if not units & self._seen:
+            self._data[part.at : part.end] = part.data
+        else:
+            self._fill(part, first, count)
+        self._seen |= units
+
+    def whole(self) -> bytes | None:
+        """What the packet carries, once all of it is there."""
+        if self._size is None or self._seen != (1 << -(-self._size // _UNIT)) - 1:
+            return None
+        return bytes(self._data)
+
+    def _fill(self, part: Fragment, first: int, count: int) -> None:
+        """Takes what is new of a part. Of bytes that differ those that were captured first are believed."""
+        for unit in range(first, first + count):
+            if not self._seen >> unit & 1:
+                at = unit * _UNIT
+                data = part.data[at - part.at : at - part.at + _UNIT]
+                self._data[at : at + len(data)] = data
+
+
+class Fragments:
+    """The packets of which parts wait for others."""
+
+    def __init__(self, budget: Budget) -> None:
+        """Nothing waits yet.
+
+        Args:
+            budget: Limits the memory of all that waits.
+
+        """
+        self._budget = budget
+        self._waiting: Bounded[tuple[bytes, bytes], _Waiting] = Bounded(MOST_PACKETS)
+
+    def add(self, part: Fragment, time_ns: int) -> bytes | None:
+        """Takes a part.
+
+        Args:
+            part: The part.
+            time_ns: When it was captured.
+
+        Returns:
+            The whole packet where this completes it: a header without options, and what the packet carries.
+
+        """
+        if not part.is_possible:
+            return None
+        key = part.addresses, part.identity
+        waiting = self._waiting.get(key)
+        if waiting is None or abs(time_ns - waiting.begin_ns) > MOST_SECONDS * _NANOSECONDS:
+            waiting = self._begin(key, time_ns)
+        waiting.add(part)
+        data = waiting.whole()
+        if data is None:
+            self._budget.update(waiting, waiting.memory, lambda _: self._waiting.pop(key, None))
+            return None
+        self._forget(self._waiting.pop(key))
+        return _headed(part.addresses, waiting.protocol, data)
+
+    def _begin(self, key: tuple[bytes, bytes], time_ns: int) -> _Waiting:
+        self._forget(self._waiting.pop(key, None))
+        waiting = _Waiting(time_ns)
+        self._forget(self._waiting.add(key, waiting))
+        return waiting
+
+    def _forget(self, waiting: _Waiting | None) -> None:
+        if waiting is not None:
+            self._budget.remove(waiting)
+
+
+def _headed(addresses: bytes, protocol: int, data: bytes) -> bytes:
+    """A packet of IP that is whole."""
+    if len(addresses) == _ADDRESSES_V4:
+        size = _HEAD_V4.size + _ADDRESSES_V4 + len(data)
+        return _HEAD_V4.pack(0x45, 0, size, 0, 0, 64, protocol, 0) + addresses + data
+    return _HEAD_V6.pack(6 << 28, len(data), protocol, 64) + addresses + data

@@ -276,11 +276,39 @@ def test_what_is_no_frame(opened: Open) -> None:
 
 def test_packets_that_were_cut(opened: Open) -> None:
     capture = Capture(RAW_IP)
-    Connection(capture).send(TONE)
-    (skipped,) = opened(cut(capture.data(), 40 + 12)).events()
-    assert isinstance(skipped, Skipped)
-    assert (skipped.data, skipped.missing) == (TONE[:12], 4)
-    assert skipped.reason == "a frame is cut off: 12 bytes of it were captured"
+    talk = Connection(capture)
+    for _ in range(20):
+        talk.send(TONE)
+        talk.send(TONE)
+    data = cut(capture.data(), 40 + 12)
+    found = list(builtin(data).events())
+    assert [told(event) for event in opened(data).events()] == [told(event) for event in found]
+    assert [(event.frame, event.numbers) for event in found if isinstance(event, Record)] == [
+        (TONE[:12], (number,)) for number in range(1, 41)
+    ]
+    assert isinstance(found[0], Record)
+    assert str(found[0].message.fault) == (
+        "offset 0: the frame is cut off: its length field says 14 bytes follow, 10 do"
+    )
+
+
+@pytest.mark.parametrize("most", [47, 49, 50, 51, 52, 60])
+def test_what_is_there_of_packets_that_were_cut_is_shown_as_by_the_dissector(most: int, tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    talk = Connection(capture)
+    expected = []
+    for data, send in ((TONE, talk.send), (VOLTAGE, talk.send), (ANSWER, talk.receive)) * 40:
+        expected.append((send(data), data[: most - 40].hex()))
+    data = cut(capture.data(), most)
+    records = [event for event in builtin(data).events() if isinstance(event, Record)]
+    ours = [(record.number, record.frame.hex()) for record in records]
+    path = tshark.place(data, f"cut{most}.pcap")
+    words = ("-o", "ev3.bytes:TRUE", "-Y", "ev3.bytes", "-T", "fields", "-e", "frame.number", "-e", "ev3.bytes")
+    shown = [line.split("\t") for line in tshark.run(path, *words).splitlines()]
+    theirs = [(int(number), data.replace(":", "")) for number, data in shown]
+    assert theirs == expected
+    # Commands of which no operation is there claim nothing here.
+    assert ours == expected[2 if most == 47 else 0 :]
 
 
 def test_what_is_packed_into_other_packets_is_read_by_wireshark(opened: Open) -> None:

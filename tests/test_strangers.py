@@ -22,6 +22,7 @@ from support.packets import (
     datagram,
     segment,
 )
+from support.packets import cut as snapped
 from support.strangers import (
     Said,
     cards,
@@ -131,6 +132,15 @@ def test_strangers_are_left_to_others_by_the_built_in_reader(stranger: str) -> N
     make, most = STRANGERS[stranger]
     capture = read(io.BytesIO(make()))
     assert sum(isinstance(event, Record | Announcement) for event in capture.events()) <= most
+
+
+@pytest.mark.parametrize("stranger", STRANGERS)
+def test_strangers_are_left_to_others_where_only_the_beginnings_of_packets_were_captured(stranger: str) -> None:
+    make, most = STRANGERS[stranger]
+    whole = make()
+    for size in (45, 46, 48, 50, 54, 60, 68, 80, 96):
+        found = read(io.BytesIO(snapped(whole, size))).events()
+        assert sum(isinstance(event, Record) for event in found) <= most, size
 
 
 @pytest.mark.parametrize(("stranger", "expected"), [("adb", "data"), ("tls", "tls")])

@@ -158,6 +158,22 @@ class Cutter:
         self._after_text, self._reason = None, _BETWEEN
         return waiting
 
+    def cut_off(self, missing: int) -> list[StreamPart]:
+        """Says that of the newest packet so many bytes were not captured: what waits is given as far as it is there."""
+        if not self._is_sure_of_frame():
+            return self.leave_hole(missing)
+        rest = self._rest_after(missing)
+        frame = self._piece(PartKind.FRAME, 0, len(self._buffer))
+        self._buffer, self._marks = b"", []
+        self._in_step, self._rest = rest == 0, rest or 0
+        self._reason = f"bytes of a frame of which {counted(missing, 'byte')} were not captured"
+        return [frame]
+
+    def _is_sure_of_frame(self) -> bool:
+        """Whether what waits is a frame, of which the header is there."""
+        is_in_step = self._in_step and not self._rest and not self._trials and not self._may_gap
+        return is_in_step and len(self._buffer) >= HEADER_SIZE and not self._is_in_text()
+
     def leave_hole(self, missing: int) -> list[StreamPart]:
         """Says that bytes are missing in the stream here, 0 where it is not known how many: what waits is given up."""
         what = "text" if self._is_in_text() else "frame"

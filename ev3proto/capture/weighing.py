@@ -117,6 +117,25 @@ class Weigher:
         found = weight if place is None else self.weigh(text, place, accepts, is_inside=not is_claimed)
         return found if found.verdict is Verdict.OURS else Weight(Verdict.NOTHING)
 
+    def weigh_cut(self, text: bytes, missing: int, *, is_claimed: bool = False) -> Weight:
+        """Says what a packet tells that may be the beginning of a flawless frame, where the rest was not captured.
+
+        Args:
+            text: What was captured.
+            missing: How many bytes came after that.
+            is_claimed: The connection is claimed: of the frame its header is enough.
+
+        Returns:
+            PERHAPS where the frame ends with the packet, and where what is there of it makes sense.
+
+        """
+        is_frame = len(text) >= HEADER_SIZE and frame_size(text) == len(text) + missing
+        is_telling = len(text) > HEADER_SIZE and not may_be_of_nxt(text)
+        is_ours = is_frame and (
+            is_claimed or (is_telling and makes_sense(self._schema.read_for_later(text, strict=False)))
+        )
+        return Weight(Verdict.PERHAPS if is_ours else Verdict.NOTHING)
+
     def may_become(self, text: bytes, at: int, accepts: Accepts) -> bool:
         """Whether the frame of which only the start is here may be a flawless one that goes this way."""
         return self._finder.may_become(text, at) and (len(text) - at < HEADER_SIZE or _is_accepted(text, at, accepts))

@@ -12,6 +12,7 @@ from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
 from ev3proto.errors import counted
 from ev3proto.schema.frame import FrameSchema
+from ev3proto.schema.header import HEADER_SIZE, frame_size
 
 TOO_MUCH = "the rest of the frame was no longer waited for: too much waits"
 """Why bytes are given up where too much waits in the capture."""
@@ -86,10 +87,24 @@ class Stream:
         self.times.clear()
         return events
 
+    def cut_off(self, missing: int) -> list[Event]:
+        """Says that of the newest packet so many bytes were not captured. A frame that is cut says so by itself."""
+        left = self.cutter.left
+        lacking = frame_size(left) - len(left) if len(left) >= HEADER_SIZE else 0
+        pieces = self.cutter.cut_off(missing)
+        events = self._events(pieces)
+        self.times.clear()
+        if pieces and pieces[-1].kind is PartKind.FRAME and missing <= lacking:
+            return events
+        return self._with_missing(events, missing)
+
     def leave_hole(self, missing: int) -> list[Event]:
         """Says that bytes are missing here; 0 where their number is not known."""
         events = self._events(self.cutter.leave_hole(missing))
         self.times.clear()
+        return self._with_missing(events, missing)
+
+    def _with_missing(self, events: list[Event], missing: int) -> list[Event]:
         if not self.cutter.is_claimed:
             return events
         reason = (

@@ -62,7 +62,7 @@ class Common:
                 yield Announcement(Said.ACCEPT, data, None, *origin, route)
             elif data.startswith(_REQUEST):
                 yield Announcement(Said.UNLOCK, data, parsed(Unlock.parse, data), *origin, route)
-        elif has_length(data) and len(data) == frame_size(data):
+        elif has_length(data) and (len(data) == frame_size(data) or (row.missing and len(data) < frame_size(data))):
             self.move("frames", len(data))
             yield talk.record(data, *origin, route)
         else:

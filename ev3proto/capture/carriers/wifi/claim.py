@@ -85,7 +85,7 @@ class ConnectionClaim(Claim):
         if self.is_claimed:
             events = self._feed_parts(stream, side)
             if self.is_proven:
-                return events + stream.feed(segment.data, segment.number, segment.time_ns)
+                return events + _fed(stream, [segment])
             return events + self._go_on(stream, side, segment)
         waited = stream.give_up(_ENDED) if stream.cutter.left else []
         return waited + self._feed_first(stream, side, segment)
@@ -187,7 +187,10 @@ class ConnectionClaim(Claim):
             side.parts.append(segment)
             weight = self._weigh(stream, side, segment.data)
         if weight.verdict is Verdict.PART:
-            return []
+            if not segment.missing:
+                return []
+            weight = self._weigher.weigh_cut(side.text, segment.missing)
+            stream.cutter.begin(in_step=True)
         if not self.is_proven:
             self._decide(side, weight, len(side.text))
         if self.is_claimed:
@@ -214,7 +217,7 @@ class ConnectionClaim(Claim):
             self._decline(self._taken())
             self._account.other += len(text)
         else:
-            events = _fed(stream, parts) + stream.give_up("nothing shows that these bytes are a frame")
+            events = _fed(stream, parts, is_ours=False) + stream.give_up("nothing shows that these bytes are a frame")
             is_full = self._weigher.hold_frames(text) is Verdict.OURS
             self._hold(events if is_full else self._skipped(events))
 
@@ -233,6 +236,8 @@ class ConnectionClaim(Claim):
         text = stream.cutter.left + segment.data
         weight = self._weigh(stream, side, text)
         is_faulty = weight.verdict is Verdict.NOTHING and self._meet_faulty(side, text)
+        if weight.verdict is Verdict.PART and segment.missing:
+            weight = self._weigher.weigh_cut(text, segment.missing, is_claimed=True)
         is_rest = weight.verdict is Verdict.NOTHING and side.rest > 0
         side.rest = max(side.rest - len(segment.data), 0) if is_rest else side.rest
         if weight.verdict is not Verdict.PART and not is_faulty and not is_rest and not self.is_proven:
@@ -244,7 +249,9 @@ class ConnectionClaim(Claim):
             is_open = is_faulty or weight.verdict is Verdict.PART
             is_whole = weight.verdict in (Verdict.OURS, Verdict.PERHAPS)
             stream.cutter.begin(in_step=weight.at == 0 and (is_whole or (is_open and side.may_begin(text))))
-        events = stream.feed(segment.data, segment.number, segment.time_ns)
+        events = _fed(stream, [segment])
+        if segment.missing and not stream.cutter.is_in_step:
+            side.rest = MAX_FRAME
         self.is_proven = self.is_proven or any(map(is_proof, events))
         return events
 
@@ -329,8 +336,14 @@ class ConnectionClaim(Claim):
         return [event for event in events if isinstance(event, Skipped)]
 
 
-def _fed(stream: Stream, parts: list[Segment]) -> list[Event]:
-    return [event for part in parts for event in stream.feed(part.data, part.number, part.time_ns)]
+def _fed(stream: Stream, parts: list[Segment], *, is_ours: bool = True) -> list[Event]:
+    """What is in parts of a direction. Frames that the capture has cut are shown only where it is known to be ours."""
+    events: list[Event] = []
+    for part in parts:
+        events += stream.feed(part.data, part.number, part.time_ns)
+        if part.missing:
+            events += stream.cut_off(part.missing) if is_ours else stream.leave_hole(part.missing)
+    return events
 
 
 def _size_of(event: Event) -> int:

@@ -54,6 +54,9 @@ _BEACON_PORT = port_bytes(BEACON_PORT)
 
 _TURNS = SYN | RST
 
+_MOST_IP = 1 << 16
+"""More bytes than a packet of IP can have."""
+
 
 class _Connection:
     """A TCP connection: what is said in it, whether it is ours, and the directions of which something was seen."""
@@ -137,7 +140,7 @@ class Connections:
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
-        data, interface = packet.data, packet.interface
+        number, time_ns, data, size, interface, _ = packet
         found = transport(interface.link, data)
         if found is None:
             return self._put_together(packet)
@@ -145,7 +148,8 @@ class Connections:
         if flags is None:
             return self._datagram(packet, ends, carried)
         half = self._halves.get(ends)
-        if half is None or not carried or not half.takes_next(interface, flags, sequence, len(carried)):
+        is_cut = len(data) < size
+        if half is None or not carried or is_cut or not half.takes_next(interface, flags, sequence, len(carried)):
             return self._segment(packet, found, half)
         # Nearly every segment of a capture: nothing waits, and it is what comes next.
         self._account.headers += len(data) - len(carried)
@@ -156,7 +160,7 @@ class Connections:
             back.reassembly.acknowledged = acknowledged
         stream = half.stream
         stream.packet = packet
-        events = stream.feed(carried, packet.number, packet.time_ns)
+        events = stream.feed(carried, number, time_ns)
         if stream.times:
             self._weigh(half)
         return events
@@ -251,13 +255,14 @@ class Connections:
             half.interface = packet.interface
             stream.route = self._route(packet, ends, half.is_from_host)
         is_waiting = False
+        missing = _missing(packet) if len(packet.data) < packet.size else 0
         if data:
             stream.packet = packet
-            if reassembly.takes_next(sequence, len(data)):
-                events = half.claim.feed(stream, Segment(0, data, packet.number, packet.time_ns))
+            if reassembly.takes_next(sequence, len(data) + missing):
+                events = half.claim.feed(stream, Segment(0, data, packet.number, packet.time_ns, missing))
                 is_waiting = not half.claim.is_proven or bool(stream.times)
             else:
-                events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns))
+                events = self._given(half, reassembly.add(sequence, data, packet.number, packet.time_ns, missing))
                 is_waiting = True
         if is_waiting or half.size:
             self._weigh(half)
@@ -379,6 +384,15 @@ class Connections:
             place = address + port_bytes(named)
             self._answered.add(place, None)
             self._named.add(place, None)
+
+
+def _missing(packet: Packet) -> int:
+    """How many bytes of what a packet carries were not captured."""
+    link, data = packet.interface.link, packet.data
+    captured = transport(link, data)
+    # With anything in the place of what is missing it has the size that its headers say.
+    filled = transport(link, data.ljust(min(packet.size, len(data) + _MOST_IP), b"\0"))
+    return 0 if captured is None or filled is None else len(filled[1]) - len(captured[1])
 
 
 def _both_ways(ends: Ends) -> Ends:

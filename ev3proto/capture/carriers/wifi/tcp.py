@@ -34,12 +34,14 @@ class Segment(NamedTuple):
     data     the bytes
     number   the packet they came in
     time_ns  when that was captured
+    missing  bytes that came after them in this packet and were not captured
     """
 
     at: int
     data: bytes
     number: int
     time_ns: int
+    missing: int = 0
 
 
 class Hole(NamedTuple):
@@ -95,15 +97,17 @@ class Reassembly:
         self._position += size
         return True
 
-    def add(self, sequence: int, data: bytes, number: int, time_ns: int) -> list[Segment | Hole | Late]:
+    def add(
+        self, sequence: int, data: bytes, number: int, time_ns: int, missing: int = 0
+    ) -> list[Segment | Hole | Late]:
         """What can be said of the stream with this segment, in order: its next bytes, holes in it, bytes too late."""
         if self._start is None:
             self._start = sequence
         at = self._offset(sequence)
-        if self.takes_next(sequence, len(data)):
-            return [Segment(at, data, number, time_ns)]
+        if self.takes_next(sequence, len(data) + missing):
+            return [Segment(at, data, number, time_ns, missing)]
         if abs(at - self._position) > MOST_AWAY:
-            return [*self.end(), *self._start_again(sequence), *self.add(sequence, data, number, time_ns)]
+            return [*self.end(), *self._start_again(sequence), *self.add(sequence, data, number, time_ns, missing)]
         found: list[Segment | Hole | Late] = []
         if at < self._position:
             self._look_back(at, data[: self._position - at], number, found)
@@ -111,7 +115,7 @@ class Reassembly:
             at = self._position
         if data:
             # By the offset alone: of two that differ the one that was captured first is believed.
-            insort(self._ahead, Segment(at, data, number, time_ns), key=_offset_of)
+            insort(self._ahead, Segment(at, data, number, time_ns, missing), key=_offset_of)
             self._waiting += len(data)
             self._go_on(found)
         return found
@@ -162,8 +166,8 @@ class Reassembly:
             data = segment.data[again:] if again > 0 else segment.data
             self.repeated += len(segment.data) - len(data)
             if data:
-                found.append(Segment(self._position, data, segment.number, segment.time_ns))
-                self._position += len(data)
+                found.append(Segment(self._position, data, segment.number, segment.time_ns, segment.missing))
+                self._position += len(data) + segment.missing
 
     def _is_lost(self, at: int) -> bool:
         """Whether what is missing before an offset will not come any more."""

@@ -143,3 +143,13 @@ def test_streams_that_are_closed_or_full(redirection: str, status: int) -> None:
     assert done.stderr.count("\n") <= 1
     if status:
         assert done.stderr.startswith("the output cannot be written: ")
+
+
+@pytest.mark.parametrize("words", ["--version", "--help", "", "decode --help", "export pcapng -h", "help ops"])
+def test_help_and_version_that_cannot_be_written(words: str) -> None:
+    for redirection, reason in ((">&-", "standard output is closed"), (">/dev/full", "No space left on device")):
+        done = subprocess.run(
+            ["bash", "-c", f"{SCRIPT} {words} {redirection}"], capture_output=True, text=True, check=False
+        )
+        expected = (1, f"the output cannot be written: {reason}\n")
+        assert (done.returncode, done.stderr) == expected, redirection

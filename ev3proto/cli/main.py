@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from importlib import import_module
 from pathlib import Path
+from traceback import walk_tb
 from typing import Any, NoReturn, TextIO
 
 import click
@@ -115,11 +116,23 @@ class Commands(Group):
 
 @contextmanager
 def _printing_help() -> Iterator[None]:
-    """Takes a pipe that was closed for what it is. Click prints help and versions, and would exit with 1."""
+    """Takes errors of standard output for what they are. Click prints help and versions, and knows none of them."""
     try:
         yield
-    except BrokenPipeError as error:
-        raise OutputError.of(error) from None
+    except click.exceptions.Exit:
+        # Into a stream that is closed, click prints nothing and says nothing.
+        if sys.stdout is None:
+            raise OutputError(None, "standard output is closed") from None
+        raise
+    except OSError as error:
+        if isinstance(error, BrokenPipeError) or _is_of_click(error):
+            raise OutputError.of(error) from None
+        raise
+
+
+def _is_of_click(error: OSError) -> bool:
+    """Whether an error comes from what click printed, and not from anything that was read."""
+    return any(frame.f_code is click.echo.__code__ for frame, _ in walk_tb(error.__traceback__))
 
 
 def _forget_unwritten() -> None:

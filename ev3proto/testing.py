@@ -404,7 +404,7 @@ def choice(
 
     Args:
         names: Of operations (`SOUND.TONE`), of families (`SOUND`), of system commands (`LIST_FILES`), in any case.
-        areas: Of the firmware (`sound`), or `system`.
+        areas: Of the firmware (`sound`), or `system`; with names, only what is named and of one of the areas.
         types: Of messages (`DIRECT_REPLY`), or kinds of them (`direct-command`), in any case; without any, all that can
             be about what was chosen: direct commands for operations, commands and replies for system commands.
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
@@ -436,9 +436,31 @@ def choice(
 
 def _chosen(names: list[str], areas: list[str], dialect: str) -> tuple[tuple[str, ...] | None, tuple[int, ...]]:
     """Operations and system commands by what people say; all of them where nobody says anything."""
-    known = operations_of(dialect)
     if not names and not areas:
         return None, ALL.system_commands
+    named = _named(names, dialect)
+    if not areas:
+        return named
+    operations, system = _of_areas(areas, dialect)
+    if not names:
+        return operations, system
+    left = (
+        tuple(full for full in named[0] if full in operations),
+        tuple(number for number in named[1] if number in system),
+    )
+    if left == ((), ()):
+        known = operations_of(dialect)
+        places = dict.fromkeys([area_of(known[full].opcode) for full in named[0]] + [SYSTEM_AREA] * bool(named[1]))
+        raise ValueError(
+            f"nothing that was named is in the area {' or '.join(areas)}: {' and '.join(names)}"
+            f" {'is' if len(names) == 1 else 'are'} of {', '.join(places)}"
+        )
+    return left
+
+
+def _named(names: list[str], dialect: str) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    """Operations and system commands by their names, or those of families."""
+    known = operations_of(dialect)
     operations: dict[str, None] = {}
     system: dict[int, None] = {}
     for name in names:
@@ -453,12 +475,17 @@ def _chosen(names: list[str], areas: list[str], dialect: str) -> tuple[tuple[str
             raise ValueError(f"the {dialect} firmware has no operation or system command {name}{hint}")
         operations |= dict.fromkeys(found)
         system |= dict.fromkeys(numbers)
+    return tuple(operations), tuple(system)
+
+
+def _of_areas(areas: list[str], dialect: str) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    """All operations and system commands of some areas."""
     for area in areas:
         if area not in (*AREAS, SYSTEM_AREA):
             raise ValueError(f"there is no area {area}: it is one of {', '.join(AREAS)} or {SYSTEM_AREA}")
-        operations |= dict.fromkeys(full for full, entry in known.items() if area_of(entry.opcode) == area)
-        system |= dict.fromkeys(ALL.system_commands if area == SYSTEM_AREA else ())
-    return tuple(operations), tuple(system)
+    known = operations_of(dialect)
+    operations = [full for area in areas for full, entry in known.items() if area_of(entry.opcode) == area]
+    return tuple(dict.fromkeys(operations)), ALL.system_commands if SYSTEM_AREA in areas else ()
 
 
 def _types(name: str) -> list[MessageType]:

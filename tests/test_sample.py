@@ -135,6 +135,18 @@ def test_an_area() -> None:
     assert {AREA[name] for name in operations} == {"timer", "output"}
 
 
+def test_what_is_named_and_of_the_area_too() -> None:
+    names = {
+        operation.full_name
+        for message in drawn("-n", "100", "--op", "SOUND.TONE", "--op", "UI_FLUSH", "--area", "sound")
+        if isinstance(message, DirectCommand)
+        for operation in message.operations
+    }
+    assert names == {"SOUND.TONE"}
+    messages = drawn("-n", "30", "--op", "LIST_FILES", "--op", "SOUND", "--area", "system")
+    assert {type(message) for message in messages} == {SystemCommand, SystemReply}
+
+
 def test_system_commands_and_their_replies() -> None:
     messages = drawn("-n", "60", "--op", "LIST_FILES")
     assert {type(message) for message in messages} == {SystemCommand, SystemReply}
@@ -209,6 +221,10 @@ def test_decode_reads_them() -> None:
         (
             ("--op", "SOUND", "--type", "system-reply"),
             "no SYSTEM_REPLY or SYSTEM_REPLY_ERROR is about what was chosen: there are DIRECT_COMMAND_REPLY",
+        ),
+        (
+            ("--op", "SOUND", "--op", "LIST_FILES", "--area", "timer", "--area", "output"),
+            "nothing that was named is in the area timer or output: SOUND and LIST_FILES are of sound, system",
         ),
         (("--area", "none"), "'none' is not one of"),
         (("--count", "0"), "0 is not in the range x>=1"),

@@ -59,7 +59,8 @@ def sample(
     """Draws frames at random, from all that the tables have.
 
     They are right as far as they can be read; `check` says whether a brick would run them. The options that
-    choose can be given several times. raw writes the bytes of one frame after the other.
+    choose can be given several times; of --op, --area and --type together, all must hold. raw writes the bytes of one
+    frame after the other.
 
     \b
       ev3proto sample --count 100 --seed 7 > frames.txt

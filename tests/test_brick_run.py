@@ -87,6 +87,17 @@ def test_the_name_of_a_source_stays_on_its_line(tmp_path: Path) -> None:
     assert "a\\u000ab.lms, line 2" in done.stderr.splitlines()[0]
 
 
+def test_a_file_that_cannot_be_read(tmp_path: Path) -> None:
+    missing = tmp_path / "missing"
+    for file, reason in ((missing, "No such file or directory"), (tmp_path, "Is a directory")):
+        done = run_ev3proto_text("run", file)
+        assert (done.returncode, done.stdout, done.stderr) == (1, "", f"{file}: cannot be read: {reason}\n")
+    source = tmp_path / "square.lms"
+    source.write_text(SQUARE)
+    done = run_ev3proto_text("run", source, "--script", missing)
+    assert (done.returncode, done.stderr) == (1, f"{missing}: cannot be read: No such file or directory\n")
+
+
 @pytest.mark.parametrize(
     ("source", "status", "expected"),
     [

@@ -19,6 +19,7 @@ from ev3proto.cli.output import Printer, complain, flush, say
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
+from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.brick.servers.script import Script
@@ -85,7 +86,7 @@ class _WithDifferences(click.Command):
 )
 @click.option(
     "--script",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    type=click.Path(path_type=Path),
     metavar="FILE",
     help="TOML file that says what is plugged in and what happens.",
 )
@@ -231,16 +232,18 @@ def folder(root: Path | None) -> Iterator[Path]:
 
 
 def read_script_file(path: Path | None) -> Script:
-    """The script in a file; an empty one without a file. Ends the program where it says something impossible."""
+    """The script in a file; an empty one without a file. Ends the program where it cannot be read or makes no sense."""
     from ev3proto.brick.servers.script import Script, ScriptError, read_script
 
     if path is None:
         return Script()
     try:
         return read_script(path)
-    except (ScriptError, OSError) as error:
-        complain(f"{path}: {error}")
-        sys.exit(1)
+    except OSError as error:
+        complain(f"{visible(str(path))}: cannot be read: {error.strerror or error}")
+    except ScriptError as error:
+        complain(f"{visible(str(path))}: {error}")
+    sys.exit(1)
 
 
 def _show_coverage(dialect: str) -> None:

@@ -46,7 +46,7 @@ _MOST_NAME = 20
 
 
 @click.command()
-@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("file", type=click.Path(path_type=Path))
 @click.option(
     "--http",
     "page",
@@ -59,7 +59,7 @@ _MOST_NAME = 20
 @click.option("--root", type=click.Path(file_okay=False, path_type=Path), metavar="DIR", help="As for `brick`.")
 @click.option(
     "--script",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    type=click.Path(path_type=Path),
     metavar="TOML",
     help="What is plugged in and what happens, as for `brick`.",
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -406,7 +407,11 @@ def test_script(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("name = [", "it is no TOML"),
+        ("name = 'x", 'it is no TOML at its end: keys are written as in name = "EV3", tables as in [ports.1]'),
+        ("name = 'x'\nvoltage 7", "it is no TOML at line 2, column 9: keys are"),
+        ("[ports.1]\ntype = 16\n[ports.1]\n", "a key or table at line 3 was given before: one of the two must go"),
+        ("name = 'x'\nname = 'y'", "a key or table at its end was given before"),
+        ("name = " + "[" * 2000, "its lists or tables are too deep within each other"),
         ("nmae = 'x'", "the script has no key 'nmae'; it must be one of name, voltage"),
         ("[ports.5]\ntype = 16", "ports.5: there is no such port"),
         ("[ports.1]\ntype = 'TYPE_TUOCH'", "there is no type 'TYPE_TUOCH': did you mean TYPE_TOUCH"),
@@ -421,11 +426,21 @@ def test_script(tmp_path: Path) -> None:
 def test_script_that_says_something_impossible(tmp_path: Path, text: str, expected: str) -> None:
     path = tmp_path / "robot.toml"
     path.write_text(text)
-    with pytest.raises(ScriptError, match=expected):
+    with pytest.raises(ScriptError, match=re.escape(expected)):
         read_script(path)
     done = run_ev3proto_text("brick", "--script", path)
     assert done.returncode == 1
     assert expected in done.stderr
+
+
+def test_script_that_is_no_text(tmp_path: Path) -> None:
+    path = tmp_path / "robot.toml"
+    path.write_bytes(b"name = 'x'\nname = '\xff'\n")
+    done = run_ev3proto_text("brick", "--script", path)
+    assert (done.returncode, done.stderr) == (
+        1,
+        f"{path}: the byte 0xFF at offset 19 is no UTF-8, the characters of TOML\n",
+    )
 
 
 def test_steps_begin_again(tmp_path: Path) -> None:

@@ -24,6 +24,7 @@ release = "enter"
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -48,6 +49,9 @@ LEAST_PERIOD = 0.01
 
 _PORT_NAMES = (*(str(number) for number in range(1, PORTS + 1)), *MOTOR_PORTS)
 _MOST_NAME = 12
+
+_SAID_TWICE = ("Cannot ", "Duplicate ")
+"""How Python begins where a key or a table comes a second time."""
 
 Readings = dict[int, tuple[float, ...]]
 
@@ -135,15 +139,36 @@ def read_script(path: Path) -> Script:
     if len(text) > MOST_SCRIPT:
         raise ScriptError(f"it has more than {MOST_SCRIPT} bytes")
     try:
-        found = tomllib.loads(text.decode())
-    except (ValueError, RecursionError) as error:
-        raise ScriptError(f"it is no TOML: {error}") from None
-    try:
-        return _Reading().script(found)
+        return _Reading().script(_parsed(text))
     except ScriptError:
         raise
     except ValueError:  # Python writes no number of more than 4300 digits, not even to say what is wrong with it
         raise ScriptError("it has a number that is too large") from None
+
+
+def _parsed(text: bytes) -> dict[str, Any]:
+    """The tables and keys of a script. Raises ScriptError, and ValueError for a number with too many digits."""
+    try:
+        return tomllib.loads(text.decode())
+    except UnicodeDecodeError as error:
+        raise ScriptError(
+            f"the byte 0x{text[error.start]:02X} at offset {error.start} is no UTF-8, the characters of TOML"
+        ) from None
+    except RecursionError:
+        raise ScriptError("its lists or tables are too deep within each other") from None
+    except tomllib.TOMLDecodeError as error:
+        raise ScriptError(_no_toml(str(error))) from None
+
+
+def _no_toml(said: str) -> str:
+    """What Python says of a text that is no TOML, in a sentence about scripts."""
+    place = re.search(r"(line \d+), column \d+", said)
+    if said.startswith(_SAID_TWICE):
+        return f"a key or table at {place[1] if place else 'its end'} was given before: one of the two must go"
+    return (
+        f'it is no TOML at {place[0] if place else "its end"}: keys are written as in name = "EV3", tables as in'
+        " [ports.1], texts in quotes"
+    )
 
 
 @dataclass

@@ -118,7 +118,7 @@ def test_the_brick_behind_the_serial_port_goes_away(tmp_path: Path) -> None:
     with EV3(target=f"serial:{os.ttyname(slave)}") as my_ev3:
         os.close(slave)
         os.close(master)
-        with pytest.raises(ev3proto.ConnectionLostError, match="connect again"):
+        with pytest.raises(ev3proto.ConnectionLostError, match=r"is gone \([^\[\]]+\): connect again"):
             my_ev3.send_direct_cmd(ev3proto.opNop, sync_mode=ev3proto.SYNC)
 
 
@@ -128,6 +128,7 @@ def test_the_brick_behind_the_serial_port_goes_away(tmp_path: Path) -> None:
         (errno.EACCES, ev3proto.NoBrickError, "dialout"),
         (errno.EBUSY, ev3proto.PortInUseError, "another program has /dev/rfcomm0 open"),
         (errno.EHOSTDOWN, ev3proto.NoBrickError, "does not answer: is it on and near"),
+        (errno.EIO, ev3proto.NoBrickError, "^/dev/rfcomm0 cannot be opened: Input/output error$"),
     ],
 )
 def test_a_serial_port_that_cannot_be_opened(
@@ -141,6 +142,14 @@ def test_a_serial_port_that_cannot_be_opened(
     monkeypatch.setattr(serial, "Serial", refuse)
     with pytest.raises(kind, match=sentence):
         open_wire(Target(Way.SERIAL, "/dev/rfcomm0"))
+
+
+def test_what_is_no_serial_port(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    for place in (str(tmp_path / "file"), str(tmp_path)):
+        with pytest.raises(ev3proto.NoBrickError) as caught:
+            open_wire(Target(Way.SERIAL, place))
+        assert str(caught.value) == f"{place} is no serial port: give that of the brick, such as /dev/rfcomm0 or COM5"
 
 
 def test_packages_that_are_not_installed(monkeypatch: pytest.MonkeyPatch) -> None:

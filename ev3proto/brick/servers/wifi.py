@@ -119,7 +119,9 @@ class Wifi:
                 beacon = Beacon(settings.bluetooth_address, str(self.port), settings.name, PROTOCOL)
                 try:
                     sender.sendto(beacon.build(), (target, BEACON_PORT))
-                except (OSError, BuildError) as error:
+                except OSError as error:
+                    self._host.say_once(f"the beacon cannot be sent: {error.strerror or error}")
+                except BuildError as error:
                     self._host.say_once(f"the beacon cannot be sent: {error}")
                 await asyncio.sleep(BEACON_PERIOD)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 from typing import TYPE_CHECKING
 
 from ev3proto.extras import install_command
@@ -54,7 +55,8 @@ class SerialWire:
 
     def _gone(self, error: Exception) -> ConnectionLostError:
         # pyserial stumbles with a TypeError where another thread has closed the port.
-        reason = str(error) if isinstance(error, OSError) else "it was closed"
+        number = _number(error)
+        reason = "it was closed" if number is None else os.strerror(number)
         return ConnectionLostError(f"the connection to {self.label} is gone ({reason}): connect again")
 
 
@@ -80,9 +82,19 @@ def open_serial(target: Target) -> SerialWire:
     return SerialWire(port)
 
 
+def _number(error: BaseException | None) -> int | None:
+    """The number of the operating system's error. pyserial has many of them in texts only, and in what it caught."""
+    while error is not None:
+        number = error.args[0] if error.args else None
+        if isinstance(number, int):
+            return number
+        error = error.__context__
+    return None
+
+
 def _why(error: Exception, name: str) -> LinkError:
-    code = getattr(error, "errno", None)
-    if code == errno.ENOENT or isinstance(error, FileNotFoundError):
+    code = _number(error)
+    if code == errno.ENOENT:
         return NoBrickError(
             f"there is no serial port {name}: pair the brick with this computer first; on Linux, `rfcomm bind 0 MAC`"
             " makes /dev/rfcomm0"
@@ -94,6 +106,9 @@ def _why(error: Exception, name: str) -> LinkError:
         )
     if code in (errno.EBUSY, errno.EAGAIN):
         return PortInUseError(f"another program has {name} open: end it, then try again")
+    if code in (errno.ENOTTY, errno.EISDIR):
+        return NoBrickError(f"{name} is no serial port: give that of the brick, such as /dev/rfcomm0 or COM5")
     if code == errno.EHOSTDOWN:
         return NoBrickError(f"the brick at {name} does not answer: is it on and near, is Bluetooth on at it?")
-    return NoBrickError(f"{name} cannot be opened: {error}")
+    reason = "the system has none of that name, or it is not free" if code is None else os.strerror(code)
+    return NoBrickError(f"{name} cannot be opened: {reason}")

@@ -314,6 +314,27 @@ def test_the_port_of_the_proxy_is_in_use(tmp_path: Path) -> None:
         Standing(f"virtual:{tmp_path}", port=found.proxy.port)
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+def test_a_recording_of_the_proxy_that_cannot_be_written() -> None:
+    words = [
+        sys.executable,
+        "-m",
+        "ev3proto",
+        "proxy",
+        "--listen",
+        "wifi:127.0.0.1:0",
+        "--to",
+        "virtual",
+        "--no-beacon",
+    ]
+    for record, place in (("/dev/full", "/dev/full:"), ("-", "the output")):
+        with Path("/dev/full").open("wb") as full:
+            done = subprocess.run(
+                [*words, "--record", record], cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True
+            )
+        assert (done.returncode, done.stderr) == (1, f"{place} cannot be written: No space left on device\n")
+
+
 def test_the_proxy_as_a_program_records_into_a_pipe() -> None:
     port = free_port()
     words = ["proxy", "--listen", f"wifi:127.0.0.1:{port}", "--to", "virtual", "--no-beacon", "--record", "-"]

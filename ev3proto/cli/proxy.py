@@ -13,7 +13,7 @@ import click
 
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.numbers import Between
-from ev3proto.cli.output import complain, flush, is_terminal, say
+from ev3proto.cli.output import OutputError, complain, flush, is_terminal, say
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType
 from ev3proto.tables.declaration import DIALECTS
@@ -22,6 +22,7 @@ from ev3proto.whole_files import GrowingFile
 
 if TYPE_CHECKING:
     from ev3proto.capture.dialogues import RequestReply
+    from ev3proto.link.recording import Recording
     from ev3proto.link.targets import Target
 
 _LOOPBACK = "127.0.0.1"
@@ -87,16 +88,13 @@ def proxy(
         address, port, _address(only_from), read_only, hide, Faults(delay, drop, corrupt, Random(seed)), dialect
     )
     with ExitStack() as stack:
-        stream = _recorded_to(record, stack)
+        recording = _recording(record, stack)
         shown = _Shown(as_json=as_json, is_quiet=record == "-")
         try:
-            from ev3proto.link.recording import Recording
-
-            recording = None if stream is None else Recording(stream)
             wire = open_wire(target)
             stack.callback(wire.close)
             standing = Proxy(wire, str(target), options, show=shown, say=complain, recording=recording)
-        except (LinkError, OSError) as error:
+        except LinkError as error:
             complain(str(error))
             sys.exit(1)
         shown.start_ns = standing.records.start_ns
@@ -155,19 +153,27 @@ def _address(text: str | None) -> str | None:
         raise click.BadParameter(f"{text[:60]!r} is no address such as 192.0.2.1", param_hint="--from") from None
 
 
-def _recorded_to(record: str | None, stack: ExitStack) -> BinaryIO | None:
-    """The stream of the recording; None without one. Ends the program where it cannot be opened."""
+def _recording(record: str | None, stack: ExitStack) -> Recording | None:
+    """The recording, which is begun; None without one. Ends the program where it cannot be written."""
+    from ev3proto.link.recording import Recording
+
     if record is None:
         return None
+    try:
+        return Recording(_recorded_to(record, stack))
+    except OSError as error:
+        if record == "-":
+            raise OutputError.of(error) from None
+        complain(f"{record}: cannot be written: {error.strerror or error}")
+        sys.exit(1)
+
+
+def _recorded_to(record: str, stack: ExitStack) -> BinaryIO:
+    """The stream of the recording. Raises OSError, click.UsageError or OutputError."""
     if record == "-":
         if is_terminal():
             raise click.UsageError("a capture would garble the terminal: pipe it, or give --record FILE")
         if sys.stdout is None:
-            complain("the output cannot be written: standard output is closed")
-            sys.exit(1)
+            raise OutputError(None, "standard output is closed")
         return sys.stdout.buffer
-    try:
-        return cast(BinaryIO, stack.enter_context(GrowingFile(Path(record))))
-    except OSError as error:
-        complain(f"{record}: cannot be written: {error.strerror or error}")
-        sys.exit(1)
+    return cast(BinaryIO, stack.enter_context(GrowingFile(Path(record))))

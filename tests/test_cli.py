@@ -139,6 +139,47 @@ def test_complaints(words: tuple[str, ...], status: int, complaint: str) -> None
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("words", "options"),
+    [
+        (f"decode --json --format asm {TONE}", ("--json", "--format asm")),
+        (f"decode --dialogues --format tree {TONE}", ("--dialogues", "--format tree")),
+        (f"decode --dialogues --programs {TONE}", ("--dialogues", "--programs")),
+        (f"decode --no-length --operations {TONE}", ("--no-length", "--operations")),
+        (f"check --fix --format sarif {TONE}", ("--fix", "--format sarif")),
+        (f"check --strict --errors-only {TONE}", ("--strict", "--errors-only")),
+        (f"check --quiet --format github {TONE}", ("--quiet", "--format github")),
+        ("check --explain E101 --fix", ("--explain", "--fix")),
+        ("check --explain E101 --strict --carrier usb", ("--explain", "--strict", "--carrier")),
+        ("check --explain E101 --format sarif", ("--explain", "--format sarif")),
+        ("encode --to rbf -o x.rbf --counter 5 x.lms", ("--counter", "--to rbf")),
+        ("encode -o x.rbf --no-reply x.lms", ("--no-reply", "-o FILE.rbf")),
+        ("encode --to rbf -o x.rbf --unchecked --filter op==NOP x.lms", ("--unchecked", "--filter", "--to rbf")),
+        ("encode --to hex --shortest NOP()", ("--shortest", "--to rbf")),
+        ("values --csv --json captures/wifi.pcapng", ("--csv", "--json")),
+        ("values --plot no/x.svg --csv captures/wifi.pcapng", ("--plot", "--csv")),
+        ("proxy --to serial:/no/port --json --record -", ("--json", "--record -")),
+        ("brick --no-wifi --serial x --root /dev/null/x --port 5556", ("--no-wifi", "--port")),
+        ("brick --no-wifi --serial x --root /dev/null/x --beacon", ("--no-wifi", "--beacon")),
+        ("run x.lms --http --limit 5", ("--http", "--limit")),
+    ],
+)
+def test_options_that_contradict_each_other(words: str, options: tuple[str, ...]) -> None:
+    done = run(*words.split())
+    assert (done.returncode, done.stdout) == (2, "")
+    sentence = done.stderr.splitlines()[-1]
+    assert sentence.startswith("Error: ")
+    assert [option for option in options if option not in sentence] == []
+
+
+def test_options_that_say_the_same_twice() -> None:
+    assert run("decode", "--json", "--format", "json", TONE).returncode == 0
+    assert run("decode", "--dialogues", "--format", "json", TONE).returncode == 0
+    assert run("check", "--json", "--format", "json", TONE).returncode == 0
+    explained = run("check", "--explain", "E101", "--format", "json")
+    assert json.loads(explained.stdout)["code"] == "E101"
+
+
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
 def test_files_in_the_encodings_that_people_have(tmp_path: Path, encoding: str) -> None:
     log = tmp_path / "log.txt"

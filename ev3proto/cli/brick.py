@@ -12,6 +12,7 @@ from random import Random
 from typing import TYPE_CHECKING
 
 import click
+from click.core import ParameterSource
 
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.numbers import Between
@@ -154,6 +155,8 @@ def brick(
     if coverage:
         _show_coverage(dialect)
         return
+    if not wifi:
+        _expect_nothing_of_wifi()
     from ev3proto.brick.deviations import DEVIATIONS
     from ev3proto.brick.servers.faults import Faults
     from ev3proto.brick.servers.server import Options
@@ -180,6 +183,14 @@ def brick(
             complain(f"- {sentence}")
     with folder(root) as place:
         sys.exit(asyncio.run(_serve(options, place)))
+
+
+def _expect_nothing_of_wifi() -> None:
+    """Raises click.UsageError where an option is given that only WiFi has a use for."""
+    context = click.get_current_context()
+    for name in ("port", "beacon"):
+        if context.params[name] is not False and context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            raise click.UsageError(f"--no-wifi leaves no use for --{name}: give one or the other")
 
 
 async def _serve(options: Options, root: Path) -> int:

@@ -353,14 +353,13 @@ _OPTIONS = (
     ),
     click.option(
         "--no-length",
-        "missing",
-        flag_value="length",
+        is_flag=True,
         help="Each line of a text is a frame without the two bytes of its length field.",
     ),
     click.option(
         "--operations",
-        "missing",
-        flag_value="header",
+        "only_operations",
+        is_flag=True,
         help="Each line of a text is operations without the header of a frame.",
     ),
     click.option(
@@ -385,10 +384,14 @@ def reading_options(command: F) -> F:
         engine: str,
         tshark: str | None,
         chosen: Filter | None,
-        missing: Missing | None,
+        no_length: bool,
+        only_operations: bool,
         memory: int,
         **others: Any,
     ) -> Any:
+        if no_length and only_operations:
+            raise click.UsageError("--no-length has the rest of a header and --operations none: give one or the other")
+        missing: Missing | None = "length" if no_length else "header" if only_operations else None
         reading = CaptureOptions(dialect, ports, engine, tshark, chosen, missing, memory)
         return command(*arguments, reading=reading, **others)
 

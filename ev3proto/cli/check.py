@@ -391,7 +391,21 @@ def check(
     if code is not None:
         if names:
             raise click.UsageError("--explain is about a code, not about frames: give one or the other")
-        _explain(code, as_json=as_json, dialect=reading.dialect)
+        about_frames = {
+            "--strict": strict,
+            "--fix": fixes,
+            "--no-hints": no_hints,
+            "--errors-only": errors_only,
+            "--quiet": quiet,
+            "--carrier": carrier,
+            f"--format {style}": style in ("sarif", "github"),
+        }
+        given = [option for option, value in about_frames.items() if value]
+        if given:
+            raise click.UsageError(
+                f"--explain is about a code, and {', '.join(given)} about frames: give no other option"
+            )
+        _explain(code, as_json=as_json or style == "json", dialect=reading.dialect)
         return
     if strict and errors_only:
         raise click.UsageError("--strict counts warnings and --errors-only hides them: give one or the other")
@@ -399,6 +413,10 @@ def check(
         raise click.UsageError(f"--json is one form of output and --format {style} another: give one or the other")
     if quiet and style in ("sarif", "github"):
         raise click.UsageError(f"--quiet shows numbers only, and --format {style} findings: give one or the other")
+    if fixes and style in ("sarif", "github"):
+        raise click.UsageError(
+            f"--fix prints frames, and --format {style} has no place for them: give one or the other"
+        )
     hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
     style = style or ("json" if as_json else FORMATS[0])
     options = CheckOptions(style, fixes, strict, carrier, frozenset(hidden), quiet)

@@ -161,9 +161,16 @@ def decode(
       ev3proto decode --programs robot.pcapng
       python3 my_program.py | ev3proto decode --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    show = Show("json" if as_json else style, dialect=reading.dialect)
     if as_dialogues and as_programs:
         raise click.UsageError("--dialogues shows frames and --programs what they move: give one or the other")
+    if style not in (None, "json"):
+        if as_json:
+            raise click.UsageError(f"--json is one form of output and --format {style} another: give one or the other")
+        if as_dialogues:
+            raise click.UsageError(
+                f"--dialogues has a line a command and --format {style} none: omit it, or give --json"
+            )
+    show = Show("json" if as_json else style, dialect=reading.dialect)
     decoding = Decoding(show, reading, as_dialogues=as_dialogues, as_programs=as_programs)
     for source in sources(names):
         decoding.read(source)

@@ -402,6 +402,7 @@ def encode(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     is_for_program = source_dialect is not None or version is not None or shortest
     if form == RBF or (form is None and (is_for_program or (path is not None and path.lower().endswith(SUFFIX)))):
+        _expect_nothing_of_frames(counter, reply, unchecked, reading)
         found = sources(names)
         sys.exit(encode_program(found, path, dialect=source_dialect, version=version, shortest=shortest))
     if is_for_program:
@@ -420,3 +421,22 @@ def encode(
     if not output.count and not encoding.at_fault:
         encoding.complain(f"there is nothing in the input that can be encoded: {_EXPECTED}")
     sys.exit(1 if encoding.at_fault else 0)
+
+
+def _expect_nothing_of_frames(counter: int, reply: bool | None, unchecked: bool, reading: CaptureOptions) -> None:
+    """Raises click.UsageError where an option is given that a program has no use for."""
+    about_frames = {
+        "--counter": counter,
+        "--reply": reply is True,
+        "--no-reply": reply is False,
+        "--unchecked": unchecked,
+        "--filter": reading.filter,
+        "--no-length": reading.missing == "length",
+        "--operations": reading.missing == "header",
+    }
+    given = [option for option, value in about_frames.items() if value]
+    if given:
+        raise click.UsageError(
+            f"{', '.join(given)} {'is' if len(given) == 1 else 'are'} for frames, and --to rbf or -o FILE.rbf for"
+            " programs: give one or the other"
+        )

@@ -83,6 +83,8 @@ def proxy(
     from ev3proto.link.errors import LinkError
     from ev3proto.link.proxy import Proxy, ProxyOptions
 
+    if record == "-" and as_json:
+        raise click.UsageError("--record - takes standard output, on which --json prints: give one or the other")
     address, port = _place(listen)
     options = ProxyOptions(
         address, port, _address(only_from), read_only, hide, Faults(delay, drop, corrupt, Random(seed)), dialect

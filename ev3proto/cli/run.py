@@ -89,6 +89,8 @@ def run(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     from ev3proto.brick.servers.server import Options
 
+    if page is not None and limit is not None:
+        raise click.UsageError("--http shows the program until Ctrl-C, and --limit ends it: give one or the other")
     image = _image(file)
     options = Options(port=None, page=page, screenshot=screenshot, script=read_script_file(script))
     with folder(root) as place:

@@ -38,15 +38,15 @@ MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
 @click.command()
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @reading_options
-@click.option("--csv", "form", flag_value="csv", help="Comma-separated values, a column for each.")
-@click.option("--json", "form", flag_value="json", help="One JSON object a line, for each reply.")
+@click.option("--csv", "as_csv", is_flag=True, help="Comma-separated values, a column for each.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line, for each reply.")
 @click.option(
     "--plot",
     type=click.Path(path_type=Path, dir_okay=False),
     metavar="FILE",
     help="Draw numbers over time into this file: .svg or .png.",
 )
-def values(files: tuple[str, ...], reading: CaptureOptions, form: str | None, plot: Path | None) -> None:
+def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_json: bool, plot: Path | None) -> None:
     """Prints the values in replies over time: battery, sensors, motors, latencies.
 
     Each value is a column, named after its operation, what that was asked with, and the parameter. --filter chooses the
@@ -60,6 +60,11 @@ def values(files: tuple[str, ...], reading: CaptureOptions, form: str | None, pl
     """  # noqa: D301 - the mark by which click leaves lines as they are
     from ev3proto.capture.series import MOST_CELLS, Series, series_of
 
+    if as_csv and as_json:
+        raise click.UsageError("--csv is one form of output and --json another: give one or the other")
+    form = "csv" if as_csv else "json" if as_json else None
+    if plot is not None and form is not None:
+        raise click.UsageError(f"--plot draws the values and --{form} prints them: give one or the other")
     sources = [CaptureSource(file, reading) for file in files]
     found = Series()
     for source in sources:

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.cli import run_ev3proto
+from support.cli import run_ev3proto, run_ev3proto_text
 from support.packets import RAW_IP, Capture, Connection, cut, in_tunnels
 
 ROOT = Path(__file__).parent.parent
@@ -411,3 +411,29 @@ def test_a_progress_bar_on_long_texts_too(tmp_path: Path, words: tuple[str, ...]
     path = tmp_path / "long.log"
     path.write_text("".join(f"12 of the {number} words here are no frame\n" for number in range(5_000)) + TONE.hex())
     assert "%" in on_a_terminal(path, *words)
+
+
+# Files without a frame
+
+
+@pytest.mark.parametrize("words", ["decode", "check", "stats", "timeline -o t.html", "export pcapng -o t.pcapng"])
+def test_each_of_several_files_that_has_no_frame_is_named(tmp_path: Path, words: str) -> None:
+    (tmp_path / "frame.log").write_text("06:00|2A:00|80|00:00|01\n")
+    (tmp_path / "words.log").write_text("hello world\n")
+    (tmp_path / "empty.log").write_text("")
+    (tmp_path / "foreign.pcap").write_bytes(Capture(RAW_IP).data())
+    done = run_ev3proto_text(*words.split(), "words.log", "frame.log", "empty.log", "foreign.pcap", cwd=tmp_path)
+    assert done.returncode == 1
+    named = [line.partition(": there is no ") for line in done.stderr.splitlines()]
+    assert [name for name, _, _ in named] == ["words.log", "empty.log", "foreign.pcap"]
+    assert all(rest.startswith(("frame in ", "command in ")) for _, _, rest in named)
+    assert run_ev3proto_text(*words.split(), "frame.log", cwd=tmp_path).returncode == 0
+
+
+def test_files_says_where_there_is_no_frame(tmp_path: Path) -> None:
+    (tmp_path / "frame.log").write_text("06:00|2A:00|80|00:00|01\n")
+    (tmp_path / "words.log").write_text("hello world\n")
+    done = run_ev3proto_text("files", "words.log", "frame.log", cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.splitlines() == ["words.log: there is no frame in it", "frame.log: no file is moved in it"]
+    assert run_ev3proto_text("files", "frame.log", cwd=tmp_path).returncode == 0

@@ -21,7 +21,7 @@ from ev3proto.cli.programs import (
     read_source,
     source_findings,
 )
-from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.sources import Source, SourceReader, nothing_in, sources
 from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.paste import Pasted
@@ -160,6 +160,7 @@ class Checking(SourceReader):
     def read(self, source: Source) -> None:
         """Reads everything in a source; one that ends in .lms is that of a program."""
         if not source.is_frame and source.name.lower().endswith(SOURCE_SUFFIX):
+            self._is_empty = False
             self._source(source)
         else:
             super().read(source)
@@ -422,8 +423,7 @@ def check(
     options = CheckOptions(style, fixes, strict, carrier, frozenset(hidden), quiet)
     found = sources(names)
     checking = Checking(reading, options, is_single=len(found) == 1)
-    for source in found:
-        checking.read(source)
+    checking.read_all(found)
     checking.summary()
     if not checking.frames and not checking.programs:
         if not checking.at_fault:
@@ -435,7 +435,7 @@ def check(
 def _nothing(replies: int) -> str:
     if replies:
         return f"there is no command in the input, only {_frames(replies)} from the brick: what it says is not checked"
-    return "there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01"
+    return nothing_in("-", "the input")
 
 
 def _explain(name: str, *, as_json: bool, dialect: str) -> None:

@@ -9,9 +9,9 @@ import click
 
 from ev3proto.cli.captures import MIB, CaptureOptions, CaptureSource, given_up, reading_options
 from ev3proto.cli.output import complain
-from ev3proto.cli.programs import PROGRAM_FORMATS, SOURCE_SUFFIX, is_image, read_program
+from ev3proto.cli.programs import PROGRAM_FORMATS, is_image, read_program
 from ev3proto.cli.show import FORMATS, Show
-from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.sources import Source, SourceReader, nothing_in, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.text.heading import Seen
 from ev3proto.text.paste import Pasted
@@ -172,18 +172,10 @@ def decode(
             )
     show = Show("json" if as_json else style, dialect=reading.dialect)
     decoding = Decoding(show, reading, as_dialogues=as_dialogues, as_programs=as_programs)
-    for source in sources(names):
-        decoding.read(source)
+    decoding.read_all(sources(names))
     decoding.say_what_was_given_up()
     if not show.count:
         if not decoding.at_fault:
-            complain(_nothing(names))
+            complain(nothing_in(names[0] if names else "-", "the input"))
         decoding.at_fault = True
     sys.exit(1 if decoding.at_fault else 0)
-
-
-def _nothing(names: tuple[str, ...]) -> str:
-    """What to say of an input without frames."""
-    if any(name.lower().endswith(SOURCE_SUFFIX) for name in names):
-        return "a program's source has no frames: `ev3proto encode -o FILE.rbf` makes its image, which decode shows"
-    return "there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01"

@@ -13,7 +13,7 @@ from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.groups import Group
 from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import binary_output, complain, is_terminal
-from ev3proto.cli.sources import Source, SourceReader, sources
+from ev3proto.cli.sources import Source, SourceReader, nothing_in, sources
 from ev3proto.errors import BuildError
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 from ev3proto.tables.declaration import DIALECTS
@@ -271,14 +271,11 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
         with binary_output() if output is None else whole_file(output) as stream:
             writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
             carrying = _Carrying(writer, reading)
-            for source in sources(names):
-                carrying.read(source)
+            carrying.read_all(sources(names))
             if not writer.count:
                 # Nothing was written yet, and what was there before stays.
                 if not carrying.at_fault:
-                    complain(
-                        "there is no frame in the input: frames are written in hex, such as 06:00|2A:00|80|00:00|01"
-                    )
+                    complain(nothing_in("-", "the input"))
                 sys.exit(1)
             writer.close()
     except OSError as error:

@@ -71,6 +71,7 @@ def files(
                 complain(f"{place}: {visible(recovered.path)}: {recovered.trouble}")
                 source.status |= recovered.outcome is not Outcome.REFUSED
         units.add(source.unit)
+        source.expect_frames()
         if is_empty and not source.status:
             complain(f"{source.label}: no file is moved in it{source.passed_over}")
         status |= source.status

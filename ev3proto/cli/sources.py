@@ -7,13 +7,13 @@ import re
 import sys
 import zlib
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
-from ev3proto.cli.programs import is_image
+from ev3proto.cli.programs import SOURCE_SUFFIX, is_image
 from ev3proto.cli.progress import advancing, progress_bar
 from ev3proto.cli.texts import START, hex_lines, is_binary, pieces, raw_frames, text_lines
 from ev3proto.text.late_pattern import late_pattern
@@ -72,6 +72,13 @@ def _exists(name: str) -> bool:
         return False
 
 
+def nothing_in(name: str, where: str = "it") -> str:
+    """What to say of a source of that name where no frame is in it."""
+    if name.lower().endswith(SOURCE_SUFFIX):
+        return "a program's source has no frames: `ev3proto encode -o FILE.rbf` makes its image, which decode shows"
+    return f"there is no frame in {where}: frames are written in hex, such as 06:00|2A:00|80|00:00|01"
+
+
 class SourceReader(ABC):
     """Reads sources one after the other, and remembers whether any was at fault.
 
@@ -90,6 +97,7 @@ class SourceReader(ABC):
     def __init__(self, reading: CaptureOptions) -> None:
         self.reading = reading
         self.at_fault = False
+        self._is_empty = True
 
     @abstractmethod
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
@@ -119,6 +127,14 @@ class SourceReader(ABC):
         """Takes the lines of a text, and complains about those that look like frames and are none."""
         for pasted in pieces(lines, self.reading.missing, lambda unread: self.complain(f"{source.label}: {unread}")):
             self._pasted(pasted, source)
+
+    def read_all(self, found: Sequence[Source]) -> None:
+        """Reads everything in all sources. Of several, each that has no frame is complained about."""
+        for source in found:
+            self._is_empty = True
+            self.read(source)
+            if self._is_empty and len(found) > 1:
+                self.complain(f"{source.label}: {nothing_in(source.name)}")
 
     def read(self, source: Source) -> None:
         """Reads everything in a source, and complains where it cannot be read."""
@@ -166,6 +182,7 @@ class SourceReader(ABC):
             self._recorded(source, hex_lines(found))
             return True
         pasted = Pasted(b"", 1, "")
+        self._is_empty = False
         for piece in found:
             self.piece(piece, pasted, source)
         return True
@@ -184,12 +201,14 @@ class SourceReader(ABC):
         except (OSError, EOFError, zlib.error) as error:
             self._unreadable(source, error)
             return
+        self._is_empty = False
         self.program(source, image)
 
     def complain(self, sentence: str) -> None:
         """Prints a sentence on standard error, about input that is at fault."""
         complain(sentence)
         self.at_fault = True
+        self._is_empty = False
 
     def _opened(self, source: Source) -> CaptureFile | None:
         from ev3proto.capture.formats import CaptureFile
@@ -223,6 +242,7 @@ class SourceReader(ABC):
         self._of_capture(CaptureSource(source.name, self.reading, file, lines, is_quiet=self.is_quiet), source)
 
     def _of_capture(self, capture: CaptureSource, source: Source) -> None:
+        self._is_empty = False
         if not self.capture(capture) and not capture.status:
             what = f"no {self.wanted} that the filter lets through" if self.reading.filter else f"no {self.wanted}"
             self.complain(f"{source.label}: there is {what} in {capture.extent}{capture.passed_over}")
@@ -243,5 +263,6 @@ class SourceReader(ABC):
         if pasted.problem is not None:
             self.complain(f"{source.where(pasted)}: {pasted.problem}")
         if pasted.data:
+            self._is_empty = False
             for piece in split(pasted.data, dialect=self.reading.dialect):
                 self.piece(piece, pasted, source)

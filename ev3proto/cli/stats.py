@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
-from ev3proto.cli.output import complain, say
+from ev3proto.cli.output import say
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
 
@@ -47,6 +47,7 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
         source = CaptureSource(file, reading)
         for event in source.events(statistics.look):
             statistics.add(event)
+        source.expect_frames()
         units.add(source.unit)
         account.add(source.account)
         status |= source.status
@@ -56,9 +57,6 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
             say(json.dumps(summary.as_dict(), ensure_ascii=False))
         else:
             _Page(summary, "line" if units == {"line"} else "packet").show()
-    elif not status:
-        complain("there is no frame in the input")
-        status = 1
     sys.exit(status)
 
 

@@ -84,6 +84,8 @@ def timeline(
             reasons = "".join(source.passed_over for source in found)
             complain(_nothing(labels, first, last, is_timed=is_timed) + reasons)
         sys.exit(1)
+    for source in found:
+        source.expect_frames()
     _write(drawn, output, names)
     say(f"{output}: written")
     sys.exit(max(source.status for source in found))

@@ -69,6 +69,7 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
     found = Series()
     for source in sources:
         found.extend(series_of(source.events(), source.label, MOST_CELLS - found.size))
+        source.expect_frames()
     status = max(source.status for source in sources)
     if found.omitted:
         complain(f"{counted(found.omitted, 'row')} omitted: {MOST_CELLS:,} cells are kept; --filter chooses others")

@@ -205,6 +205,23 @@ def test_input_without_a_frame() -> None:
     assert "no frame in the input" in done.stderr
 
 
+def test_assembly_is_for_encode(tmp_path: Path) -> None:
+    file = tmp_path / "tone.txt"
+    file.write_text("// a tone\n\nSOUND(TONE, 1, 440, 1000)\n")
+    advice = "`ev3proto encode` makes frames of it"
+    for command in ("decode", "check"):
+        done = run(command, "SOUND(TONE, 1, 440, 1000)")
+        said = "'SOUND(TONE, 1, 440, 1000)' is no file and no frame, but looks like assembly"
+        assert (done.returncode, done.stdout, done.stderr) == (1, "", f"{said}: {advice}\n")
+        said = f"{file}: there is no frame in it, but what looks like assembly"
+        for words in ((str(file),), (str(file), TONE)):
+            done = run(command, *words)
+            assert (done.returncode, done.stderr) == (1, f"{said}: {advice}\n")
+    file.write_text("Results:\n")
+    assert "assembly" not in run("decode", str(file)).stderr
+    assert "assembly" not in run("decode", "--format", "asm", TONE).stderr
+
+
 def test_a_reader_that_goes_away() -> None:
     text = f"{TONE}\n" * 3000
     command = f"{sys.executable} -m ev3proto decode | head -n 1"

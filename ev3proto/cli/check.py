@@ -21,7 +21,7 @@ from ev3proto.cli.programs import (
     read_source,
     source_findings,
 )
-from ev3proto.cli.sources import Source, SourceReader, nothing_in, sources
+from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.paste import Pasted
@@ -425,17 +425,13 @@ def check(
     checking = Checking(reading, options, is_single=len(found) == 1)
     checking.read_all(found)
     checking.summary()
-    if not checking.frames and not checking.programs:
-        if not checking.at_fault:
-            complain(_nothing(checking.replies))
+    if checking.replies and not checking.frames and not checking.programs and not checking.at_fault:
+        complain(
+            f"there is no command in the input, only {_frames(checking.replies)} from the brick: what it says is not"
+            " checked"
+        )
         checking.at_fault = True
     sys.exit(1 if checking.at_fault else 0)
-
-
-def _nothing(replies: int) -> str:
-    if replies:
-        return f"there is no command in the input, only {_frames(replies)} from the brick: what it says is not checked"
-    return nothing_in("-", "the input")
 
 
 def _explain(name: str, *, as_json: bool, dialect: str) -> None:

@@ -11,7 +11,7 @@ from ev3proto.cli.captures import MIB, CaptureOptions, CaptureSource, given_up, 
 from ev3proto.cli.output import complain
 from ev3proto.cli.programs import PROGRAM_FORMATS, is_image, read_program
 from ev3proto.cli.show import FORMATS, Show
-from ev3proto.cli.sources import Source, SourceReader, nothing_in, sources
+from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.text.heading import Seen
 from ev3proto.text.paste import Pasted
@@ -174,8 +174,4 @@ def decode(
     decoding = Decoding(show, reading, as_dialogues=as_dialogues, as_programs=as_programs)
     decoding.read_all(sources(names))
     decoding.say_what_was_given_up()
-    if not show.count:
-        if not decoding.at_fault:
-            complain(nothing_in(names[0] if names else "-", "the input"))
-        decoding.at_fault = True
     sys.exit(1 if decoding.at_fault else 0)

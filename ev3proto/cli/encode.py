@@ -19,7 +19,7 @@ from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import binary_output, complain, is_terminal, say
 from ev3proto.cli.programs import RBF, SUFFIX, encode_program
 from ev3proto.cli.sources import Source, SourceReader, sources
-from ev3proto.cli.texts import Unread
+from ev3proto.cli.texts import Unread, introduction
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
@@ -39,8 +39,6 @@ _OBJECT = late_pattern(r"^[ \t]*(vmthread|subcall|block)[ \t]+[A-Za-z_]", re.MUL
 """The start of an object of a program. A direct command may be written as one vmthread."""
 
 _SUBROUTINE = "subcall"
-_MOST_LOOKED_AT = 500
-"""Lines of comments before the first line that says what a text is."""
 
 
 class Output:
@@ -204,7 +202,7 @@ class Encoding(SourceReader):
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
         """A text. Its first line that is neither empty nor a comment says what it is."""
-        first = list(_introduction(lines))
+        first = list(introduction(lines))
         line = first[-1].strip() if first else ""
         whole = itertools.chain(first, lines)
         if self.reading.filter is not None:
@@ -285,18 +283,6 @@ _EXPECTED = (
     "assembly such as SOUND(TONE, 1, 440, 1000), objects as decode --json prints them, or frames in hex such as"
     " 06:00|2A:00|80|00:00|01"
 )
-
-
-def _introduction(lines: Iterator[str]) -> Iterator[str]:
-    """The lines up to the first that is neither empty nor a comment, that one too."""
-    is_comment = False
-    for line in itertools.islice(lines, _MOST_LOOKED_AT):
-        yield line
-        text = line.strip()
-        if is_comment or text.startswith("/*"):
-            is_comment = "*/" not in text
-        elif text and not text.startswith("//") and not (text.startswith("#") and "define" not in text):
-            return
 
 
 def _is_record(line: str) -> bool:

@@ -13,7 +13,7 @@ from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.groups import Group
 from ev3proto.cli.numbers import Between
 from ev3proto.cli.output import binary_output, complain, is_terminal
-from ev3proto.cli.sources import Source, SourceReader, nothing_in, sources
+from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 from ev3proto.tables.declaration import DIALECTS
@@ -274,8 +274,6 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
             carrying.read_all(sources(names))
             if not writer.count:
                 # Nothing was written yet, and what was there before stays.
-                if not carrying.at_fault:
-                    complain(nothing_in("-", "the input"))
                 sys.exit(1)
             writer.close()
     except OSError as error:

@@ -15,7 +15,7 @@ from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
 from ev3proto.cli.programs import SOURCE_SUFFIX, is_image
 from ev3proto.cli.progress import advancing, progress_bar
-from ev3proto.cli.texts import START, hex_lines, is_binary, pieces, raw_frames, text_lines
+from ev3proto.cli.texts import START, hex_lines, introduction, is_binary, pieces, raw_frames, text_lines
 from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.split import Piece, split
@@ -72,11 +72,15 @@ def _exists(name: str) -> bool:
         return False
 
 
-def nothing_in(name: str, where: str = "it") -> str:
-    """What to say of a source of that name where no frame is in it."""
-    if name.lower().endswith(SOURCE_SUFFIX):
-        return "a program's source has no frames: `ev3proto encode -o FILE.rbf` makes its image, which decode shows"
-    return f"there is no frame in {where}: frames are written in hex, such as 06:00|2A:00|80|00:00|01"
+_HOW_FRAMES_ARE_WRITTEN = "frames are written in hex, such as 06:00|2A:00|80|00:00|01"
+_HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
+
+
+def _looks_like_assembly(line: str) -> bool:
+    """Whether a line that has no frame is assembly; one with nothing but a label may as well be a heading."""
+    from ev3proto.text.assembly.recognising import is_assembly
+
+    return not line.rstrip().endswith(":") and is_assembly(line)
 
 
 class SourceReader(ABC):
@@ -98,6 +102,7 @@ class SourceReader(ABC):
         self.reading = reading
         self.at_fault = False
         self._is_empty = True
+        self._first_line = ""
 
     @abstractmethod
     def piece(self, piece: Piece, pasted: Pasted, source: Source) -> None:
@@ -120,21 +125,47 @@ class SourceReader(ABC):
         """Takes a frame that was typed on the command line."""
         if self.reading.missing is not None:
             self.text(source, iter([source.name]))
+            return
+        pasted = read_argument(source.name)
+        if not pasted.data and _looks_like_assembly(source.name):
+            self.complain(
+                f"{source.name[:60]!r} is no file and no frame, but looks like assembly: {_HOW_FRAMES_ARE_MADE}"
+            )
         else:
-            self._pasted(read_argument(source.name), source)
+            self._pasted(pasted, source)
 
     def text(self, source: Source, lines: Iterator[str]) -> None:
         """Takes the lines of a text, and complains about those that look like frames and are none."""
+        lines = self._noting_the_first(lines)
         for pasted in pieces(lines, self.reading.missing, lambda unread: self.complain(f"{source.label}: {unread}")):
             self._pasted(pasted, source)
 
     def read_all(self, found: Sequence[Source]) -> None:
-        """Reads everything in all sources. Of several, each that has no frame is complained about."""
+        """Reads everything in all sources, and complains about each that has no frame."""
         for source in found:
-            self._is_empty = True
+            self._is_empty, self._first_line = True, ""
             self.read(source)
-            if self._is_empty and len(found) > 1:
-                self.complain(f"{source.label}: {nothing_in(source.name)}")
+            if self._is_empty:
+                self.complain(self._nothing_in(source, is_alone=len(found) == 1))
+
+    def _nothing_in(self, source: Source, *, is_alone: bool) -> str:
+        """What to say of a source without a frame; of one among several, which it is."""
+        label = "" if is_alone else f"{source.label}: "
+        if source.name.lower().endswith(SOURCE_SUFFIX):
+            return (
+                f"{label}a program's source has no frames: `ev3proto encode -o FILE.rbf` makes its image, which decode"
+                " shows"
+            )
+        if _looks_like_assembly(self._first_line):
+            return f"{source.label}: there is no frame in it, but what looks like assembly: {_HOW_FRAMES_ARE_MADE}"
+        return f"{label}there is no frame in {'the input' if is_alone else 'it'}: {_HOW_FRAMES_ARE_WRITTEN}"
+
+    def _noting_the_first(self, lines: Iterator[str]) -> Iterator[str]:
+        """The same lines, of which the first that is neither empty nor a comment is kept."""
+        for line in introduction(lines):
+            self._first_line = line
+            yield line
+        yield from lines
 
     def read(self, source: Source) -> None:
         """Reads everything in a source, and complains where it cannot be read."""

@@ -25,6 +25,9 @@ START = 8
 
 _MOST_UNREAD = 8
 
+_MOST_LOOKED_AT = 500
+"""Lines of comments before the first line that says what a text is."""
+
 
 class Unread:
     """What looks like frames in a text and was not read."""
@@ -65,6 +68,18 @@ def pieces(lines: Iterator[str], missing: Missing | None, complain: Callable[[st
             yield pasted
     if unread.count:
         complain(str(unread))
+
+
+def introduction(lines: Iterator[str]) -> Iterator[str]:
+    """The lines up to the first that is neither empty nor a comment, that one too."""
+    is_comment = False
+    for line in islice(lines, _MOST_LOOKED_AT):
+        yield line
+        text = line.strip()
+        if is_comment or text.startswith("/*"):
+            is_comment = "*/" not in text
+        elif text and not text.startswith("//") and not (text.startswith("#") and "define" not in text):
+            return
 
 
 def is_text(file: CaptureFile) -> bool:

@@ -47,6 +47,37 @@ def test_bytes_without_quotes() -> None:
     assert json.loads(done.stdout)["operations"][0]["op"] == "NOP"
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        "14 0 42 0 128 0 0 148 1 1 130 184 1 130 232 3",
+        "[14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3]",
+        "{14, 0, 42, 0, 128, 0, 0, 148, 1, 1, 130, 184, 1, 130, 232, 3};",
+        "0xe, 0x0, 0x2a, 0x0, 0x80, 0x0, 0x0, 0x94, 0x1, 0x1, 0x82, 0xb8, 0x1, 0x82, 0xe8, 0x3",
+        "e 0 2a 0 80 0 0 94 1 1 82 b8 1 82 e8 3",
+    ],
+)
+def test_numbers_without_quotes(words: str) -> None:
+    done = run("decode", "--json", *words.split())
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads(done.stdout)["hex"] == TONE_BYTES
+    assert run("encode", *words.split()).stdout == "0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|\n"
+
+
+def test_numbers_without_quotes_that_are_no_frame() -> None:
+    text = "14 0 42 0 128 0 0 148 1 1 130 184 1"
+    done, quoted = run("decode", *text.split()), run("decode", text)
+    assert (done.returncode, done.stdout, done.stderr) == (1, quoted.stdout, quoted.stderr)
+    assert done.stderr.startswith(f"'{text}': ")
+
+
+def test_files_whose_names_are_numbers(tmp_path: Path) -> None:
+    for name in ("1", "2"):
+        (tmp_path / name).write_text(f"{TONE}\n")
+    done = run_ev3proto_text("decode", "--json", "1", "2", cwd=tmp_path)
+    assert (done.returncode, len(done.stdout.splitlines())) == (0, 2)
+
+
 def test_every_frame_of_the_lesson() -> None:
     done = run("decode", "--json", str(LESSON))
     assert (done.returncode, done.stderr) == (0, "")

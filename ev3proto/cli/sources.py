@@ -25,6 +25,10 @@ if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
 
 _GROUP = late_pattern(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
+"""Whole bytes in hex, which are taken for bytes even where a file has that name."""
+
+_NUMBER = late_pattern(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNORECASE)
+"""One byte as numbers are written, also at an end of an array."""
 
 
 class Source(NamedTuple):
@@ -60,9 +64,16 @@ class Source(NamedTuple):
 
 def sources(names: tuple[str, ...]) -> list[Source]:
     """What was named; bytes that were typed without quotes around them are one frame."""
-    if len(names) > 1 and all(_GROUP.fullmatch(name) for name in names):
+    if len(names) > 1 and _are_bytes(names):
         return [Source(" ".join(names), is_frame=True)]
     return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
+
+
+def _are_bytes(names: tuple[str, ...]) -> bool:
+    """Whether no name says anything by itself: each is a byte or a few."""
+    if all(_GROUP.fullmatch(name) for name in names):
+        return True
+    return all(_NUMBER.fullmatch(name) for name in names) and not any(_exists(name) for name in names)
 
 
 def _exists(name: str) -> bool:

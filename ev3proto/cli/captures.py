@@ -134,7 +134,7 @@ class CaptureSource:
         """Complains of what was read to its end where nothing of a brick is in it, whatever the filter lets through."""
         account = self.account
         if self._capture is not None and not (self.status or account.frames or account.texts):
-            self._complain(f"there is no frame in {'it' if self.lines is not None else self.extent}")
+            self._complain(f"there is no frame in {'it' if self.lines is not None else self.extent}{self.passed_over}")
 
     def _all_events(self) -> Iterator[Event]:
         from ev3proto.capture import CaptureError

@@ -7954,6 +7954,23 @@ do
         return telling > 0 and OURS or is_clean and claiming.PERHAPS or nil, telling
     end
 
+    -- Whether a frame of which only the beginning was captured is one that somebody would send: of a direct command, its
+    -- first operation must be there.
+    local function may_be_sent(text)
+        local message = read_message(text)
+        if #text == HEADER_SIZE or not makes_sense(message) or may_be_of_nxt(text) then return false end
+        local type = message.type
+        return type.carries ~= "direct" or not type.is_command
+            or by_any(select_operation, text, COMMAND_HEADER_SIZE, #text) ~= nil
+    end
+
+    -- What the beginning of a packet tells of which the capture has no more: PERHAPS where it is that of a frame which
+    -- ends with the packet. In a claimed connection the header of that is enough.
+    function claiming.weigh_cut(talk, text, reported)
+        if #text < HEADER_SIZE or unsigned16(text, 0) + LENGTH_FIELD ~= reported then return nil end
+        return (talk.is_claimed or may_be_sent(text)) and claiming.PERHAPS or nil
+    end
+
     -- Whether a text is frames of ours from an offset on and nothing else, whatever is wrong with them: OURS; PART
     -- where the last one has its header and is not whole, nil where there is anything else.
     local function hold_frames(text, at)
@@ -9357,10 +9374,9 @@ do
             local verdict = is_forced and OURS or claim(talk, known, text, pinfo)
             local reported = verdict == PART and tvb:reported_len()
             if reported and #text < reported then
-                -- Of a frame that fills its segment the capture has the beginning.
-                local is_frame = #text >= HEADER_SIZE and unsigned16(text, 0) + LENGTH_FIELD == reported
-                verdict = is_frame and claiming.PERHAPS or nil
-                verdict = claiming.weigh_packet(talk, known, verdict, 0, #text) and OURS or nil
+                verdict = claiming.weigh_cut(talk, text, reported)
+                local is_from_brick = is_to_brick(pinfo) ~= true
+                verdict = claiming.weigh_packet(talk, known, verdict, 0, #text, is_from_brick) and OURS or nil
             end
             if verdict == PART and pinfo.can_desegment > 0 then
                 ask_for_more(known, text, offset_of(tvb), pinfo)

@@ -143,6 +143,19 @@ def test_strangers_are_left_to_others_where_only_the_beginnings_of_packets_were_
         assert sum(isinstance(event, Record) for event in found) <= most, size
 
 
+@pytest.mark.parametrize("stranger", STRANGERS)
+def test_the_dissector_leaves_them_where_only_the_beginnings_of_packets_were_captured(
+    tshark: Tshark, stranger: str
+) -> None:
+    make, most = STRANGERS[stranger]
+    whole = make()
+    for size in (45, 50, 80):
+        path = tshark.place(snapped(whole, size), "beginnings.pcap")
+        # Of a beacon the first label may be all that is there.
+        taken = tshark.run(path, "-Y", "ev3 && !udp", "-T", "fields", "-e", "frame.number").splitlines()
+        assert len(taken) <= most, size
+
+
 @pytest.mark.parametrize(("stranger", "expected"), [("adb", "data"), ("tls", "tls")])
 def test_wireshark_shows_strangers_on_port_5555_as_without_us(tshark: Tshark, stranger: str, expected: str) -> None:
     path = tshark.place(STRANGERS[stranger][0](), "strangers.pcap")

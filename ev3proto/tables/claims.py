@@ -27,8 +27,8 @@ dissector and the built-in reader of captures follow the same rule, and this mod
   frame told, those before such a packet prove nothing. On TCP not strange either is the beginning of such a frame, from
   its header on, while there may be another, and after a gap, where the reader sees one, what may be left of a frame.
 - Where the capture has only the beginning of a packet, on TCP, a frame that would end with the packet counts as one
-  that does not tell, if there is no fault in what is there. For the reader it claims nothing if it has only a header,
-  nor a direct command without an operation, nor what the NXT may have sent; for the dissector it does.
+  that does not tell, if there is no fault in what is there. It claims nothing if it has only a header, nor a direct
+  command of which no operation is there, nor what the NXT may have sent.
 - Bluetooth's channel is claimed like a TCP connection, but by a command alone, which may come in several packets, as
   long as the other side says nothing in between. A system command in several packets does not tell: it may have any
   bytes. After a command that tells there may be others, fewer than a header has. Such claims are proven and end as on

@@ -191,6 +191,23 @@ do
         return telling > 0 and OURS or is_clean and claiming.PERHAPS or nil, telling
     end
 
+    -- Whether a frame of which only the beginning was captured is one that somebody would send: of a direct command, its
+    -- first operation must be there.
+    local function may_be_sent(text)
+        local message = read_message(text)
+        if #text == HEADER_SIZE or not makes_sense(message) or may_be_of_nxt(text) then return false end
+        local type = message.type
+        return type.carries ~= "direct" or not type.is_command
+            or by_any(select_operation, text, COMMAND_HEADER_SIZE, #text) ~= nil
+    end
+
+    -- What the beginning of a packet tells of which the capture has no more: PERHAPS where it is that of a frame which
+    -- ends with the packet. In a claimed connection the header of that is enough.
+    function claiming.weigh_cut(talk, text, reported)
+        if #text < HEADER_SIZE or unsigned16(text, 0) + LENGTH_FIELD ~= reported then return nil end
+        return (talk.is_claimed or may_be_sent(text)) and claiming.PERHAPS or nil
+    end
+
     -- Whether a text is frames of ours from an offset on and nothing else, whatever is wrong with them: OURS; PART
     -- where the last one has its header and is not whole, nil where there is anything else.
     local function hold_frames(text, at)

@@ -390,10 +390,9 @@ do
             local verdict = is_forced and OURS or claim(talk, known, text, pinfo)
             local reported = verdict == PART and tvb:reported_len()
             if reported and #text < reported then
-                -- Of a frame that fills its segment the capture has the beginning.
-                local is_frame = #text >= HEADER_SIZE and unsigned16(text, 0) + LENGTH_FIELD == reported
-                verdict = is_frame and claiming.PERHAPS or nil
-                verdict = claiming.weigh_packet(talk, known, verdict, 0, #text) and OURS or nil
+                verdict = claiming.weigh_cut(talk, text, reported)
+                local is_from_brick = is_to_brick(pinfo) ~= true
+                verdict = claiming.weigh_packet(talk, known, verdict, 0, #text, is_from_brick) and OURS or nil
             end
             if verdict == PART and pinfo.can_desegment > 0 then
                 ask_for_more(known, text, offset_of(tvb), pinfo)

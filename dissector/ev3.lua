@@ -8528,15 +8528,14 @@ do
         return read_message(bytes_of(tvb, 0, math.min(frame_size(low, high), captured_len(tvb))))
     end
 
-    local function dissect_report(tvb, message, pinfo, tree)
+    local function dissect_report(tvb, message, device, pinfo, tree)
         local number, offset, is_shown, captured = pinfo.number, offset_of(tvb), has_tree(tree), captured_len(tvb)
         local command, line = message.command, nil
         if is_overwritten(message, pinfo) then
             message.is_overwritten = true
             line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
-        local device, stop = device_key(pinfo), message.stop
-        local talk = not pinfo.visited and talk_of(device)
+        local stop, talk = message.stop, not pinfo.visited and talk_of(device)
         brick = is_shown and device
         local said, item = dissect_message(tvb, 0, message, talk, place_of(number, offset), pinfo, tree, is_shown, line)
         if line then
@@ -8566,7 +8565,7 @@ do
         if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
         local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
         if not is_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
-        return dissect_report(tvb, read_report(tvb), pinfo, tree)
+        return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
     local function meet_odd(talk)
@@ -8602,8 +8601,8 @@ do
     -- The message of ours that a report holds, if it does, although nobody knows its device as a brick. Other devices
     -- have reports, too: a claim begins with a flawless command, or a reply to one; once both were seen, whatever looks
     -- like a frame is taken, until there are faults in a row.
-    local function claimed_message(tvb, pinfo)
-        local sort, key = REPORT_SIZES[tvb:reported_len()], device_key(pinfo)
+    local function claimed_message(tvb, key, pinfo)
+        local sort = REPORT_SIZES[tvb:reported_len()]
         local message, is_odd = frame_in(tvb, sort, pinfo)
         local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
         if not talk then return nil end
@@ -8633,15 +8632,15 @@ do
 
     -- Reports of a device whose product is not in the capture, as in most captures that began after plugging in.
     local function guess_usb(tvb, pinfo, tree)
-        local number, message = pinfo.number, nil
+        local number, device, message = pinfo.number, device_key(pinfo), nil
         if pinfo.visited then
             message = taken[number] and read_report(tvb)
         else
-            message = claimed_message(tvb, pinfo)
+            message = claimed_message(tvb, device, pinfo)
             taken[number] = message ~= nil or nil
         end
         if not message then return false end
-        dissect_report(tvb, message, pinfo, tree)
+        dissect_report(tvb, message, device, pinfo, tree)
         memory.free_unused()
         return true
     end

@@ -99,22 +99,22 @@ def test_dissector_ratios(
         assert each <= MOST_BYTES or output == "-V"
 
 
+def carried(capture: Capture, carrier: Device | SerialPort, segments: Iterable[Segment]) -> bytes:
+    for segment in segments:
+        (carrier.send if segment.from_host else carrier.receive)(segment.data)
+    return capture.data()
+
+
 def usb_capture(segments: Iterable[Segment]) -> bytes:
     """The same in USB reports of a device that nobody knows, as in most captures."""
     capture = Capture(USBMON)
-    device = Device(capture)
-    for segment in segments:
-        (device.send if segment.from_host else device.receive)(segment.data)
-    return capture.data()
+    return carried(capture, Device(capture), segments)
 
 
 def rfcomm_capture(segments: Iterable[Segment]) -> bytes:
     """The same on Bluetooth's channel."""
     capture = Capture(HCI_WITH_DIRECTION)
-    port = SerialPort(capture)
-    for segment in segments:
-        (port.send if segment.from_host else port.receive)(segment.data)
-    return capture.data()
+    return carried(capture, SerialPort(capture), segments)
 
 
 @pytest.mark.parametrize(

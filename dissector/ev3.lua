@@ -6093,7 +6093,7 @@ do
         end
     end
 
-    -- A piece of a file that is moved; `transfer` is where it is kept. An empty file has none but the empty one.
+    -- A piece of a file that is moved; `transfer` is where it is kept, an empty file without any.
     function statistics.keep_piece(transfer, data)
         if transfer.is_dropped or data == "" and transfer.size ~= 0 then return end
         if not transfer.pieces then
@@ -6104,6 +6104,7 @@ do
             transfer.pieces = {}
             files[#files + 1] = transfer
         end
+        if data == "" then return end
         if kept_bytes + #data > MOST_BYTES then transfer.is_dropped = true return end
         kept_bytes = kept_bytes + #data
         transfer.pieces[#transfer.pieces + 1] = data

@@ -7955,8 +7955,8 @@ do
         return telling > 0 and OURS or is_clean and claiming.PERHAPS or nil, telling
     end
 
-    -- Whether a frame of which only the beginning was captured is one that somebody would send: of a direct command, its
-    -- first operation must be there.
+    -- Whether a frame of which only the beginning was captured is one that somebody would send: of a direct command,
+    -- its first operation must be there.
     local function may_be_sent(text)
         local message = read_message(text)
         if #text == HEADER_SIZE or not makes_sense(message) or may_be_of_nxt(text) then return false end

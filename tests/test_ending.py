@@ -11,6 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from ev3proto.cli.ending import Ended
+from ev3proto.cli.main import Commands, cli
+
 TONE = "0e002a0080000094010182b80182e803"
 SCRIPT = Path(sys.executable).with_name("ev3proto")
 
@@ -153,3 +156,19 @@ def test_help_and_version_that_cannot_be_written(words: str) -> None:
         )
         expected = (1, f"the output cannot be written: {reason}\n")
         assert (done.returncode, done.stderr) == expected, redirection
+
+
+def test_a_signal_while_a_class_is_made_is_no_internal_error(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Python 3.11 makes a RuntimeError of whatever comes then, as where a subcommand is being loaded."""
+
+    class Part:
+        def __set_name__(self, _owner: type, _name: str) -> None:
+            raise Ended(signal.SIGTERM)
+
+    monkeypatch.setattr(Commands, "get_command", lambda *_: type("Whole", (), {"part": Part()}))
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["decode"])
+    assert ended.value.code == 128 + signal.SIGTERM
+    assert capsys.readouterr() == ("", "")

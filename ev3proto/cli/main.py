@@ -14,7 +14,7 @@ from typing import Any, NoReturn, TextIO
 
 import click
 
-from ev3proto.cli.ending import ended_by_signals
+from ev3proto.cli.ending import ended_behind, ended_by_signals
 from ev3proto.cli.groups import Group
 from ev3proto.cli.output import OutputError, complain, flush
 from ev3proto.starting import keep_what_is_loaded
@@ -103,6 +103,8 @@ class Commands(Group):
             _say_last(f"{place}: {error.strerror or error}")
             status = 1
         except (Exception, RecursionError) as error:
+            if (ended := ended_behind(error)) is not None:
+                raise ended from None
             if os.environ.get(DEBUG):
                 raise
             _say_last(

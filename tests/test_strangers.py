@@ -138,7 +138,7 @@ def test_strangers_are_left_to_others_by_the_built_in_reader(stranger: str) -> N
 def test_strangers_are_left_to_others_where_only_the_beginnings_of_packets_were_captured(stranger: str) -> None:
     make, most = STRANGERS[stranger]
     whole = make()
-    for size in (45, 46, 48, 50, 54, 60, 68, 80, 96):
+    for size in (45, 48, 54, 68, 96):
         found = read(io.BytesIO(snapped(whole, size))).events()
         assert sum(isinstance(event, Record) for event in found) <= most, size
 
@@ -149,7 +149,7 @@ def test_the_dissector_leaves_them_where_only_the_beginnings_of_packets_were_cap
 ) -> None:
     make, most = STRANGERS[stranger]
     whole = make()
-    for size in (45, 50, 80):
+    for size in (45, 80):
         path = tshark.place(snapped(whole, size), "beginnings.pcap")
         # Of a beacon the first label may be all that is there.
         taken = tshark.run(path, "-Y", "ev3 && !udp", "-T", "fields", "-e", "frame.number").splitlines()

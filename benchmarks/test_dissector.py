@@ -23,7 +23,7 @@ from pathlib import Path
 
 import pytest
 from support.frames import Segment, tcp_capture
-from support.packets import HCI_WITH_DIRECTION, USBMON, Capture, Device, SerialPort
+from support.packets import HCI_WITH_DIRECTION, USBMON, Capture, Device, SerialPort, over
 from support.wireshark import Tshark
 
 from benchmarks.dialogue import dialogue, repeated, unanswered, usual_dialogue
@@ -99,22 +99,16 @@ def test_dissector_ratios(
         assert each <= MOST_BYTES or output == "-V"
 
 
-def carried(capture: Capture, carrier: Device | SerialPort, segments: Iterable[Segment]) -> bytes:
-    for segment in segments:
-        (carrier.send if segment.from_host else carrier.receive)(segment.data)
-    return capture.data()
-
-
 def usb_capture(segments: Iterable[Segment]) -> bytes:
     """The same in USB reports of a device that nobody knows, as in most captures."""
     capture = Capture(USBMON)
-    return carried(capture, Device(capture), segments)
+    return over(capture, Device(capture), segments)
 
 
 def rfcomm_capture(segments: Iterable[Segment]) -> bytes:
     """The same on Bluetooth's channel."""
     capture = Capture(HCI_WITH_DIRECTION)
-    return carried(capture, SerialPort(capture), segments)
+    return over(capture, SerialPort(capture), segments)
 
 
 @pytest.mark.parametrize(

@@ -314,7 +314,6 @@ def test_the_port_of_the_proxy_is_in_use(tmp_path: Path) -> None:
         Standing(f"virtual:{tmp_path}", port=found.proxy.port)
 
 
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
 def test_a_recording_of_the_proxy_that_cannot_be_written() -> None:
     words = [
         sys.executable,

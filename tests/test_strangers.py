@@ -20,6 +20,7 @@ from support.packets import (
     Device,
     SerialPort,
     datagram,
+    over,
     segment,
 )
 from support.packets import cut as snapped
@@ -63,12 +64,6 @@ def voltage(counter: int) -> bytes:
 def volts(counter: int) -> bytes:
     """The reply to it."""
     return struct.pack("<HHBf", 7, counter, 0x02, 7.5)
-
-
-def over(capture: Capture, carrier: Connection | SerialPort | Device, said: Iterator[Said]) -> bytes:
-    for from_host, data in said:
-        (carrier.send if from_host else carrier.receive)(data)
-    return capture.data()
 
 
 def over_tcp(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes:

@@ -7,7 +7,7 @@ Packet numbers are Wireshark's: the first packet is 1.
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
 from ev3proto.tables.frame import MAX_FRAME
@@ -159,6 +159,13 @@ def in_tunnels(data: bytes) -> bytes:
     ):
         capture.add(head + is_ip + datagram(start + packet, HOST, 50000, BRICK, port))
     capture.add(head + bytes.fromhex("0806 0001 0800 0604 0001") + bytes(20))
+    return capture.data()
+
+
+def over(capture: Capture, carrier: Connection | SerialPort | Device, said: Iterable[tuple[bool, bytes]]) -> bytes:
+    """The capture, after all that was said over a carrier, each with whether the host says it."""
+    for from_host, data in said:
+        (carrier.send if from_host else carrier.receive)(data)
     return capture.data()
 
 

@@ -42,12 +42,6 @@ _LAYOUTS = {
 _IS_TCP = 6
 _IS_FRAGMENT = 0x3FFF
 
-PACKED_PORTS = {
-    number.to_bytes(2, "big"): name
-    for number, name in {2152: "GTP", 3544: "Teredo", 4789: "VXLAN", 6081: "Geneve"}.items()
-}
-"""Ports of UDP whose datagrams have other packets in them, which are not taken apart here."""
-
 Ends = bytes
 """Sender and receiver: both addresses and both ports, as IPv4 and TCP have them one after the other."""
 
@@ -107,6 +101,12 @@ def target_port(ends: Ends) -> bytes:
 def port_bytes(port: int) -> bytes:
     """A port's number as it stands there."""
     return port.to_bytes(PORT_SIZE, "big")
+
+
+PACKED_PORTS = {
+    port_bytes(port): name for port, name in {2152: "GTP", 3544: "Teredo", 4789: "VXLAN", 6081: "Geneve"}.items()
+}
+"""Ports of UDP whose datagrams have other packets in them, which are not taken apart here."""
 
 
 def reversed_ends(ends: Ends) -> Ends:

@@ -130,9 +130,8 @@ do
         local talk = (message or is_odd) and talk_of(key) or talk_if_any(key)
         if not talk then return nil end
         if is_odd then meet_odd(talk) end
-        local is_chain, is_taken = sort == "daisy", false
-        if message and talk.is_claimed and message.type.carries ~= "daisy" then
-            -- As below, without a look at all of it.
+        local is_chain, is_daisy, is_taken = sort == "daisy", message and message.type.carries == "daisy", false
+        if message and talk.is_claimed and not is_daisy then
             is_taken = true
         elseif message and is_flawless(message) then
             local type = message.type
@@ -146,8 +145,10 @@ do
                 talk.is_claimed = talk.is_claimed or is_taken
             end
         end
-        if message and message.type.carries == "daisy" and not is_chain and not is_taken then meet_odd(talk) end
-        if not is_taken and talk.is_claimed then is_taken = message ~= nil end
+        if is_daisy and not is_taken then
+            if not is_chain then meet_odd(talk) end
+            is_taken = talk.is_claimed
+        end
         talk.faults = is_taken and 0 or (talk.faults or 0) + 1
         if talk.faults >= CLAIMS.faults_in_a_row then talk.is_claimed, talk.faults = false, 0 end
         return is_taken and message or nil
@@ -160,7 +161,7 @@ do
             message = taken[number] and read_report(tvb)
         else
             message = claimed_message(tvb, device, pinfo)
-            taken[number] = message ~= nil or nil
+            if message then taken[number] = true end
         end
         if not message then return false end
         dissect_report(tvb, message, device, pinfo, tree)

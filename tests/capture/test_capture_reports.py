@@ -1,0 +1,268 @@
+"""USB reports: a frame at the start of each, known by the device's product or by fitting in every respect.
+
+`test_dissector_carriers.py` asks Wireshark the same.
+"""
+
+from __future__ import annotations
+
+import io
+import random
+import struct
+import tracemalloc
+from pathlib import Path
+
+import pytest
+from support.effort import effort
+from support.files import pcap, timed
+from support.packets import USBMON, Device, cut, packets_of
+from support.packets import Capture as Packets
+from support.unlikely_reports import FROM_HOST, UNLIKELY
+
+import ev3proto
+from ev3proto.capture import Capture, Event, Record, Skipped, read
+
+CAPTURES = Path(__file__).parents[2] / "captures"
+LEGO, EV3, BOOTLOADER = 0x0694, 0x0005, 0x0006
+
+VOLTAGE = struct.pack("<HHB", 8, 7, 0x00) + bytes.fromhex("0400 81 01 60")
+VOLTS = struct.pack("<HHBf", 7, 7, 0x02, 7.5)
+CUT_OFF = bytes.fromhex("0800 0100 80 0000 94 01 01")
+"""A command that ends inside an operation."""
+
+DAISY = bytes.fromhex("0600 0100 0A A2 00 01")
+DAISY_REPLY = bytes.fromhex("0500 0100 08 01 00")
+OVERWRITTEN = bytes.fromhex("0400 0000 01 F6")
+"""A bootloader's reply with the request over its first bytes."""
+
+
+def opened(data: bytes) -> tuple[list[Event], Capture]:
+    """All events of a capture; nothing may be missing in its account."""
+    capture = read(io.BytesIO(data))
+    events = list(capture.events())
+    assert capture.account.balance == 0
+    return events, capture
+
+
+def records(packets: Packets) -> list[Record]:
+    events, _ = opened(packets.data())
+    return [event for event in events if isinstance(event, Record)]
+
+
+def test_a_command_and_its_reply() -> None:
+    packets = Packets(USBMON)
+    device = Device(packets)
+    sent, received = device.send(VOLTAGE, b"what an earlier frame left"), device.receive(VOLTS)
+    events, capture = opened(packets.data())
+    command, reply = (event for event in events if isinstance(event, Record))
+    assert (command.frame, command.numbers, command.direction) == (VOLTAGE, (sent,), "sent")
+    assert (reply.frame, reply.numbers, reply.direction) == (VOLTS, (received,), "received")
+    assert (command.source, command.target, command.peer, command.carrier) == ("host", "1.7", "1.7", "usb")
+    assert (reply.request, reply.latency) == (command, 0.001)
+    assert [value.value for value in reply.values] == [7.5]
+    account = capture.account
+    assert (account.frames, account.padding, account.headers) == (19, 1014 + 1015, 128)
+
+
+@pytest.mark.parametrize("product", [EV3, BOOTLOADER])
+def test_a_brick_is_known_by_its_product(product: int) -> None:
+    packets = Packets(USBMON)
+    brick, other = Device(packets, 7), Device(packets, 8)
+    brick.enumerate(LEGO, product)
+    other.enumerate(0x1234, product)
+    sent = brick.send(CUT_OFF)
+    other.send(CUT_OFF)
+    (record,) = records(packets)
+    assert (record.number, record.peer) == (sent, "1.7")
+    assert record.message.fault is not None
+
+
+def test_of_another_product_frames_are_recognised_all_the_same() -> None:
+    packets = Packets(USBMON)
+    device = Device(packets)
+    device.enumerate(0x1234, EV3)
+    sent = [device.send(VOLTAGE), device.receive(VOLTS)]
+    assert [record.number for record in records(packets)] == sent
+
+
+def test_another_device_gets_the_number() -> None:
+    packets = Packets(USBMON)
+    device = Device(packets)
+    device.enumerate(LEGO, EV3)
+    device.send(CUT_OFF)
+    device.enumerate(0x1234, 0x0001)
+    device.send(CUT_OFF)
+    assert len(records(packets)) == 1
+
+
+def test_what_a_brick_sends_that_is_no_frame_is_told() -> None:
+    packets = Packets(USBMON)
+    device = Device(packets, size=64)
+    device.enumerate(LEGO, EV3)
+    sent = device.receive(b"\xff\xff")
+    events, capture = opened(packets.data())
+    (event,) = events
+    assert isinstance(event, Skipped)
+    assert (event.number, event.data, event.missing) == (sent, b"\xff\xff" + bytes(62), 0)
+    assert event.reason == (
+        "the report holds no frame: its length field would say 65535, a frame has 3 to 1022 bytes after it"
+    )
+    assert capture.account.skipped == 64
+
+
+@pytest.mark.parametrize("report", UNLIKELY)
+def test_what_is_no_frame_in_every_respect_is_passed_over(report: str) -> None:
+    from_host, data = UNLIKELY[report]
+    for is_known in (False, True):
+        packets = Packets(USBMON)
+        device = Device(packets)
+        if is_known:
+            device.enumerate(LEGO, EV3)
+        (device.send if from_host is FROM_HOST else device.receive)(data)
+        events, _ = opened(packets.data())
+        assert len(events) == is_known
+
+
+def test_a_computer_sends_daisy_messages_in_its_own_reports() -> None:
+    packets = Packets(USBMON)
+    device = Device(packets)
+    for _ in range(3):
+        device.send(DAISY)
+        device.receive(DAISY_REPLY)
+    device.send(VOLTAGE)
+    device.receive(VOLTS)
+    found = [(record.number, record.request is not None) for record in records(packets)]
+    assert found == [(1, False), (2, True), (3, False), (4, True), (5, False), (6, True), (7, False), (8, True)]
+
+
+def test_daisy_reports_have_their_own_size() -> None:
+    for size, frame, count in (
+        (64, DAISY, 1),
+        (1024, DAISY, 1),
+        (64, VOLTAGE, 0),
+        (1024, VOLTAGE, 1),
+        (512, VOLTAGE, 0),
+        (512, DAISY, 0),
+    ):
+        packets = Packets(USBMON)
+        Device(packets, size=size).send(frame)
+        assert len(records(packets)) == count, (size, frame)
+    for far in ("0600 0100 0A A2 00 63", "0500 0100 08 63 00"):
+        packets = Packets(USBMON)
+        Device(packets, size=64).send(bytes.fromhex(far))
+        assert records(packets) == []
+
+
+def test_bricks_of_a_chain_send_commands_both_ways() -> None:
+    packets = Packets(USBMON)
+    device = Device(packets, size=64)
+    device.send(DAISY)
+    device.receive(DAISY)
+    assert len(records(packets)) == 2
+
+
+def test_the_bootloaders_fault() -> None:
+    for is_known in (False, True):
+        packets = Packets(USBMON)
+        device = Device(packets)
+        if is_known:
+            device.enumerate(LEGO, BOOTLOADER)
+        device.send(OVERWRITTEN)
+        device.receive(OVERWRITTEN)
+        command, reply = records(packets)
+        assert command.note is None
+        assert reply.note is not None
+        assert reply.note.startswith("a known fault of the EV3's bootloader on USB 3 ports")
+        assert reply.request is command
+
+
+def test_a_reply_may_look_like_one_of_the_bootloader_only_from_the_device() -> None:
+    packets = Packets(USBMON)
+    Device(packets).receive(bytes.fromhex("0400 0000 01 9D"))  # LIST_OPEN_HANDLES is not the bootloader's
+    assert records(packets) == []
+
+
+def test_reports_cut_by_the_capture() -> None:
+    """A frame that is there is read; one that is not whole is only taken of a device that is known to be a brick."""
+    packets = Packets(USBMON)
+    device = Device(packets)
+    device.send(VOLTAGE)
+    whole = packets.data()
+    for size in range(64 + 12):
+        events, _ = opened(cut(whole, size))
+        assert len(events) == (size >= 64 + len(VOLTAGE)), size
+    packets = Packets(USBMON)
+    device = Device(packets)
+    device.enumerate(LEGO, EV3)
+    device.send(VOLTAGE)
+    for size in range(64 + 32, 64 + 40):
+        events, _ = opened(cut(packets.data(), size))
+        assert [event.frame for event in events if isinstance(event, Record)] == [VOLTAGE]
+    enumeration = list(packets_of(packets.data()))[:-1]
+    report = list(packets_of(packets.data()))[-1]
+    events, _ = opened(pcap(USBMON, [*timed(enumeration), timed([report[:70]])[0]._replace(size=len(report))]))
+    (record,) = events
+    assert isinstance(record, Record)
+    assert record.frame == VOLTAGE[:6]
+    assert record.message.fault is not None
+
+
+def test_only_interrupt_transfers_have_frames() -> None:
+    packets = Packets(USBMON)
+    Device(packets).send(VOLTAGE)
+    (packet,) = packets_of(packets.data())
+    for kind in (0, 2, 3):
+        events, capture = opened(pcap(USBMON, timed([packet[:9] + bytes((kind,)) + packet[10:]])))
+        assert events == []
+        assert capture.account.other == len(packet)
+
+
+def test_random_reports_are_hardly_ever_taken_for_frames() -> None:
+    rng = random.Random(1)
+    packets = Packets(USBMON)
+    for size in (4, 8, 64, 1024):
+        device = Device(packets, number=size % 100, size=size)
+        for _ in range(3000):
+            device.send(rng.randbytes(size))
+            device.receive(rng.randbytes(size))
+    assert len(records(packets)) <= 1
+
+
+def test_devices_without_end() -> None:
+    """Memory does not grow with the devices that a capture claims to have."""
+    count = effort(8_000, 20_000)
+    packets = Packets(USBMON)
+    Device(packets).send(VOLTAGE)
+    (packet,) = packets_of(packets.data())
+    found = [packet[:11] + struct.pack("<BH", at % 128, at // 128) + packet[14:80] for at in range(count)]
+    data = pcap(USBMON, [one._replace(size=len(packet)) for one in timed(found)])
+    tracemalloc.start()
+    capture = read(io.BytesIO(data))
+    count = sum(1 for _ in capture)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert (count, capture.account.balance) == (count, 0)
+    assert peak < 10_000_000
+
+
+def test_the_captures_of_the_repository() -> None:
+    """Every frame in them, and no more."""
+    counts = {
+        "usb.pcapng": 25,
+        "usb-windows.pcap": 15,
+        "usb-plugged.pcap": 9,
+        "usb-bootloader.pcapng": 16,
+        "daisy.pcap": 8,
+    }
+    for name, count in counts.items():
+        with read(CAPTURES / name) as capture:
+            assert len(list(capture)) == count, name
+        assert capture.account.balance == 0
+
+
+def test_frames_of_ev3proto_itself() -> None:
+    frame = ev3proto.system_command("CONTINUE_DOWNLOAD", counter=1, handle=0, data=bytes(1017)).build()
+    packets = Packets(USBMON)
+    Device(packets).send(frame)
+    events, capture = opened(packets.data())
+    assert [event.frame for event in events if isinstance(event, Record)] == [frame]
+    assert (capture.account.frames, capture.account.padding) == (1024, 0)

@@ -1,0 +1,520 @@
+"""Files put back together from a capture: their bytes, their names, and that nothing else is touched."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, example, given, settings
+from hypothesis import strategies as st
+from support.cli import run_ev3proto_text
+from support.effort import effort
+
+import ev3proto
+from ev3proto import SystemStatus
+from ev3proto.capture import Carrier, Event, Record, Route, read
+from ev3proto.capture import files as module
+from ev3proto.capture.files import Outcome, RecoveredFile, recover, survey
+from ev3proto.capture.record import CaptureError
+from ev3proto.capture.safe_paths import MOST_BYTES, parts_of, safe_name
+from ev3proto.dialogue import Dialogue
+from ev3proto.messages import FieldValue, Message
+from ev3proto.schema.frame import frame_schema
+
+CAPTURES = Path(__file__).parents[2] / "captures"
+
+CONTENTS = "47720ad53d60d2a2b17377501929f739f02a3bb7a7d8c07284bc48f505d3852d"
+"""SHA-256 of 2710 bytes: lines of numbers, as a data log has them."""
+
+IMAGE = "de81ab23fa9ca98471ad147225e394d30170c68c684e4fb8e28103c559a94433"
+"""SHA-256 of 2500 bytes: the start of a program, then bytes that follow a rule."""
+
+
+class Brick:
+    """A computer and a brick that move files. What they say is recorded as a capture has it."""
+
+    def __init__(self, peer: str = "1.7", handle: int = 0) -> None:
+        self.peer = peer
+        self.handle = handle
+        self.events: list[Event] = []
+        self._dialogue = Dialogue()
+        self._requests: dict[Message, Record] = {}
+        self._counter = 0
+
+    def says(self, message: Message) -> None:
+        exchange = self._dialogue.follow(message)
+        route = Route(Carrier.USB, "host", self.peer, None, None, self.peer)
+        number = len(self.events) + 1
+        request = None if exchange.request is None else self._requests[exchange.request]
+        record = Record(message.build(), (number,), number, route, frame_schema(), request, exchange.transfer)
+        self._requests[message] = record
+        self.events.append(record)
+
+    def exchange(
+        self, name: str | int, status: int = 0, answer: dict[str, FieldValue] | None = None, **asked: FieldValue
+    ) -> None:
+        self._counter += 1
+        self.says(ev3proto.system_command(name, counter=self._counter, reply=True, **asked))
+        failed = SystemStatus(status).is_failure
+        self.says(ev3proto.system_reply(name, counter=self._counter, status=status, error=failed, **(answer or {})))
+
+    def upload(self, path: str, *pieces: bytes, size: int | None = None) -> None:
+        """A file from the brick. With a size that is larger, it breaks off."""
+        first, *rest = pieces
+        whole = sum(map(len, pieces)) if size is None else size
+        self.exchange(
+            "BEGIN_UPLOAD", 0, {"size": whole, "handle": self.handle, "data": first}, max_bytes=1000, path=path
+        )
+        for piece in rest:
+            self.exchange(
+                "CONTINUE_UPLOAD", 0, {"handle": self.handle, "data": piece}, handle=self.handle, max_bytes=1000
+            )
+
+    def download(self, path: str, *pieces: bytes) -> None:
+        """A file to the brick."""
+        self.exchange("BEGIN_DOWNLOAD", 0, {"handle": self.handle}, size=sum(map(len, pieces)), path=path)
+        for piece in pieces:
+            self.exchange("CONTINUE_DOWNLOAD", 0, {"handle": self.handle}, handle=self.handle, data=piece)
+
+
+def written(folder: Path) -> dict[str, bytes]:
+    """All files below a folder, by their paths in it."""
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()
+    }
+
+
+def told(found: Iterator[RecoveredFile] | list[RecoveredFile]) -> list[tuple[str, int, str]]:
+    return [(file.path, file.bytes, file.outcome.value) for file in found]
+
+
+# Contents
+
+
+def test_files_both_ways(tmp_path: Path) -> None:
+    brick = Brick()
+    brick.download("../prjs/hello/hello.rbf", b"LEGO", b"", b"\x00\x01")
+    brick.upload("../prjs/hello/log.rtf", b"1;2\r\n", b"3;4\r\n")
+    first, second = recover(brick.events, tmp_path)
+    assert written(tmp_path) == {"prjs/hello/hello.rbf": b"LEGO\x00\x01", "prjs/hello/log.rtf": b"1;2\r\n3;4\r\n"}
+    assert first == RecoveredFile(
+        "../prjs/hello/hello.rbf",
+        "BEGIN_DOWNLOAD",
+        "to brick",
+        "1.7",
+        6,
+        6,
+        Outcome.COMPLETE,
+        None,
+        (1, 8),
+        tmp_path / "prjs/hello/hello.rbf",
+    )
+    assert (second.command, second.direction, second.packets) == ("BEGIN_UPLOAD", "from brick", (9, 12))
+
+
+def test_a_complete_file_takes_no_more(tmp_path: Path) -> None:
+    """Where the reply to the next file's beginning is missing, its pieces have the handle of the file before."""
+    brick = Brick()
+    brick.download("../prjs/first.rtf", b"ab")
+    brick.says(ev3proto.system_command("BEGIN_DOWNLOAD", counter=9, reply=True, size=2, path="../prjs/second.rtf"))
+    brick.says(ev3proto.system_command("CONTINUE_DOWNLOAD", counter=10, reply=True, handle=0, data=b"cd"))
+    found = told(recover(brick.events, tmp_path))
+    assert found == [
+        ("../prjs/first.rtf", 2, "complete"),
+        ("../prjs/second.rtf", 0, "incomplete"),
+        ("handle 0, its path was not captured", 2, "incomplete"),
+    ]
+    assert (tmp_path / "prjs/first.rtf").read_bytes() == b"ab"
+
+
+def test_a_survey_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    brick = Brick()
+    brick.upload("a", b"1")
+    (found,) = survey(brick.events)
+    assert (found.path, found.bytes, found.outcome, found.file) == ("a", 1, Outcome.COMPLETE, None)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_that_is_empty(tmp_path: Path) -> None:
+    brick = Brick()
+    brick.download("empty.txt")
+    assert told(recover(brick.events, tmp_path)) == [("empty.txt", 0, "complete")]
+    assert written(tmp_path) == {"empty.txt": b""}
+
+
+def test_a_file_that_grows_while_it_is_fetched(tmp_path: Path) -> None:
+    brick = Brick()
+    brick.exchange("BEGIN_GETFILE", 0, {"size": 4, "handle": 0, "data": b"1234"}, max_bytes=4, path="log.rdf")
+    brick.exchange("CONTINUE_GETFILE", 0, {"size": 6, "handle": 0, "data": b"56"}, handle=0, max_bytes=4)
+    assert told(recover(brick.events, tmp_path)) == [("log.rdf", 6, "complete")]
+    assert written(tmp_path) == {"log.rdf": b"123456"}
+
+
+def test_what_is_not_whole(tmp_path: Path) -> None:
+    brick = Brick()
+    brick.upload("../prjs/long.rtf", b"12345", size=10)
+    brick.exchange("BEGIN_DOWNLOAD", SystemStatus.ILLEGAL_PATH, size=3, path="/none/a")
+    brick.exchange("BEGIN_DOWNLOAD", 0, {"handle": 1}, size=9, path="full.rtf")
+    brick.exchange("CONTINUE_DOWNLOAD", 0, {"handle": 1}, handle=1, data=b"123")
+    brick.exchange("CONTINUE_DOWNLOAD", SystemStatus.SIZE_ERROR, {"handle": 1}, handle=1, data=b"45")
+    brick.exchange("BEGIN_DOWNLOAD", 0, {"handle": 2}, size=2, path="twice.rtf")
+    brick.exchange("CONTINUE_DOWNLOAD", 0, {"handle": 2}, handle=2, data=b"abc")
+    found = list(recover(brick.events, tmp_path))
+    assert [(file.path, file.outcome.value, file.trouble) for file in found] == [
+        ("../prjs/long.rtf", "incomplete", "5 of 10 bytes were captured"),
+        ("/none/a", "refused", "the brick refused it: ILLEGAL_PATH"),
+        ("full.rtf", "incomplete", "5 of 9 bytes were moved, then the brick said SIZE_ERROR"),
+        ("twice.rtf", "incomplete", "it has 2 bytes, but 3 were moved"),
+    ]
+    assert written(tmp_path) == {
+        "prjs/long.rtf.part": b"12345",
+        "full.rtf.part": b"12345",
+        "twice.rtf.part": b"abc",
+    }
+
+
+def test_a_piece_that_was_asked_for_again(tmp_path: Path) -> None:
+    brick = Brick()
+    brick.exchange("BEGIN_UPLOAD", 0, {"size": 4, "handle": 3, "data": b"12"}, max_bytes=2, path="a")
+    brick.says(ev3proto.system_command("CONTINUE_UPLOAD", counter=90, handle=3, max_bytes=2))
+    brick.says(ev3proto.system_command("CONTINUE_UPLOAD", counter=91, handle=3, max_bytes=2))
+    brick.says(ev3proto.system_reply("CONTINUE_UPLOAD", counter=91, handle=3, data=b"34"))
+    # Closing what is already closed is an error that does the file no harm.
+    brick.exchange("CLOSE_FILEHANDLE", SystemStatus.UNKNOWN_HANDLE, handle=3)
+    assert told(recover(brick.events, tmp_path)) == [("a", 4, "complete")]
+
+
+def test_pieces_whose_beginning_was_not_captured(tmp_path: Path) -> None:
+    brick = Brick()
+    brick.upload("lost", b"1", b"2", b"3")
+    other = Brick()
+    for event in brick.events[2:]:
+        assert isinstance(event, Record)
+        other.says(event.message)
+    (found,) = recover(other.events, tmp_path)
+    assert (found.path, found.command, found.size) == ("handle 0, its path was not captured", None, None)
+    assert found.trouble == "2 bytes of it were captured"
+    assert written(tmp_path) == {"handle-0.part": b"23"}
+
+
+def test_a_handle_that_stands_for_one_unknown_file_after_the_other(tmp_path: Path) -> None:
+    brick = Brick()
+    for data in (b"one", b"two"):
+        # The replies alone: no command of them was captured.
+        brick.says(ev3proto.system_reply("BEGIN_UPLOAD", size=3, handle=0, data=data[:1]))
+        brick.says(ev3proto.system_reply("CONTINUE_UPLOAD", status=8, handle=0, data=data[1:]))
+    assert [file.outcome for file in recover(brick.events, tmp_path)] == [Outcome.COMPLETE, Outcome.COMPLETE]
+    assert written(tmp_path) == {"handle-0": b"one", "handle-0 (2)": b"two"}
+
+
+def test_listings_on_demand(tmp_path: Path) -> None:
+    brick = Brick()
+    listing: dict[str, FieldValue] = {"list_size": 6, "handle": 0, "list": "a/\nb/\n"}
+    brick.exchange("LIST_FILES", 0, listing, max_bytes=100, path="../prjs/log/")
+    brick.exchange("LIST_FILES", 0, listing, max_bytes=100, path="/")
+    assert list(recover(brick.events, tmp_path)) == []
+    assert told(recover(brick.events, tmp_path, listings=True)) == [
+        ("../prjs/log/", 6, "complete"),
+        ("/", 6, "complete"),
+    ]
+    assert written(tmp_path) == {"prjs/log/listing.txt": b"a/\nb/\n", "listing.txt": b"a/\nb/\n"}
+
+
+def test_two_bricks_have_a_folder_each(tmp_path: Path) -> None:
+    one, other = Brick("192.0.2.10:5555"), Brick("192.0.2.11:5555")
+    one.upload("../prjs/a", b"1")
+    other.upload("../prjs/a", b"2")
+    list(recover([*one.events, *other.events], tmp_path))
+    assert written(tmp_path) == {"192.0.2.10_5555/prjs/a": b"1", "192.0.2.11_5555/prjs/a": b"2"}
+
+
+def test_many_files_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "MOST_OPEN", 3)
+    bricks = [Brick(handle=number) for number in range(10)]
+    for number, brick in enumerate(bricks):
+        brick.upload(str(number), b"ab", b"cd", b"ef")
+    # One piece of each, then the next of each.
+    mixed = [event for events in zip(*(brick.events for brick in bricks), strict=True) for event in events]
+    list(recover(mixed, tmp_path))
+    assert written(tmp_path) == {str(number): b"abcdef" for number in range(10)}
+
+
+def test_more_files_than_anybody_wants(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "MOST_FILES", 2)
+    brick = Brick()
+    for number in range(4):
+        brick.upload(str(number), b"x")
+    found = recover(brick.events, tmp_path)
+    assert [next(found).path, next(found).path] == ["0", "1"]
+    with pytest.raises(CaptureError, match="more than 2 files"):
+        next(found)
+    assert written(tmp_path) == {"0": b"x", "1": b"x"}
+
+
+def test_a_capture_that_is_damaged(tmp_path: Path) -> None:
+    brick = Brick()
+    brick.upload("a", b"x")
+
+    def events() -> Iterator[Event]:
+        yield from brick.events
+        raise CaptureError("the file ends inside a packet")
+
+    found = recover(events(), tmp_path)
+    assert next(found).path == "a"
+    with pytest.raises(CaptureError, match="ends inside"):
+        next(found)
+    assert written(tmp_path) == {"a": b"x"}
+
+
+def test_a_reader_who_loses_interest_leaves_no_rubbish(tmp_path: Path) -> None:
+    brick = Brick()
+    brick.upload("a", b"x")
+    brick.upload("b", b"x")
+    found = recover(brick.events, tmp_path)
+    next(found)
+    del found
+    assert written(tmp_path) == {"a": b"x"}
+    assert [path.name for path in tmp_path.iterdir()] == ["a"]
+
+
+# Names
+
+
+@pytest.mark.parametrize(
+    ("path", "parts"),
+    [
+        ("../prjs/hello/hello.rbf", ("prjs", "hello", "hello.rbf")),
+        ("/home/root/lms2012/prjs/hello/hello.rbf", ("prjs", "hello", "hello.rbf")),
+        ("hello.rbf", ("hello.rbf",)),
+        ("/mnt/ramdisk/prjs/a", ("mnt", "ramdisk", "prjs", "a")),
+        ("../../etc/passwd", ("etc", "passwd")),
+        ("../prjs/../../../etc/passwd", ("etc", "passwd")),
+        ("a/./b//c/", ("a", "b", "c")),
+        ("..\\..\\windows\\system.ini", ("windows", "system.ini")),
+        ("C:\\autoexec.bat", ("C_", "autoexec.bat")),
+        ("a\0b", ("a_b",)),
+        ("a\x1b[2Jb", ("a_[2Jb",)),
+        ("", ("unnamed",)),
+        ("..", ("unnamed",)),
+        ("/home/root/lms2012", ("unnamed",)),
+        ("...", ("___",)),
+        ("a. ", ("a__",)),
+        (" .. /a", ("___", "a")),
+        ("nul", ("_nul",)),
+        ("Con.rbf", ("_Con.rbf",)),
+        (" lpt1", ("_lpt1",)),
+        ("console", ("console",)),
+        ("été.rsf", ("été.rsf",)),
+        ("/".join("abcdefghijklmnopqrst"), tuple("efghijklmnopqrst")),
+    ],
+)
+def test_names_for_this_computer(path: str, parts: tuple[str, ...]) -> None:
+    assert parts_of(path) == parts
+
+
+def test_long_names_keep_their_extension() -> None:
+    assert safe_name("a" * 200 + ".rbf") == "a" * (MOST_BYTES - 4) + ".rbf"
+    assert safe_name("é" * 200) == "é" * (MOST_BYTES // 2)
+    assert safe_name("a." + "b" * 200) == "a." + "b" * (MOST_BYTES - 2)
+
+
+def test_the_same_path_twice_and_names_that_differ_in_case(tmp_path: Path) -> None:
+    brick = Brick()
+    for number, path in enumerate(("a.rbf", "a.rbf", "A.rbf", "./a.rbf", "b", "B")):
+        brick.upload(path, bytes((number,)))
+    list(recover(brick.events, tmp_path))
+    assert written(tmp_path) == {
+        "a.rbf": b"\0",
+        "a (2).rbf": b"\1",
+        "A (3).rbf": b"\2",
+        "a (4).rbf": b"\3",
+        "b": b"\4",
+        "B (2)": b"\5",
+    }
+
+
+def test_a_file_where_a_folder_is_needed_and_the_other_way_round(tmp_path: Path) -> None:
+    brick = Brick()
+    for number, path in enumerate(("a", "a/b", "A/c", "d/e", "d")):
+        brick.upload(path, bytes((number,)))
+    list(recover(brick.events, tmp_path))
+    assert written(tmp_path) == {"a": b"\0", "a (2)/b": b"\1", "a (2)/c": b"\2", "d/e": b"\3", "d (2)": b"\4"}
+
+
+def test_files_that_were_there_are_kept_unless_they_are_not_to_be(tmp_path: Path) -> None:
+    (tmp_path / "a").write_bytes(b"old")
+    (tmp_path / "b").mkdir()
+    brick = Brick()
+    brick.upload("a", b"new")
+    brick.upload("b", b"file")
+    list(recover(brick.events, tmp_path))
+    assert written(tmp_path) == {"a": b"old", "a (2)": b"new", "b (2)": b"file"}
+    list(recover(brick.events, tmp_path, force=True))
+    assert written(tmp_path) == {"a": b"new", "a (2)": b"new", "b (2)": b"file"}
+
+
+@pytest.mark.parametrize("force", [False, True])
+def test_symbolic_links_in_the_folder_are_not_followed(tmp_path: Path, force: bool) -> None:
+    outside, folder = tmp_path / "outside", tmp_path / "folder"
+    outside.mkdir()
+    folder.mkdir()
+    (outside / "kept").write_bytes(b"old")
+    (folder / "prjs").symlink_to(outside)
+    (folder / "kept").symlink_to(outside / "kept")
+    (folder / "new").symlink_to(outside / "made")
+    brick = Brick()
+    for path in ("prjs/a", "kept", "new"):
+        brick.upload(path, b"x")
+    list(recover(brick.events, folder, force=force))
+    assert written(outside) == {"kept": b"old"}
+    assert (folder / "prjs (2)" / "a").read_bytes() == b"x"
+    assert (folder / "kept").is_symlink() is not force
+
+
+NASTY = st.lists(
+    st.sampled_from(
+        [
+            "..",
+            ".",
+            "",
+            "/",
+            "\\",
+            "a",
+            "A",
+            "b.rbf",
+            "C:",
+            "\0",
+            "~",
+            "nul",
+            "link",
+            "file",
+            "etc",
+            " ",
+            "x" * 300,
+            "-rf",
+            "*",
+        ]
+    )
+    | st.text(st.characters(codec="latin-1"), max_size=8),
+    max_size=6,
+)
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=effort(30, 500))
+@given(
+    st.lists(st.builds(lambda parts, mark: mark.join(parts), NASTY, st.sampled_from("/\\")), min_size=1, max_size=4),
+    st.booleans(),
+)
+@example(["../../outside/kept", "/etc/passwd", "link/kept", "file/x"], True)
+def test_whatever_the_path_nothing_outside_the_folder_is_touched(
+    tmp_path_factory: pytest.TempPathFactory, paths: list[str], force: bool
+) -> None:
+    home = tmp_path_factory.mktemp("home")
+    outside, folder = home / "outside", home / "files"
+    for made in (outside, folder):
+        made.mkdir()
+    (outside / "kept").write_bytes(b"old")
+    (folder / "link").symlink_to(outside)
+    (folder / "file").write_bytes(b"old")
+    brick = Brick()
+    for path in paths:
+        brick.upload(path.replace("\0", "\x01")[:900], b"new")
+    found = list(recover(brick.events, folder, force=force))
+    assert sorted(path.name for path in home.iterdir()) == ["files", "outside"]
+    assert written(outside) == {"kept": b"old"}
+    assert force or (folder / "file").read_bytes() == b"old"
+    # Every file has a place of its own, and that is inside, also once links are followed.
+    places = [file.file for file in found if file.file is not None]
+    assert len(set(places)) == len(places) == len(paths)
+    for place in places:
+        assert place.resolve().is_relative_to(folder.resolve())
+        assert place.read_bytes() == b"new"
+    assert not [path for path in folder.iterdir() if path.name.startswith(".ev3proto")]
+
+
+# Whole captures
+
+
+def hashes(folder: Path) -> dict[str, str]:
+    return {name: hashlib.sha256(data).hexdigest() for name, data in written(folder).items()}
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("wifi.pcapng", {"prjs/log/values.rtf": CONTENTS, "prjs/log/first.rbf": IMAGE}),
+        ("usb-bootloader.pcapng", {"flash-0x00000000.bin": IMAGE}),
+    ],
+)
+def test_the_bytes_that_were_moved(tmp_path: Path, name: str, expected: dict[str, str]) -> None:
+    with read(CAPTURES / name) as capture:
+        list(recover(capture.events(), tmp_path))
+    assert hashes(tmp_path) == expected
+
+
+def run(*words: str | Path) -> subprocess.CompletedProcess[str]:
+    return run_ev3proto_text("files", *words)
+
+
+def test_a_list_of_the_files() -> None:
+    done = run(CAPTURES / "wifi.pcapng")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines() == [
+        "path                      direction   bytes    of  state     packets",
+        "../prjs/log/values.rtf    from brick   2710  2710  complete    35-39",
+        "../prjs/log/first.rbf     to brick     2500  2500  complete    41-49",
+        "/home/root/none/here.rtf  to brick        0     3  refused     50-51",
+    ]
+
+
+def test_writing_them(tmp_path: Path) -> None:
+    out = tmp_path / "made" / "here"
+    done = run(CAPTURES / "wifi.pcapng", "-o", out, "--listings")
+    assert done.returncode == 0
+    assert done.stdout.splitlines() == [
+        f"{out}/prjs/log/listing.txt: 112 bytes from brick, /home/root/lms2012/prjs/log/",
+        f"{out}/prjs/log/values.rtf: 2710 bytes from brick, ../prjs/log/values.rtf",
+        f"{out}/prjs/log/first.rbf: 2500 bytes to brick, ../prjs/log/first.rbf",
+    ]
+    assert done.stderr.endswith(
+        "wifi.pcapng, packet 50: /home/root/none/here.rtf: the brick refused it: ILLEGAL_PATH\n"
+    )
+    assert hashes(out)["prjs/log/first.rbf"] == IMAGE
+
+
+def test_a_file_that_is_cut_off(tmp_path: Path) -> None:
+    done = run(CAPTURES / "wifi.pcapng", "-o", tmp_path, "--filter", "packet>40 && packet<45", "--json")
+    assert done.returncode == 1
+    assert "packet 41: ../prjs/log/first.rbf: 2034 of 2500 bytes were captured" in done.stderr
+    (entry,) = map(json.loads, done.stdout.splitlines())
+    assert (entry["outcome"], entry["file"]) == ("incomplete", str(tmp_path / "prjs/log/first.rbf.part"))
+    assert len(written(tmp_path)["prjs/log/first.rbf.part"]) == 2034
+
+
+def test_complaints(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    for words, status, complaint in (
+        ((CAPTURES / "wifi.pcapng", "-o", tmp_path / "file"), 2, "is a file"),
+        ((CAPTURES / "wifi.pcapng", "-o", tmp_path / "file" / "below"), 1, "below: cannot be written: Not a directory"),
+        ((CAPTURES / "wifi.pcapng", "--force"), 2, "--force needs -o"),
+        ((CAPTURES / "daisy.pcap",), 0, "no file is moved in it"),
+        ((tmp_path / "none.pcap",), 1, "cannot be read"),
+    ):
+        done = run(*words)
+        assert (done.returncode, done.stdout) == (status, "")
+        assert complaint in done.stderr
+        assert "Traceback" not in done.stderr
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="nothing is forbidden to root")
+def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
+    tmp_path.chmod(0o500)
+    done = run(CAPTURES / "wifi.pcapng", "-o", tmp_path)
+    assert done.returncode == 1
+    assert "cannot be written: Permission denied" in done.stderr

@@ -1,0 +1,731 @@
+"""Timelines: marks from a dialogue made by hand, the picture in its three forms, and the command line."""
+
+from __future__ import annotations
+
+import json
+import re
+import struct
+import xml.etree.ElementTree as ElementTree
+import zlib
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+from click.testing import CliRunner, Result
+
+from ev3proto import (
+    GV,
+    Operation,
+    SystemStatus,
+    direct_command,
+    direct_reply,
+    operation,
+    system_command,
+    system_reply,
+)
+from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.record import Announcement, Direction, Event, Record, Route, Said, Skipped
+from ev3proto.capture.timeline import (
+    Form,
+    Lane,
+    LaneKind,
+    Mark,
+    MissingLibraryError,
+    Outcome,
+    Timeline,
+    Window,
+    collect,
+    render,
+    write,
+)
+from ev3proto.capture.timeline.bins import MOST_BINS, Bins
+from ev3proto.capture.timeline.collecting import MOST_BRICKS, MOST_FILES, MOST_LANES, MOST_TROUBLES, MOST_WAITING
+from ev3proto.capture.timeline.layout import MOST_ROWS, WIDTH, lay_out, shade, shade_starts
+from ev3proto.capture.timeline.marks import OTHERS
+from ev3proto.capture.timeline.wording import clean, clean_path
+from ev3proto.cli.timeline import timeline as command
+from ev3proto.extras import install_command
+from ev3proto.schema.discovery import Beacon
+from ev3proto.schema.frame import frame_schema
+from ev3proto.tables.carriers import Carrier
+
+CAPTURES = Path(__file__).parents[2] / "captures"
+NOON = 1_767_268_800_000_000_000
+"""2026-01-01T12:00:00Z, in nanoseconds."""
+
+MS = 1_000_000
+VOLTAGE = operation("UI_READ.GET_VBATT", GV(0))
+TONE = operation("SOUND.TONE", VOLUME=5, FREQUENCY=440, DURATION=250)
+
+
+class Brick:
+    """A brick that is talked to: its records have numbers one after the other and the times that they are given."""
+
+    def __init__(self, peer: str = "1.7", carrier: Carrier = Carrier.USB) -> None:
+        self._conversation = Conversation(frame_schema())
+        self._out = Route(carrier, "host", peer, Direction.SENT, None, peer)
+        self._back = Route(carrier, peer, "host", Direction.RECEIVED, None, peer)
+        self._number = 0
+
+    def _record(self, frame: bytes, at_ms: float, route: Route) -> Record:
+        self._number += 1
+        return self._conversation.record(frame, (self._number,), NOON + round(at_ms * MS), route)
+
+    def tells(self, at_ms: float, frame: bytes) -> Record:
+        return self._record(frame, at_ms, self._out)
+
+    def answers(self, at_ms: float, frame: bytes) -> Record:
+        return self._record(frame, at_ms, self._back)
+
+    def skipped(self, at_ms: float, reason: str) -> Skipped:
+        return Skipped(b"\x01\x02\x03", 5, reason, 99, NOON + round(at_ms * MS), self._back)
+
+
+def ask(counter: int, *operations: Operation) -> bytes:
+    return direct_command(*operations, counter=counter, reply=True, global_size=4).build()
+
+
+def volts(counter: int, value: float = 7.92) -> bytes:
+    return direct_reply(struct.pack("<f", value), counter=counter).build()
+
+
+def refusal(counter: int) -> bytes:
+    return direct_reply(counter=counter, error=True).build()
+
+
+def tone(counter: int) -> bytes:
+    return direct_command(TONE, counter=counter).build()
+
+
+def collected(events: list[Event], **options: Any) -> Timeline:
+    timeline = collect(events, **options)
+    assert timeline is not None
+    return timeline
+
+
+def download(brick: Brick, at_ms: float, path: str, size: int = 6, moved: int = 6, counter: int = 50) -> list[Event]:
+    """A file to the brick, in 10 ms."""
+    begin = system_command("BEGIN_DOWNLOAD", counter=counter, reply=True, size=size, path=path)
+    more = system_command("CONTINUE_DOWNLOAD", counter=counter + 1, reply=True, handle=3, data=bytes(moved))
+    end = SystemStatus.END_OF_FILE if moved >= size else SystemStatus.SUCCESS
+    return [
+        brick.tells(at_ms, begin.build()),
+        brick.answers(at_ms + 2, system_reply(begin.number, counter=counter, handle=3).build()),
+        brick.tells(at_ms + 4, more.build()),
+        brick.answers(at_ms + 10, system_reply(more.number, counter=counter + 1, status=end, handle=3).build()),
+    ]
+
+
+# Marks
+
+
+def test_a_command_and_its_reply_are_one_mark() -> None:
+    brick = Brick()
+    timeline = collected([brick.tells(0, ask(42, VOLTAGE)), brick.answers(4.5, volts(42))])
+    assert timeline.marks == [
+        Mark(
+            lane=Lane("USB 1.7", LaneKind.DIRECT, "UI_READ.GET_VBATT"),
+            outcome=Outcome.ANSWERED,
+            begin_ns=NOON,
+            end_ns=NOON + 4_500_000,
+            heading="UI_READ.GET_VBATT",
+            label="7.92 V",
+            details={
+                "command": "UI_READ.GET_VBATT(VALUE=GV(0))",
+                "reply": "VALUE=7.92 V",
+                "command's packet": "1",
+                "reply's packet": "2",
+                "counter": "42",
+            },
+            number=1,
+        )
+    ]
+    assert timeline.marks[0].latency_ns == 4_500_000
+    assert timeline.messages == 2
+    assert (timeline.begin_ns, timeline.end_ns, timeline.bin_ns) == (NOON, NOON + 4_500_000, 0)
+
+
+def test_how_it_went() -> None:
+    brick = Brick()
+    events: list[Event] = [
+        brick.answers(0, volts(7)),
+        brick.tells(1, tone(1)),
+        brick.tells(2, ask(2, VOLTAGE)),
+        brick.answers(5, refusal(2)),
+        brick.tells(6, ask(3, VOLTAGE)),
+        brick.tells(7, tone(4)[:-1]),
+        brick.skipped(8, "no frame starts here"),
+    ]
+    marks = collected(events).marks
+    assert [(mark.outcome, mark.lane.kind, mark.lane.subject, mark.latency_ns) for mark in marks] == [
+        (Outcome.ORPHAN, LaneKind.DIRECT, "command not seen", None),
+        (Outcome.SILENT, LaneKind.DIRECT, "SOUND.TONE", None),
+        (Outcome.ERROR, LaneKind.DIRECT, "UI_READ.GET_VBATT", 3_000_000),
+        (Outcome.UNANSWERED, LaneKind.DIRECT, "UI_READ.GET_VBATT", None),
+        (Outcome.FAULTY, LaneKind.TROUBLE, "faulty frames", None),
+        (Outcome.SILENT, LaneKind.DIRECT, "SOUND.TONE", None),
+        (Outcome.SKIPPED, LaneKind.TROUBLE, "skipped bytes", None),
+    ]
+    assert [mark.label for mark in marks][1:3] == ["5 %, 440 Hz, 250 ms", "error"]
+    assert marks[4].details["fault"].startswith("at offset ")
+    assert marks[6].heading == "3 bytes skipped"
+    assert marks[6].details == {
+        "reason": "no frame starts here",
+        "from": "1.7",
+        "to": "host",
+        "packet": "99",
+        "not captured": "5 bytes",
+    }
+
+
+def test_what_is_no_message_is_a_faulty_frame() -> None:
+    timeline = collected([Brick().tells(0, bytes.fromhex("04 00 01 00 77 00"))])
+    assert [(mark.outcome, mark.heading) for mark in timeline.marks] == [(Outcome.FAULTY, "faulty frame")]
+
+
+def test_several_operations_share_a_name() -> None:
+    stop = operation("OUTPUT_STOP", LAYER=0, NOS=6, BRAKE=1)
+    brick = Brick()
+    frames = ((TONE, TONE), (TONE, stop), (TONE, stop, VOLTAGE))
+    events: list[Event] = [
+        brick.tells(number, direct_command(*operations, counter=number, global_size=4).build())
+        for number, operations in enumerate(frames)
+    ]
+    events.append(brick.tells(3, bytes.fromhex("05000300800400")))
+    subjects = [mark.lane.subject for mark in collected(events).marks]
+    assert subjects == ["SOUND.TONE", "SOUND.TONE, OUTPUT_STOP", "SOUND.TONE + 2 more", "no operation"]
+
+
+def test_files() -> None:
+    brick = Brick()
+    illegal = system_command("BEGIN_DOWNLOAD", counter=9, reply=True, size=3, path="/none/here.rtf")
+    refused = system_reply(illegal.number, counter=9, status=SystemStatus.ILLEGAL_PATH, error=True, handle=255)
+    events: list[Event] = [
+        *download(brick, 0, "../prjs/a/a.rbf"),
+        *download(brick, 20, "../prjs/b/b.rbf", size=8, counter=60),
+        brick.tells(40, illegal.build()),
+        brick.answers(41, refused.build()),
+    ]
+    timeline = collected(events)
+    assert [(mark.outcome, mark.label, mark.begin_ns - NOON, (mark.end_ns or 0) - NOON) for mark in timeline.files] == [
+        (Outcome.MOVED, "../prjs/a/a.rbf", 0, 10 * MS),
+        (Outcome.CUT_SHORT, "../prjs/b/b.rbf", 20 * MS, 30 * MS),
+        (Outcome.ERROR, "/none/here.rtf", 40 * MS, 41 * MS),
+    ]
+    assert timeline.files[1].details == {
+        "path": "../prjs/b/b.rbf",
+        "command": "BEGIN_DOWNLOAD",
+        "moved": "6 of 8 bytes",
+        "packets": "5 to 8",
+    }
+    assert timeline.files[2].details["error"].startswith("ILLEGAL_PATH")
+    # The command that was refused is an error, the file that was not moved for it is none of its own.
+    assert timeline.outcomes[Outcome.ERROR] == 1
+    assert [mark.lane.subject for mark in timeline.marks][:2] == ["BEGIN_DOWNLOAD", "CONTINUE_DOWNLOAD"]
+
+
+def announcement(peer: str = "192.0.2.10:3015", said: Said = Said.BEACON) -> Announcement:
+    beacon = Beacon("0016530f0f0f", name="myEV3")
+    route = Route(Carrier.WIFI, peer, "192.0.2.255:3015", Direction.RECEIVED, None, peer)
+    return Announcement(said, beacon.build(), beacon, (1,), NOON, route)
+
+
+def test_announcements_are_drawn_with_their_brick() -> None:
+    brick = Brick("192.0.2.10:5555", Carrier.WIFI)
+    timeline = collected([announcement(), brick.tells(1, tone(1))])
+    mark = timeline.marks[0]
+    assert (mark.outcome, mark.heading) == (Outcome.ANNOUNCED, "beacon")
+    assert mark.details["says"] == "serial 0016530f0f0f, port 5555, name myEV3, protocol EV3"
+    picture = lay_out(timeline, "robot.pcap")
+    assert [panel.title for panel in picture.panels] == ["WiFi 192.0.2.10:5555"]
+    assert picture.panels[0].rows == ["0/beacon", "1/SOUND.TONE"]
+
+
+def test_a_filter_draws_whole_exchanges() -> None:
+    def events() -> list[Event]:
+        brick = Brick()
+        return [
+            brick.tells(0, ask(1, VOLTAGE)),
+            brick.tells(1, tone(2)),
+            brick.answers(4, volts(1)),
+            brick.tells(5, ask(3, VOLTAGE)),
+        ]
+
+    commands = collected(events(), chosen=lambda record: record.direction is Direction.SENT)
+    assert [mark.outcome for mark in commands.marks] == [Outcome.ANSWERED, Outcome.SILENT, Outcome.UNANSWERED]
+    replies = collected(events(), chosen=lambda record: record.direction is Direction.RECEIVED)
+    assert [(mark.outcome, mark.latency_ns) for mark in replies.marks] == [(Outcome.ANSWERED, 4_000_000)]
+    assert replies.messages == 1
+    assert collect(events(), chosen=lambda _: False) is None
+
+
+def test_a_part_of_a_capture() -> None:
+    brick = Brick()
+    events: list[Event] = [brick.tells(1000 * number, tone(number)) for number in range(10)]
+    timeline = collected(events, window=Window(2.5, 5))
+    assert [timeline.seconds(mark.begin_ns) for mark in timeline.marks] == [3.0, 4.0, 5.0]
+    assert timeline.messages == 3
+    assert (timeline.seconds(timeline.begin_ns), timeline.seconds(timeline.end_ns)) == (2.5, 5.0)
+    assert collect([brick.tells(0, tone(0))], window=Window(1, None)) is None
+
+
+def test_nothing_makes_no_timeline() -> None:
+    assert collect([]) is None
+
+
+# Limits
+
+
+def polls(count: int, brick: Brick | None = None) -> Iterator[Event]:
+    """A brick that is asked every 10 ms; each 10th answer is an error, each 25th command is never answered."""
+    brick = brick or Brick()
+    for number in range(count):
+        yield brick.tells(10 * number, ask(number % 65536, VOLTAGE))
+        if number % 25:
+            reply = volts(number % 65536) if number % 10 else refusal(number % 65536)
+            yield brick.answers(10 * number + 1 + number % 7, reply)
+
+
+def test_beyond_the_limit_marks_are_counted() -> None:
+    timeline = collected(list(polls(1000)), most_marks=100)
+    lane = Lane("USB 1.7", LaneKind.DIRECT, "UI_READ.GET_VBATT")
+    # 10 s in at most 600 bins: 50 ms each, 5 commands.
+    assert timeline.bin_ns == 50 * MS
+    assert len(timeline.cells) == 200
+    first = timeline.cells[lane, NOON]
+    assert (first.count, first.answers, first.fastest_ns, first.slowest_ns, first.slowest) == (5, 4, 2 * MS, 5 * MS, 8)
+    assert dict(first.troubles) == {Outcome.UNANSWERED: 1}
+    assert sum(cell.count for cell in timeline.cells.values()) == 1000
+    # Only troubles are marks: 40 without a reply, and every 10th that is none of those.
+    assert timeline.outcomes == {Outcome.ANSWERED: 880, Outcome.ERROR: 80, Outcome.UNANSWERED: 40}
+    assert len(timeline.marks) == 120
+    assert {mark.outcome for mark in timeline.marks} == {Outcome.ERROR, Outcome.UNANSWERED}
+    picture = lay_out(timeline, "robot.pcap")
+    assert len(picture.cells) == 200
+    assert "the darker, the more in 50 ms" in picture.lines[1]
+    assert "in packet 8" in picture.cells[0]["tip"]["slowest answer"]
+
+
+def test_at_the_limit_they_are_not() -> None:
+    timeline = collected(list(polls(100)), most_marks=100)
+    assert (len(timeline.marks), timeline.cells, timeline.bin_ns) == (100, {}, 0)
+
+
+def test_troubles_are_kept_up_to_a_limit() -> None:
+    brick = Brick()
+    events: list[Event] = [brick.skipped(number, "garbage") for number in range(MOST_TROUBLES + 30)]
+    timeline = collected(events, most_marks=10)
+    assert (len(timeline.marks), timeline.unshown) == (MOST_TROUBLES, 30)
+    assert lay_out(timeline, "x").lines[-1] == "30 marks of errors and files omitted: there are too many."
+
+
+def test_bins_never_are_more_than_the_limit() -> None:
+    bins = Bins()
+    lane = Lane("USB 1.7", LaneKind.DIRECT, "SOUND.TONE")
+    at = NOON
+    for step in range(3000):
+        at += 1 << (step % 50)  # from a nanosecond to thirteen days
+        bins.add(Mark(lane, Outcome.SILENT, at, None, "", "", {}, 1))
+        assert len(bins.cells) <= MOST_BINS + 1
+    assert sum(cell.count for cell in bins.cells.values()) == 3000
+    assert str(bins.width_ns).rstrip("0") in ("1", "5")
+
+
+def test_lanes_and_bricks_are_limited() -> None:
+    events: list[Event] = [
+        Brick(f"{number}.1").tells(number, bytes((4, 0, 1, 0, 1, command)))
+        for number in range(20)
+        for command in range(0x30, 0x60)
+    ]
+    timeline = collected(events)
+    assert len(timeline.bricks) == MOST_BRICKS + 1
+    assert list(timeline.bricks)[-1] == OTHERS
+    assert len(timeline.lanes()) <= MOST_LANES + MOST_BRICKS + 1
+    rows = [len(panel.rows) for panel in lay_out(timeline, "x").panels]
+    assert max(rows) <= 2 * MOST_ROWS
+
+
+def test_files_are_limited() -> None:
+    brick = Brick()
+    events = [event for number in range(MOST_FILES + 7) for event in download(brick, 20 * number, "../prjs/a/a.rbf")]
+    timeline = collected(events)
+    assert (len(timeline.files), timeline.unshown) == (MOST_FILES, 7)
+
+
+def test_commands_that_wait_are_limited() -> None:
+    brick = Brick()
+    events: Iterator[Event] = (brick.tells(number, ask(number % 65536, VOLTAGE)) for number in range(MOST_WAITING + 9))
+    timeline = collect(events, most_marks=10)
+    assert timeline is not None
+    assert timeline.outcomes == {Outcome.UNANSWERED: MOST_WAITING + 9}
+
+
+# Layout
+
+
+def test_places_and_labels() -> None:
+    brick = Brick()
+    events: list[Event] = [
+        brick.tells(0, ask(1, VOLTAGE)),
+        brick.answers(40, volts(1)),
+        brick.tells(500, ask(2, VOLTAGE)),
+        brick.answers(504, volts(2, 7.5)),
+        brick.tells(505, ask(3, VOLTAGE)),
+        brick.answers(506, volts(3, 7.25)),
+        brick.tells(1000, tone(4)),
+    ]
+    picture = lay_out(collected(events), "robot.pcapng")
+    assert picture.title == "robot.pcapng"
+    assert picture.lines[0] == "from 2026-01-01 12:00:00.000000 UTC, 1 s: 7 messages"
+    assert picture.domain == (-0.015, 1.015)
+    assert picture.panels[0].aside == "7 messages, median answer 4 ms, slowest 40 ms"
+    assert picture.panels[0].rows == ["0/UI_READ.GET_VBATT", "1/SOUND.TONE"]
+    placed = [(mark["t"], mark.get("e"), mark.get("ms"), mark.get("l"), mark.get("back")) for mark in picture.marks]
+    assert placed == [
+        (0.0, 0.04, 40.0, "7.92 V", False),
+        # Here the next symbol leaves no room for words.
+        (0.5, 0.504, 4.0, None, None),
+        (0.505, 0.506, 1.0, "7.25 V", False),
+        # Here they stand to the left: the picture ends to the right.
+        (1.0, None, None, "5 %, 440 Hz, 250 ms", True),
+    ]
+    # In a narrower window the words would stand on the next mark, or beyond the edge.
+    assert [mark.get("w") for mark in picture.marks] == [121, None, 109, 134]
+    assert picture.marks[0]["tip"] == {
+        "title": "UI_READ.GET_VBATT",
+        "outcome": "answered",
+        "at": "0.000000 s",
+        "clock": "2026-01-01 12:00:00.000000 UTC",
+        "answer after": "40.000 ms",
+        "brick": "USB 1.7",
+        "command": "UI_READ.GET_VBATT(VALUE=GV(0))",
+        "reply": "VALUE=7.92 V",
+        "command's packet": "1",
+        "reply's packet": "2",
+        "counter": "1",
+    }
+    assert [entry["text"] for entry in picture.legend] == ["answered: 3", "no reply asked for: 1"]
+    assert picture.is_logarithmic
+    assert picture.latency_ms == (1.0, 40.0)
+    assert picture.latency_ticks == [1.0, 2.0, 5.0, 10.0, 20.0, 50.0]
+
+
+def test_trouble_is_drawn_last() -> None:
+    brick = Brick()
+    events: list[Event] = [brick.tells(0, ask(1, VOLTAGE)), brick.answers(1, refusal(1)), brick.tells(2, tone(2))]
+    picture = lay_out(collected(events), "x")
+    assert [mark["o"] for mark in picture.marks] == ["no reply asked for", "answered with an error"]
+    assert picture.lines[0].endswith("3 messages, 1 answered with an error")
+
+
+def test_files_at_the_same_time_have_rows_of_their_own() -> None:
+    one, other = Brick("1.7"), Brick("1.7")
+    picture = lay_out(collected([*download(one, 0, "a.rbf"), *download(other, 5, "b.rbf"), *polls(10, one)]), "x")
+    files = [mark["row"] for mark in picture.marks if mark.get("f")]
+    assert len(set(files)) == 2
+    assert {row.partition("/")[2] for row in files} == {""}
+
+
+def test_a_capture_of_one_moment_has_a_width() -> None:
+    picture = lay_out(collected([Brick().tells(0, tone(1))]), "x")
+    assert picture.domain == (-0.5, 0.5)
+
+
+def test_the_legend_wraps() -> None:
+    brick = Brick()
+    events: list[Event] = [*polls(200, brick), brick.skipped(3, "x"), *download(brick, 9, "a"), announcement()]
+    picture = lay_out(collected(events, most_marks=50), "x")
+    assert max(entry["x2"] for entry in picture.legend) <= WIDTH
+    assert len({entry["y"] for entry in picture.legend}) >= 2
+
+
+@pytest.mark.parametrize("most", [1, 2, 3, 5, 10, 99, 1000, 123_456])
+def test_shades(most: int) -> None:
+    starts = shade_starts(most)
+    shades = [shade(start, most) for start in starts]
+    assert starts[0] == 1
+    assert shades == sorted(set(shades))
+    assert all(shade(start - 1, most) < shade(start, most) for start in starts[1:])
+    assert shade(most, most) == shades[-1]
+
+
+def test_texts_are_made_safe_and_short() -> None:
+    assert clean("a\x1b[31m\u202eb\n") == "a\\u001b[31m\\u202eb\\u000a"
+    assert clean("x" * 1000, 10) == "xxxxxxxxx…"
+    assert clean_path("/home/root/lms2012/prjs/long/name.rbf", 16) == "…s/long/name.rbf"
+    assert len(clean("\0" * 1000, 50)) == 50
+
+
+# The three forms
+
+
+@pytest.fixture(scope="module")
+def drawn() -> Timeline:
+    brick = Brick()
+    events: list[Event] = [
+        brick.tells(0, ask(1, VOLTAGE)),
+        brick.answers(4, volts(1)),
+        brick.tells(5, tone(2)),
+        brick.tells(6, ask(3, VOLTAGE)),
+        *download(brick, 10, "../prjs/</script><script>alert(1)</script>.rbf"),
+        brick.skipped(30, 'garbage "<img src=x onerror=alert(2)>"'),
+    ]
+    return collected(events)
+
+
+NASTY = "</title></script><script>alert(0)</script>&\x00\u202e.pcap"
+
+
+def test_svg(drawn: Timeline) -> None:
+    svg = render(drawn, Form.SVG, NASTY)
+    root = ElementTree.fromstring(svg)
+    assert root.tag == "{http://www.w3.org/2000/svg}svg"
+    tags = {element.tag.rpartition("}")[2] for element in root.iter()}
+    assert not tags & {"script", "image", "foreignObject", "a"}
+    texts = {"".join(element.itertext()) for element in root.iter("{http://www.w3.org/2000/svg}text")}
+    assert texts >= {
+        r"</title></script><script>alert(0)</script>&\u0000\u202e.pcap",
+        "USB 1.7",
+        "direct commands",
+        "UI_READ.GET_VBATT",
+        "7.92 V",
+        "SOUND.TONE",
+        "files",
+        "…cript>alert(1)</script>.rbf",
+        "answered: 3",
+        "never answered: 1",
+        "bytes skipped: 1",
+        "seconds since the first message",
+        "milliseconds from command to reply, linear scale",
+    }
+
+
+def test_png(drawn: Timeline) -> None:
+    png = render(drawn, Form.PNG, "robot.pcapng")
+    assert png.startswith(b"\x89PNG\r\n\x1a\n")
+    width, height, depth, colours = struct.unpack(">IIBB", png[16:26])
+    assert 2 * WIDTH < width < 4 * WIDTH
+    assert 600 < height < 2000
+    packed = b""
+    at = 8
+    while at < len(png):
+        size, name = struct.unpack(">I4s", png[at : at + 8])
+        packed += png[at + 8 : at + 8 + size] if name == b"IDAT" else b""
+        at += size + 12
+    channels = {2: 3, 6: 4}[colours]
+    assert len(zlib.decompress(packed)) == height * (1 + width * channels * depth // 8)
+
+
+class Page(HTMLParser):
+    """The elements of a page with their attributes, and the text in each script."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.scripts: list[str] = []
+        self.title = ""
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+        if tag == "script":
+            self.scripts.append("")
+
+    def handle_data(self, data: str) -> None:
+        if self.lasttag == "script" and self.scripts:
+            self.scripts[-1] += data
+        elif self.lasttag == "title":
+            self.title += data
+
+
+def test_page(drawn: Timeline) -> None:
+    text = render(drawn, Form.HTML, NASTY).decode()
+    page = Page(text)
+    assert page.title.strip() == r"</title></script><script>alert(0)</script>&\u0000\u202e.pcap"
+    # Nothing is fetched, and nothing of the capture became an element.
+    tags = [tag for tag, _ in page.elements]
+    assert tags.count("script") == 3
+    assert not {"img", "link", "iframe", "object"} & set(tags)
+    assert not [attributes for _, attributes in page.elements if {"src", "href"} & set(attributes)]
+    policy = next(attributes["content"] for _, attributes in page.elements if "http-equiv" in attributes)
+    assert policy is not None
+    assert policy.startswith("default-src 'none';")
+    assert not re.search(r"https?:", policy)
+    chart = json.loads(page.scripts[0])
+    assert [parameter["name"] for parameter in chart["params"]] == ["time", "picked", "margin", "kinds", "room"]
+    marks = chart["datasets"]["marks"]
+    assert [mark["tip"]["moved"] for mark in marks if mark.get("f")] == ["6 of 6 bytes"]
+    assert [mark["tip"]["path"] for mark in marks if mark.get("f")] == [
+        "../prjs/</script><script>alert(1)</script>.rbf"
+    ]
+    assert "vegaEmbed" in page.scripts[1]
+    assert "vegaEmbed(place, chart" in page.scripts[2]
+
+
+def test_names_of_kinds_are_not_clipped_off(drawn: Timeline) -> None:
+    """They stand left of the view, and what is in a view whose time can be dragged is clipped by itself."""
+    root = ElementTree.fromstring(render(drawn, Form.SVG, "x"))
+    clipped = {
+        text
+        for group in root.iter("{http://www.w3.org/2000/svg}g")
+        if "clip-path" in group.attrib
+        for text in group.itertext()
+    }
+    assert "7.92 V" in clipped
+    assert not {"direct commands", "system commands", "files", "trouble"} & clipped
+
+
+def test_views_that_share_the_time_have_it(drawn: Timeline) -> None:
+    """Vega-Lite says nothing where a name belongs to a layer without times: it just does not move."""
+    chart = json.loads(Page(render(drawn, Form.HTML, "x").decode()).scripts[0])
+    layers = {layer["name"]: layer for view in chart["vconcat"] for layer in view["layer"] if "name" in layer}
+    assert chart["params"][0]["views"] == ["rows0", "latency"]
+    for name in chart["params"][0]["views"]:
+        assert layers[name]["encoding"]["x"]["field"] == "t"
+
+
+@pytest.mark.parametrize("form", list(Form))
+def test_the_same_input_gives_the_same_bytes(form: Form) -> None:
+    first, second = (render(collected(list(polls(60))), form, "robot.pcapng") for _ in range(2))
+    assert first == second
+
+
+@pytest.mark.parametrize("form", list(Form))
+def test_counts_are_drawn_in_all_forms(form: Form) -> None:
+    data = render(collected(list(polls(300)), most_marks=50), form, "robot.pcapng")
+    assert len(data) > 10_000
+    if form is Form.SVG:
+        assert b"or more in 5 ms" in data
+
+
+def test_files_are_written_whole(drawn: Timeline, tmp_path: Path) -> None:
+    target = tmp_path / "robot.svg"
+    write(drawn, target, "robot.pcapng")
+    assert target.read_bytes() == render(drawn, Form.SVG, "robot.pcapng")
+    target.chmod(0o600)
+    write(drawn, target, "robot.pcapng")
+    assert target.stat().st_mode & 0o777 == 0o600
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_without_the_library(drawn: Timeline, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.capture.timeline.writing.LIBRARY", "no_such_library")
+    with pytest.raises(MissingLibraryError, match=f"not installed: .*{re.escape(install_command('plot'))}"):
+        render(drawn, Form.SVG, "x")
+
+
+# The command line
+
+
+def run(*words: str | Path) -> Result:
+    group = click.Group(commands=[command])
+    return CliRunner().invoke(group, ["timeline", *map(str, words)], prog_name="ev3proto")
+
+
+def test_a_real_capture(tmp_path: Path) -> None:
+    target = tmp_path / "wifi.svg"
+    done = run(CAPTURES / "wifi.pcapng", "-o", target)
+    assert (done.exit_code, done.output) == (0, f"{target}: written\n")
+    text = target.read_text()
+    for words in ("wifi.pcapng", "WiFi 192.0.2.10:5555", "answered with an error: 2", "never answered: 1", "beacon"):
+        assert words in text
+
+
+def test_a_part_of_it(tmp_path: Path) -> None:
+    target = tmp_path / "part.svg"
+    done = run(CAPTURES / "wifi.pcapng", "-o", target, "--from", "5.15", "--to", "5.2")
+    assert done.exit_code == 0
+    assert "SOUND.TONE" not in target.read_text()
+    assert "OUTPUT_STOP" in target.read_text()
+
+
+def test_a_filter_keeps_replies_with_their_commands(tmp_path: Path) -> None:
+    target = tmp_path / "chosen.svg"
+    done = run(CAPTURES / "usb.pcapng", "-o", target, "--filter", "kind==direct-command && op==UI_READ.GET_VBATT")
+    assert (done.exit_code, done.output) == (0, f"{target}: written\n")
+    text = target.read_text()
+    assert "7.92 V" in text
+    assert "answered with an error: 1" in text
+    assert "never answered" not in text
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "complaint"),
+    [
+        (("-o", "x.pdf"), 2, "x.pdf: a timeline is written as one of .html, .svg, .png"),
+        (("-o", "robot"), 2, ".html, .svg, .png"),
+        ((), 2, "Missing option '-o'"),
+        (("-o", "no-such-folder/x.svg"), 1, "there is no folder no-such-folder"),
+        (("-o", "x.svg", "--from", "3", "--to", "3"), 2, "--from 3 must be less than --to 3"),
+        (("-o", "x.svg", "--from", "nan"), 2, "nan is no number of seconds from 0"),
+        (("-o", "x.svg", "--to", "1e300"), 2, "1e+300 is no number of seconds"),
+        (("-o", "x.svg", "--from", "100"), 1, "there is nothing to draw from 100 s"),
+    ],
+)
+def test_complaints(
+    words: tuple[str, ...], status: int, complaint: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = run(CAPTURES / "usb.pcapng", *words)
+    assert (done.exit_code, complaint in done.output) == (status, True), done.output
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_capture_without_frames(tmp_path: Path) -> None:
+    capture = tmp_path / "empty.pcap"
+    capture.write_bytes(struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65535, 1))
+    done = run(capture, "-o", tmp_path / "x.html")
+    assert (done.exit_code, done.output) == (1, f"{capture}: there is nothing to draw: no frame was found\n")
+    assert list(tmp_path.iterdir()) == [capture]
+
+
+def test_a_text_is_drawn_too(tmp_path: Path) -> None:
+    done = run(CAPTURES / "bluetooth.log", "-o", tmp_path / "x.html")
+    assert done.exit_code == 0
+    assert (tmp_path / "x.html").exists()
+
+
+def test_a_file_that_cannot_be_written(tmp_path: Path) -> None:
+    (tmp_path / "x.svg").mkdir()
+    assert run(CAPTURES / "usb.pcapng", "-o", tmp_path / "x.svg").exit_code == 2
+    done = run(CAPTURES / "usb.pcapng", "-o", "/proc/x.svg")
+    assert done.exit_code == 1
+    assert "/proc/x.svg: cannot be written: " in done.output
+
+
+def test_the_command_without_the_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.capture.timeline.writing.LIBRARY", "no_such_library")
+    done = run(CAPTURES / "usb.pcapng", "-o", tmp_path / "x.svg")
+    assert done.exit_code == 2
+    assert f"vl-convert-python, which is not installed: {install_command('plot')}\n" in done.output
+
+
+def test_a_text_without_times_is_drawn_in_its_order(tmp_path: Path) -> None:
+    log, path = tmp_path / "robot.log", tmp_path / "robot.svg"
+    log.write_text("sent 09 00 01 00 00 04 00 81 01 60 00\nreceived 07 00 01 00 02 00 00 00 41\n")
+    done = CliRunner().invoke(command, [str(log), "-o", str(path)])
+    assert (done.exit_code, done.output) == (0, f"{path}: written\n")
+    svg = path.read_text()
+    assert "order: the lines of the text, which has no times" in svg
+    assert "in their order, without times: 2 messages" in svg
+    assert "UI_READ" in svg
+    for invented in ("seconds", " ms<", " s<", "median answer", "2026-01-01", "How long a brick took"):
+        assert invented not in svg, invented
+
+
+def test_a_part_of_a_text_without_times_is_told_in_lines(tmp_path: Path) -> None:
+    log, path = tmp_path / "robot.log", tmp_path / "robot.svg"
+    log.write_text("sent 09 00 01 00 00 04 00 81 01 60 00\nreceived 07 00 01 00 02 00 00 00 41\n" * 3)
+    said = f"{log}: has no times: --from and --to count its lines\n"
+    done = run(log, "-o", path, "--from", "3", "--to", "4")
+    assert (done.exit_code, done.output) == (0, f"{said}{path}: written\n")
+    assert "in their order, without times: 2 messages" in path.read_text()
+    done = run(log, "-o", path, "--from", "7")
+    assert (done.exit_code, done.output) == (
+        1,
+        f"{said}{log}: there is nothing to draw from line 7: no frame was found\n",
+    )

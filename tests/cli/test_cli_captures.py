@@ -1,0 +1,439 @@
+"""`ev3proto decode` on captures, as a user types it: what is printed, what is complained about, the exit status."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import os
+import pty
+import select
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from support.cli import run_ev3proto, run_ev3proto_text
+from support.packets import RAW_IP, Capture, Connection, cut, in_tunnels
+
+ROOT = Path(__file__).parents[2]
+CAPTURES = ROOT / "captures"
+EVERY = sorted(
+    path for path in CAPTURES.iterdir() if path.suffix in (".pcap", ".pcapng") or path.name == "bluetooth.log"
+)
+TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
+VOLTAGE = bytes.fromhex("08000100000400810160")
+VOLTS = bytes.fromhex("0700010002a470fd40")
+
+
+def run(*words: str, stdin: bytes = b"") -> subprocess.CompletedProcess[bytes]:
+    return run_ev3proto(*words, stdin=stdin)
+
+
+def entries(*words: str, stdin: bytes = b"") -> list[dict[str, Any]]:
+    """What `decode --json` prints without any complaint."""
+    done = run("decode", "--json", *words, stdin=stdin)
+    assert (done.returncode, done.stderr.decode()) == (0, "")
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def dialogue() -> bytes:
+    """A capture: a tone, then a question, and its answer a millisecond later."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(TONE)
+    connection.send(VOLTAGE)
+    connection.receive(VOLTS)
+    return capture.data()
+
+
+def test_a_tree_with_time_place_and_direction(tmp_path: Path) -> None:
+    path = tmp_path / "robot.pcap"
+    path.write_bytes(dialogue())
+    done = run("decode", str(path))
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout.decode() == (
+        "0.000000 #1 wifi 192.0.2.10:5555 sent DIRECT_COMMAND_NO_REPLY, counter 42, 16 bytes\n"
+        "     7  SOUND TONE  Plays one tone and returns at once\n"
+        "     9    VOLUME    = 1 %  LC0: how loud\n"
+        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver moves others into the range\n"
+        "    13    DURATION  = 1000 ms  LC2: how long, read without sign (-1 is 65535)\n"
+        "0.001000 #2 wifi 192.0.2.10:5555 sent DIRECT_COMMAND_REPLY, counter 1, 10 bytes\n"
+        "  memory: 4 bytes global, 0 bytes local\n"
+        "     7  UI_READ GET_VBATT  Reads the battery voltage\n"
+        "     9    VALUE = GV(0)  GV0: voltage\n"
+        "0.002000 #3 wifi 192.0.2.10:5555 received DIRECT_REPLY, counter 1, 9 bytes: ok (1.000 ms after #2)\n"
+        "     5  UI_READ GET_VBATT VALUE = 7.92 V  DATAF\n"
+    )
+
+
+def test_json_with_time_place_and_direction() -> None:
+    _, asked, answered = entries(stdin=dialogue())
+    assert asked["hex"] == VOLTAGE.hex()
+    assert (asked["time"], asked["packets"], asked["direction"]) == ("1970-01-01T00:00:00.001000Z", [2], "sent")
+    assert (asked["carrier"], asked["source"], asked["target"]) == ("wifi", "192.0.2.1:49152", "192.0.2.10:5555")
+    assert (answered["peer"], answered["direction"]) == ("192.0.2.10:5555", "received")
+    assert (answered["answers"], answered["latency"]) == (2, 0.001)
+    assert [(value["op"], value["name"], value["unit"]) for value in answered["values"]] == [("UI_READ", "VALUE", "V")]
+
+
+def test_a_line_for_each_dialogue() -> None:
+    done = run("decode", "--dialogues", stdin=dialogue())
+    assert done.stdout.decode() == (
+        "    0.000000     #1 wifi 192.0.2.10:5555  SOUND.TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)\n"
+        "    0.001000     #2 wifi 192.0.2.10:5555  UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.92 V  1.000 ms\n"
+    )
+
+
+def test_dialogues_that_fail() -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(VOLTAGE)
+    connection.receive(bytes.fromhex("0300010004"))  # an error
+    connection.receive(VOLTS)  # a reply that nobody asked for
+    connection.send(VOLTAGE)  # and a command that nobody answers
+    lines = run("decode", "--dialogues", stdin=capture.data()).stdout.decode().splitlines()
+    assert [line.partition("5555  ")[2] for line in lines] == [
+        "UI_READ.GET_VBATT(VALUE=GV(0)) -> error  1.000 ms",
+        "(a command that was not seen) -> ok",
+        "UI_READ.GET_VBATT(VALUE=GV(0)) -> no reply",
+    ]
+
+
+def test_dialogues_as_json() -> None:
+    done = run("decode", "--dialogues", "--json", stdin=dialogue())
+    tone, voltage = (json.loads(line) for line in done.stdout.splitlines())
+    assert (tone["command"]["hex"], tone["latency"], "reply" in tone) == (TONE.hex(), None, False)
+    assert (voltage["command"]["hex"], voltage["reply"]["hex"], voltage["latency"]) == (
+        VOLTAGE.hex(),
+        VOLTS.hex(),
+        0.001,
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "frames"),
+    [
+        ("wifi.pcapng", 42),
+        ("wifi-reordered.pcap", 14),
+        ("usb.pcapng", 25),
+        ("usb-plugged.pcap", 9),
+        ("usb-windows.pcap", 15),
+        ("usb-bootloader.pcapng", 16),
+        ("daisy.pcap", 8),
+        ("bluetooth.log", 24),
+        ("bluetooth.pcapng", 13),
+    ],
+)
+def test_every_capture_of_the_repository(name: str, frames: int) -> None:
+    found = entries(str(CAPTURES / name))
+    assert len([entry for entry in found if "type" in entry]) == frames
+    assert not [entry for entry in found if "fault" in entry]
+
+
+def test_there_is_no_other_capture() -> None:
+    assert len(EVERY) == 10
+
+
+def test_beacons_and_unlocking() -> None:
+    found = entries(str(CAPTURES / "wifi.pcapng"))
+    assert [(entry["kind"], entry["direction"], entry["packets"]) for entry in found[:5]] == [
+        ("beacon", "received", [1]),
+        ("beacon", "received", [2]),
+        ("answer", "sent", [3]),
+        ("unlock", "sent", [7]),
+        ("accept", "received", [9]),
+    ]
+    assert found[0]["text"] == {"serial": "06165300000a", "port": "5555", "name": "myEV3", "protocol": "EV3"}
+    assert found[3]["text"] == {"serial": "06165300000a"}
+
+
+def test_the_name_of_a_file_does_not_matter(tmp_path: Path) -> None:
+    source = CAPTURES / "usb.pcapng"
+    plain = run("decode", str(source)).stdout
+    disguised = tmp_path / "notes.txt"
+    shutil.copy(source, disguised)
+    packed = tmp_path / "packed"
+    packed.write_bytes(gzip.compress(source.read_bytes()))
+    assert run("decode", str(disguised)).stdout == plain
+    assert run("decode", str(packed)).stdout == plain
+    assert run("decode", stdin=source.read_bytes()).stdout == plain
+    assert run("decode", "-", stdin=packed.read_bytes()).stdout == plain
+
+
+def test_a_named_pipe(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with subprocess.Popen(["sh", "-c", f"cat {CAPTURES / 'usb.pcapng'} > {pipe}"]):
+        assert run("decode", str(pipe)).stdout == run("decode", str(CAPTURES / "usb.pcapng")).stdout
+
+
+def test_text_that_gzip_packed() -> None:
+    done = run("decode", "--json", stdin=gzip.compress(TONE.hex().encode()))
+    assert json.loads(done.stdout)["hex"] == TONE.hex()
+
+
+def test_captures_and_frames_in_one_call() -> None:
+    found = entries(TONE.hex(), str(CAPTURES / "usb-plugged.pcap"))
+    assert len(found) == 10
+    assert found[0]["hex"] == TONE.hex()
+
+
+def test_another_port() -> None:
+    capture = Capture(RAW_IP)
+    Connection(capture, brick_port=5556).send(TONE)
+    assert run("decode", stdin=capture.data()).returncode == 1
+    assert entries("--port", "5556", "--port", "5555", stdin=capture.data())[0]["hex"] == TONE.hex()
+
+
+def test_another_dialect() -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(TONE)
+    connection.send(bytes.fromhex("09000100800000E6606162"))
+    done = run("decode", stdin=capture.data())
+    assert done.returncode == 1
+    assert b"standard input, packet 2: fault at offset 7: " in done.stderr
+    assert entries("--dialect", "xtended", stdin=capture.data())[1]["operations"][0]["op"] == "FILE_MD5SUM"
+
+
+# Bad input: everything readable is printed, a sentence says what was not, the exit status is 1.
+
+
+def test_a_file_cut_off_in_the_middle() -> None:
+    done = run("decode", "--json", stdin=dialogue()[:-3])
+    assert [json.loads(line)["hex"] for line in done.stdout.splitlines()][:2] == [TONE.hex(), VOLTAGE.hex()]
+    assert done.returncode == 1
+    assert b"standard input: the file is cut off in packet 3: 46 of its 49 bytes are there\n" in done.stderr
+
+
+def test_a_length_that_lies() -> None:
+    data = bytearray(dialogue())
+    # The second packet: after the file's header, the first packet's header, and the first packet.
+    second = 24 + 16 + 56
+    data[second + 8 : second + 12] = (0x7FFFFFFF).to_bytes(4, "little")
+    done = run("decode", "--json", stdin=bytes(data))
+    assert [json.loads(line)["hex"] for line in done.stdout.splitlines()] == [TONE.hex()]
+    assert (done.returncode, done.stderr.decode()) == (
+        1,
+        "standard input: the file is damaged at offset 96: packet 2 would have 2147483647 bytes; what follows cannot be"
+        " read\n",
+    )
+
+
+def test_garbage_in_a_stream() -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(TONE)
+    connection.send(b"\xff\xff\xff" + VOLTAGE)
+    connection.receive(VOLTS)
+    done = run("decode", "--json", stdin=capture.data())
+    found = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [entry["hex"] for entry in found] == [TONE.hex(), VOLTAGE.hex(), VOLTS.hex()]
+    assert found[2]["answers"] == 2
+    assert done.returncode == 1
+    assert done.stderr.decode().startswith("standard input: packet 2, 192.0.2.1:49152 to 192.0.2.10:5555: ")
+
+
+def test_no_more_complaints_than_anybody_reads() -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for _ in range(30):
+        connection.send(TONE)
+        connection.send(b"\xff\xff\xff")
+    connection.send(TONE)
+    done = run("decode", "--json", stdin=capture.data())
+    assert len(done.stdout.splitlines()) == 31
+    assert len(done.stderr.splitlines()) == 11
+    assert done.stderr.decode().splitlines()[-1] == (
+        "standard input: and 20 more places; 90 bytes in all could not be read"
+    )
+
+
+def test_a_capture_without_any_frame() -> None:
+    done = run("decode", stdin=Capture(RAW_IP).data())
+    assert (done.returncode, done.stdout, done.stderr.decode()) == (
+        1,
+        b"",
+        "standard input: there is no frame in 0 packets\n",
+    )
+
+
+PACKED = (
+    "6 packets may have others packed into them (GRE 1, AH 1, 802.1ah 1, VXLAN 1, Geneve 1, GTP 1),"
+    " which are not read here: --engine wireshark reads them"
+)
+
+
+@pytest.mark.parametrize(
+    ("words", "nothing"),
+    [
+        (("decode",), "there is no frame in 7 packets"),
+        (("check",), "there is no command in 7 packets"),
+        (("files",), "there is no frame in 7 packets"),
+        (("values",), "there is no frame in 7 packets"),
+        (("timeline", "-o", "x.svg"), "there is nothing to draw: no frame was found"),
+    ],
+)
+def test_what_is_packed_into_other_packets_is_no_secret(words: tuple[str, ...], nothing: str, tmp_path: Path) -> None:
+    path = tmp_path / "tunnels.pcap"
+    path.write_bytes(in_tunnels(TONE))
+    words = tuple(str(tmp_path / word) if word.endswith("svg") else word for word in words)
+    done = run(*words, str(path))
+    assert done.returncode == 1
+    assert done.stderr.decode() == f"{path}: {nothing}; {PACKED}\n"
+
+
+def test_packets_that_were_cut_are_counted_where_no_frame_is_found() -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for _ in range(3):
+        connection.send(TONE)
+    done = run("decode", stdin=cut(capture.data(), 30))
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert done.stderr.decode() == (
+        "standard input: there is no frame in 3 packets;"
+        " of 3 packets only the first bytes were captured (snap length)\n"
+    )
+
+
+def test_a_link_that_nobody_knows() -> None:
+    capture = Capture(147)
+    capture.add(TONE)
+    done = run("decode", stdin=capture.data())
+    assert done.returncode == 1
+    assert "packets of link type 147 were not read" in done.stderr.decode()
+
+
+@pytest.mark.parametrize(
+    ("data", "sentence"),
+    [
+        (b"PK\x03\x04 a zip archive", "neither text nor a capture: it starts with 50 4B 03 04 20 61 20 7A"),
+        (b"\x7fELF\x02\x01\x01\x00", "neither text nor a capture: it starts with 7F 45 4C 46 02 01 01 00"),
+        (b"\x1f\x8b\x08\x00cut", "the gzip stream is cut off or damaged: "),
+    ],
+)
+def test_a_foreign_format(data: bytes, sentence: str) -> None:
+    done = run("decode", stdin=data)
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert done.stderr.decode().startswith(f"standard input: {sentence}")
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_programs_of_captures_in_a_program(tmp_path: Path) -> None:
+    image = tmp_path / "x.rbf"
+    image.write_bytes(b"LEGO" + bytes(12))
+    done = run("decode", "--programs", str(image))
+    assert done.returncode == 2
+    assert b"--programs finds programs in captures" in done.stderr
+
+
+def test_a_folder(tmp_path: Path) -> None:
+    done = run("decode", str(tmp_path))
+    assert (done.returncode, done.stderr.decode()) == (1, f"{tmp_path}: cannot be read: Is a directory\n")
+
+
+def test_a_reader_that_goes_away() -> None:
+    command = f"{sys.executable} -m ev3proto decode {CAPTURES / 'wifi.pcapng'} | head -n 1"
+    done = subprocess.run(command, shell=True, capture_output=True, check=False, cwd=ROOT, timeout=60)
+    assert done.stderr == b""
+    assert len(done.stdout.splitlines()) == 1
+
+
+# Filters
+
+
+def test_a_filter() -> None:
+    done = run("decode", "--dialogues", "--filter", "op==SOUND.TONE && FREQUENCY>400", stdin=dialogue())
+    assert done.stdout.decode().splitlines() == [
+        "    0.000000     #1 wifi 192.0.2.10:5555  SOUND.TONE(VOLUME=1, FREQUENCY=440, DURATION=1000)"
+    ]
+    done = run("decode", "--filter", "FREQUENCY>440", stdin=dialogue())
+    assert (done.returncode, done.stderr.decode()) == (
+        1,
+        "standard input: there is no frame that the filter lets through in 3 packets\n",
+    )
+
+
+def test_a_filter_that_is_wrong() -> None:
+    done = run("decode", "--filter", "op==SOUND.TOEN", str(CAPTURES / "usb.pcapng"))
+    assert done.returncode == 2
+    assert "SOUND.TONE" in done.stderr.decode()
+    assert "\n  op==SOUND.TOEN\n      ^" in done.stderr.decode()
+
+
+# The progress bar
+
+
+IMPATIENT = "from ev3proto.cli import main, progress; progress.PATIENCE = 0.1; main.main()"
+"""A program that is `ev3proto`, but for how long is taken for long."""
+
+
+def on_a_terminal(path: Path, *words: str) -> str:
+    """What goes to a terminal on standard error while standard output goes elsewhere."""
+    ours, theirs = pty.openpty()
+    with subprocess.Popen(
+        [sys.executable, "-c", IMPATIENT, *words, str(path)],
+        stdout=subprocess.DEVNULL,
+        stderr=theirs,
+        cwd=ROOT,
+        env={**os.environ, "TERM": "xterm-256color", "COLUMNS": "100"},
+    ) as process:
+        os.close(theirs)
+        shown = b""
+        end = time.monotonic() + 60
+        while time.monotonic() < end and select.select([ours], [], [], 30)[0]:
+            try:
+                piece = os.read(ours, 4096)
+            except OSError:
+                break
+            shown += piece
+        process.wait(30)
+        os.close(ours)
+    return shown.decode()
+
+
+def test_a_progress_bar_on_long_files_only(tmp_path: Path) -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for _ in range(20_000):
+        connection.send(TONE)
+    path = tmp_path / "long.pcap"
+    path.write_bytes(capture.data())
+    assert "%" in on_a_terminal(path, "decode", "--json")
+    assert on_a_terminal(CAPTURES / "usb.pcapng", "decode", "--json") == ""
+
+
+@pytest.mark.parametrize("words", [("check", "--json"), ("stats",)])
+def test_a_progress_bar_on_long_texts_too(tmp_path: Path, words: tuple[str, ...]) -> None:
+    path = tmp_path / "long.log"
+    path.write_text("".join(f"12 of the {number} words here are no frame\n" for number in range(5_000)) + TONE.hex())
+    assert "%" in on_a_terminal(path, *words)
+
+
+# Files without a frame
+
+
+@pytest.mark.parametrize("words", ["decode", "check", "stats", "timeline -o t.html", "export pcapng -o t.pcapng"])
+def test_each_of_several_files_that_has_no_frame_is_named(tmp_path: Path, words: str) -> None:
+    (tmp_path / "frame.log").write_text("06:00|2A:00|80|00:00|01\n")
+    (tmp_path / "words.log").write_text("hello world\n")
+    (tmp_path / "empty.log").write_text("")
+    (tmp_path / "foreign.pcap").write_bytes(Capture(RAW_IP).data())
+    done = run_ev3proto_text(*words.split(), "words.log", "frame.log", "empty.log", "foreign.pcap", cwd=tmp_path)
+    assert done.returncode == 1
+    named = [line.partition(": there is no ") for line in done.stderr.splitlines()]
+    assert [name for name, _, _ in named] == ["words.log", "empty.log", "foreign.pcap"]
+    assert all(rest.startswith(("frame in ", "command in ")) for _, _, rest in named)
+    assert run_ev3proto_text(*words.split(), "frame.log", cwd=tmp_path).returncode == 0
+
+
+def test_files_says_where_there_is_no_frame(tmp_path: Path) -> None:
+    (tmp_path / "frame.log").write_text("06:00|2A:00|80|00:00|01\n")
+    (tmp_path / "words.log").write_text("hello world\n")
+    done = run_ev3proto_text("files", "words.log", "frame.log", cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.splitlines() == ["words.log: there is no frame in it", "frame.log: no file is moved in it"]
+    assert run_ev3proto_text("files", "frame.log", cwd=tmp_path).returncode == 0

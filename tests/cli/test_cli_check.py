@@ -1,0 +1,299 @@
+"""`ev3proto check` as a user types it: what is printed, what is complained about, the exit status."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+from support.cli import run_ev3proto_text
+from support.packets import RAW_IP, Capture, Connection
+
+ROOT = Path(__file__).parents[2]
+CAPTURES = ROOT / "captures"
+VOLTAGE = "08:00|2A:00|00|04:00|81|01|60|"
+VOLTAGE_BYTES = "08002a00000400810160"
+MISALIGNED = "08:00|2A:00|00|08:00|81|01|61|"
+WITHOUT_REPLY = "08:00|2A:00|80|04:00|81|01|60|"
+VOLTS = "0700010002a470fd40"
+
+
+def run(*words: str, stdin: bytes | str = b"") -> subprocess.CompletedProcess[str]:
+    return run_ev3proto_text("check", *words, stdin=stdin)
+
+
+def entries(*words: str, stdin: bytes | str = b"") -> list[dict[str, Any]]:
+    return [json.loads(line) for line in run("--json", *words, stdin=stdin).stdout.splitlines()]
+
+
+FORMS = [
+    f"0x|{VOLTAGE}",
+    f"09:12:31.011558 Sent 0x|{VOLTAGE}",
+    VOLTAGE_BYTES,
+    "08 00 2a 00 00 04 00 81 01 60",
+    "0x08, 0x00, 0x2A, 0x00, 0x00, 0x04, 0x00, 0x81, 0x01, 0x60",
+    r"b'\x08\x00*\x00\x00\x04\x00\x81\x01`'",
+]
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_every_form_as_argument_and_on_standard_input(form: str) -> None:
+    done = run(form)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "accepted: no findings\n", "")
+    done = run(stdin=form + "\n")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "standard input, line 1: accepted: no findings\n", "")
+
+
+def test_bytes_without_quotes() -> None:
+    assert run(*VOLTAGE_BYTES[:2], *["00", "2a", "00"]).returncode == 1
+    assert run("08", "00", "2a", "00", "00", "04", "00", "81", "01", "60").stdout == "accepted: no findings\n"
+
+
+def test_a_frame_that_the_brick_refuses() -> None:
+    done = run(MISALIGNED)
+    assert (done.returncode, done.stderr) == (1, "")
+    first, empty, heading, *rest = done.stdout.splitlines()
+    assert first.startswith("the brick refuses it at offset 7; 1 error")
+    assert (empty, heading[:6]) == ("", "error[")
+    assert rest[:5] == [
+        "    --> offset 9, VALUE of UI_READ.GET_VBATT",
+        "     |",
+        "  +0 | 08 00 2A 00 00 08 00 81 01 61",
+        "     |                            ^^ VALUE = GV(1)",
+        "     = opUI_READ, LC0(GET_VBATT), GV0(1)",
+    ]
+    assert rest[5].startswith("     = help: ")
+
+
+def test_json() -> None:
+    done = run("--json", VOLTAGE)
+    assert json.loads(done.stdout) == {"accepted": True, "rejected_at": None, "findings": [], "hex": VOLTAGE_BYTES}
+    (entry,) = entries(MISALIGNED)
+    assert (entry["accepted"], entry["rejected_at"]) == (False, 7)
+    (finding,) = (found for found in entry["findings"] if found["severity"] == "error")
+    assert (finding["offset"], finding["length"]) == (9, 1)
+    assert (finding["operation"], finding["parameter"]) == ("UI_READ.GET_VBATT", "VALUE")
+    assert {"code", "message", "mend"} < set(finding)
+
+
+def test_a_log_with_good_and_bad_frames(tmp_path: Path) -> None:
+    log = tmp_path / "robot.log"
+    log.write_text(f"Sent 0x|{VOLTAGE}\nRecv 0x|07:00|2A:00|02|A4:70:FD:40|\nhello\nSent 0x|{MISALIGNED}\n")
+    done = run(str(log))
+    assert done.returncode == 1
+    lines = done.stdout.splitlines()
+    assert lines[0] == f"{log}, line 1: accepted: no findings"
+    assert lines[1] == ""
+    assert lines[2].startswith(f"{log}, line 4: the brick refuses it at offset 7; ")
+    assert lines[-1].startswith("2 frames: 1 error, ")
+    assert lines[-1].endswith("; 1 frame from the brick not checked")
+    first, second = entries(str(log))
+    assert (first["source"], first["line"], second["line"]) == (str(log), 1, 4)
+
+
+def test_the_lesson_has_no_errors() -> None:
+    done = run(str(CAPTURES / "lesson-02.log"))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines()[-1].startswith("19 frames: 0 errors, ")
+
+
+def test_a_capture_tells_its_packets_and_its_carrier() -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(bytes.fromhex(VOLTAGE_BYTES))
+    connection.receive(bytes.fromhex(VOLTS))
+    connection.send(bytes.fromhex(MISALIGNED.replace("|", "").replace(":", "")))
+    good, bad = entries(stdin=capture.data())
+    assert (good["source"], good["packet"], good["accepted"]) == ("standard input", 1, True)
+    assert (bad["packet"], bad["accepted"]) == (3, False)
+    done = run("--filter", "packet==1", stdin=capture.data())
+    assert (done.returncode, done.stdout) == (0, "standard input, packet 1: accepted: no findings\n")
+
+
+@pytest.mark.parametrize("name", ["usb.pcapng", "bluetooth.pcapng", "bluetooth.log", "daisy.pcap"])
+def test_captures_of_every_carrier(name: str) -> None:
+    done = run(str(CAPTURES / name))
+    assert done.stderr == ""
+    assert "packet " in done.stdout
+
+
+def test_a_capture_without_commands() -> None:
+    capture = Capture(RAW_IP)
+    Connection(capture).receive(bytes.fromhex(VOLTS))
+    done = run(stdin=capture.data())
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == "standard input: there is no command in 1 packet\n"
+
+
+def test_warnings_count_when_that_is_asked_for() -> None:
+    frame = "06:00|01:00|80|04:00|01"  # global memory that nothing uses
+    entry = entries(frame)[0]
+    assert {found["severity"] for found in entry["findings"]} == {"warning"}
+    assert run(frame).returncode == 0
+    assert run("--strict", frame).returncode == 1
+
+
+def test_findings_that_are_not_shown() -> None:
+    frame = "0A:00|01:00|00|04:00|81|81:01|E1:00|"  # two long encodings
+    assert {found["severity"] for found in entries(frame)[0]["findings"]} == {"hint"}
+    assert entries("--no-hints", frame)[0]["findings"] == []
+    done = run("--no-hints", frame)
+    assert (done.returncode, done.stdout) == (0, "the brick accepts it; 2 hints (2 not shown)\n")
+    assert "hint[" in run(frame).stdout
+    assert "error[" in run("--errors-only", MISALIGNED).stdout
+
+
+# Fixes
+
+
+def test_a_fixed_frame() -> None:
+    done = run("--fix", WITHOUT_REPLY.replace("08:00", "09:00"))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines() == [
+        "fixed in 2 places",
+        "0x|08:00|2A:00|00|04:00|81|01|60|",
+        "  length field: 9 -> 8 (the bytes that follow it, which read to their end)",
+        "  type: DIRECT_COMMAND_NO_REPLY -> DIRECT_COMMAND_REPLY (UI_READ.GET_VBATT writes GV(0), which only a reply"
+        " brings)",
+        "fixed: accepted: no findings",
+    ]
+
+
+def test_a_fixed_frame_as_json() -> None:
+    (entry,) = entries("--fix", MISALIGNED)
+    assert (entry["hex"], entry["accepted"]) == ("08002a00000800810160", True)
+    assert [found["severity"] for found in entry["findings"]] == ["hint"]  # four bytes of memory are left over
+    (change,) = entry["changes"]
+    assert (change["what"], change["before"], change["after"]) == ("variable", "GV(1)", "GV(0)")
+    assert entry["unmended"] == []
+
+
+def test_what_cannot_be_fixed_is_said() -> None:
+    done = run("--fix", "0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8")
+    assert done.returncode == 1
+    lines = done.stdout.splitlines()
+    assert lines[:2] == ["nothing could be fixed", "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8|"]
+    assert lines[2].startswith("  not fixed: the length field says 14, and 13 bytes follow it")
+    assert any(line.startswith("error[") for line in lines)
+
+
+def test_fixed_frames_can_be_given_on() -> None:
+    first = run("--fix", stdin=f"{WITHOUT_REPLY}\n{MISALIGNED}\n{VOLTAGE}\n")
+    assert first.returncode == 0
+    assert first.stdout.splitlines()[-1].startswith("3 frames: 0 errors, ")
+    fixed = [VOLTAGE_BYTES, "08002a00000800810160", VOLTAGE_BYTES]
+    again = entries(stdin=first.stdout)
+    assert [entry["hex"] for entry in again] == fixed
+    assert all(entry["accepted"] for entry in again)
+
+
+# Codes
+
+
+def test_every_code_can_be_explained() -> None:
+    listed = run("--explain", "all")
+    codes = [line.split()[0] for line in listed.stdout.splitlines()]
+    assert len(codes) == len(set(codes)) > 10
+    for code, example in (("E101", "example: 0x|"), ("E001", "example: 4C 45 47 4F ")):
+        assert code in codes
+        done = run("--explain", code.lower())
+        assert done.returncode == 0
+        assert f"[{code}]: " in done.stdout
+        assert example in done.stdout
+        assert json.loads(run("--json", "--explain", code).stdout)["code"] == code
+    entry = json.loads(run("--json", "--explain", "E101").stdout)
+    assert "E101" in [found["code"] for found in entries(entry["example"])[0]["findings"]]
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "complaint"),
+    [
+        (("--explain", "E10100"), 2, "there is no code E10100: did you mean E101"),
+        (("--explain", "nonsense"), 2, "--explain all lists those that there are"),
+        (("--explain", "E101", VOLTAGE), 2, "give one or the other"),
+        (("--strict", "--errors-only", VOLTAGE), 2, "give one or the other"),
+        (("--filter", "packet==2", VOLTAGE), 1, "no command that the filter lets through"),
+        (("--carrier", "pigeon", VOLTAGE), 2, "pigeon"),
+        (("no-such-file",), 1, "is no file and no frame"),
+        (("",), 1, "is no file and no frame"),
+        ((".",), 1, "cannot be read"),
+        (("Recv 0x|07:00|2A:00|02|A4:70:FD:40|",), 1, "only 1 frame from the brick"),
+        (("Sent 0x|0E:00|2A:00|80|00:00|94|01|...",), 1, "the text is cut off after 9 bytes"),
+    ],
+)
+def test_complaints(words: tuple[str, ...], status: int, complaint: str) -> None:
+    done = run(*words)
+    assert (done.returncode, done.stdout) == (status, "")
+    assert complaint in done.stderr
+
+
+def test_input_without_a_frame() -> None:
+    done = run(stdin="hello world\n")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "no frame in the input" in done.stderr
+
+
+def test_several_frames_on_the_command_line() -> None:
+    done = run(VOLTAGE, "0600010080000001")
+    assert done.stdout.splitlines() == [
+        "frame 1: accepted: no findings",
+        "frame 2: accepted: no findings",
+        "2 frames: 0 errors, 0 warnings, 0 hints",
+    ]
+
+
+def test_help() -> None:
+    done = run("--help")
+    assert done.returncode == 0
+    assert "--explain" in done.stdout
+
+
+SPOILT_SOURCE = "vmthread MAIN\n{\n  FOO(1)\n  DATA8 x\n  DATA8 x\n}\n"
+"""An operation that there is not, and a variable that is declared twice."""
+
+SOURCE_WITH_A_WARNING = "vmthread MAIN\n{\n  DATA8 x\n  MOVE8_8(300, x)\n}\n"
+"""300 is more than a DATA8 can be."""
+
+
+def test_json_has_what_is_wrong_with_a_source(tmp_path: Path) -> None:
+    source = tmp_path / "robot.lms"
+    source.write_text(SPOILT_SOURCE)
+    (entry,) = entries(str(source))
+    assert (entry["source"], entry["accepted"], entry["rejected_at"], entry["hex"]) == (str(source), False, None, "")
+    assert entry["findings"] == [
+        {
+            "severity": "error",
+            "code": "source",
+            "offset": 0,
+            "length": 0,
+            "message": "there is no operation FOO",
+            "mend": "change line 3 of the source",
+            "line": 3,
+            "column": 3,
+        },
+        {
+            "severity": "error",
+            "code": "source",
+            "offset": 0,
+            "length": 0,
+            "message": "x is declared already",
+            "mend": "change line 5 of the source",
+            "line": 5,
+            "column": 9,
+        },
+    ]
+    assert run("--json", str(source)).returncode == 1
+
+
+def test_json_has_what_a_source_is_warned_of(tmp_path: Path) -> None:
+    source = tmp_path / "robot.lms"
+    source.write_text(SOURCE_WITH_A_WARNING)
+    (entry,) = entries(str(source))
+    assert entry["hex"].startswith("4c45474f")
+    warning = entry["findings"][0]
+    assert (warning["severity"], warning["code"], warning["line"], warning["column"]) == ("warning", "source", 4, 11)
+    assert warning["message"].endswith("which reaches from -127 to 127: it cannot be 300")
+    (entry,) = entries("--errors-only", str(source))
+    assert "source" not in [finding["code"] for finding in entry["findings"]]

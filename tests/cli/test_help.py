@@ -1,0 +1,146 @@
+"""Help: of every subcommand, whole and with examples that work; versions; the search for operations."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from unittest import mock
+
+import click
+import pytest
+from support.cli import run_ev3proto_text as run
+
+from ev3proto.cli.main import cli
+from ev3proto.version import VERSION
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.mark.parametrize("flag", ["-V", "--version"])
+def test_the_version(flag: str) -> None:
+    assert run(flag).stdout == f"ev3proto, version {VERSION}\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "start"),
+    [
+        (["decode"], "Usage: ev3proto decode "),
+        (["export", "pcapng"], "Usage: ev3proto export pcapng "),
+        ([], "Usage: ev3proto [OPTIONS] COMMAND"),
+        (["sound.tone"], "SOUND.TONE  Plays one tone and returns at once\n"),
+        (["E205"], "error[E205]: a misaligned variable\n"),
+    ],
+)
+def test_help_of_anything(words: list[str], start: str) -> None:
+    done = run("help", *words)
+    assert done.returncode == 0
+    assert done.stdout.startswith(start)
+
+
+def test_ops_searches_words() -> None:
+    def found(*words: str) -> list[str]:
+        return [line.split()[1] for line in run("ops", *words).stdout.splitlines()]
+
+    assert run("ops", "led").stdout.startswith("UI_WRITE.LED  ")
+    assert "OUTPUT_STOP" in found("motor", "stops")
+    assert "UI_READ.GET_VBATT" in found("battery", "voltage")
+    assert run("ops", "LED_RED_FLASH").stdout.startswith("UI_WRITE.LED  ")
+    assert run("ops", "148").stdout == run("ops", "0x94").stdout
+
+
+def commands(command: click.Command, context: click.Context) -> Iterator[tuple[str, str]]:
+    yield context.command_path, command.get_help(context)
+    if isinstance(command, click.Group):
+        for name in command.list_commands(context):
+            below = command.get_command(context, name)
+            assert below is not None
+            yield from commands(below, click.Context(below, parent=context, info_name=name))
+
+
+HELPS = dict(commands(cli, click.Context(cli, info_name="ev3proto")))
+
+
+def examples(text: str) -> list[str]:
+    return re.findall(r"^    (ev3proto .*)$", text, re.MULTILINE)
+
+
+@pytest.mark.parametrize("columns", [40, 80, 200])
+def test_help_is_not_cut_off(columns: int) -> None:
+    with mock.patch.dict(os.environ, COLUMNS=str(columns)):
+        shown = dict(commands(cli, click.Context(cli, info_name="ev3proto")))
+    for path, text in shown.items():
+        # Of the three dots only those that mean "one or more" are left.
+        assert not re.search(r"(?<!\])\.\.\.(?!\])", re.sub(r"(FILE|BEGIN_|WORDS|NAMES)\.\.\.", "", text)), path
+        for line in text.splitlines():
+            assert len(line) <= max(columns, 80), line
+
+
+@pytest.mark.parametrize("path", HELPS)
+def test_every_help_ends_with_examples_of_commands_that_there_are(path: str) -> None:
+    text = HELPS[path]
+    found = examples(text)
+    assert found, path
+    assert re.search(r"^    \S.*\n\nOptions:", text, re.MULTILINE), "the examples come last"
+    for example in found:
+        words = re.split(r"[|;>]", re.sub(r"'[^']*'|\"[^\"]*\"", "x", example))[0].split()
+        command: click.Command = cli
+        context = click.Context(cli, info_name="ev3proto")
+        rest = words[1:]
+        while isinstance(command, click.Group) and rest and not rest[0].startswith("-"):
+            below = command.get_command(context, rest[0])
+            assert below is not None, example
+            command, rest = below, rest[1:]
+        options = {name for each in command.params for name in (*each.opts, *each.secondary_opts)}
+        used = {word.partition("=")[0] for word in rest if word.startswith("-") and word != "-"}
+        assert used <= {*options, "--help", "-h"}, example
+
+
+NEEDS_MORE = re.compile(
+    r"ev3proto (brick|copy|live|proxy|send)\b"  # a brick, an interface, or somebody who presses Ctrl-C
+    r"|--http|--to (usb|wifi)|\| (my_decoder|tshark)"
+)
+"""Examples that need more than a computer with ev3proto on it."""
+
+MAY_FIND = ("ev3proto check", "ev3proto decode", "ev3proto replay")
+"""Commands whose exit status says what they found: a fault, a reply that is another."""
+
+
+@pytest.fixture(scope="module")
+def desk(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the files that the examples name."""
+    folder = tmp_path_factory.mktemp("desk")
+    shutil.copy(ROOT / "captures" / "wifi.pcapng", folder / "robot.pcapng")
+    shutil.copy(ROOT / "captures" / "lesson-02.log", folder / "robot.log")
+    for name in ("hello.lms", "robot.lms"):
+        (folder / name).write_text("vmthread MAIN { SOUND(TONE, 1, 440, 10) SOUND_READY() }\n")
+    (folder / "tone.lms").write_text("SOUND(TONE, 1, 440, 1000)\n")
+    for name in ("dissector", ".local/lib/wireshark/plugins"):
+        (folder / name).mkdir(parents=True)
+    for words in (["encode", "robot.lms", "-o", "robot.rbf"], ["dissector", "build", "-o", "dissector/ev3.lua"]):
+        assert run(words[0], *(str(folder / word) if "." in word else word for word in words[1:])).returncode == 0
+    return folder
+
+
+@pytest.mark.parametrize("path", HELPS)
+def test_the_examples_run(path: str, desk: Path) -> None:
+    environment = {**os.environ, "HOME": str(desk), "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
+    # `ev3proto dissector` and `export` repeat what their subcommands show.
+    for example in examples(HELPS[path]) if path not in ("ev3proto", "ev3proto export", "ev3proto dissector") else ():
+        if NEEDS_MORE.search(example):
+            continue
+        if re.search(r"[|;<>~]", re.sub(r"'[^']*'|\"[^\"]*\"", "", example)):
+            words = ["bash", "-o", "pipefail", "-c", example]
+            done = subprocess.run(
+                words, cwd=desk, env=environment, capture_output=True, text=True, check=False, timeout=60
+            )
+        else:
+            done = run(*shlex.split(example)[1:], cwd=desk, env=environment)
+        # What is checked may have a fault: that is what the example shows.
+        assert done.returncode in ((0, 1) if path in MAY_FIND else (0,)), (example, done.stderr)
+        assert "Traceback" not in done.stderr

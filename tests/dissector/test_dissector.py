@@ -1,0 +1,305 @@
+"""What the dissector shows: the info column, fields to filter for, replies read through their commands, files moved.
+
+Everything is asked of the real tshark; packet numbers are those of the captures that stand in the repository.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from scapy.layers.inet import IP, TCP
+from scapy.layers.l2 import Ether
+from scapy.utils import wrpcap
+from support.packets import RAW_IP, Capture, Connection
+from support.wireshark import Tshark
+
+CAPTURES = Path(__file__).parents[2] / "captures"
+WIFI = CAPTURES / "wifi.pcapng"
+
+Ask = Callable[..., list[str]]
+
+
+@pytest.fixture
+def ask(tshark: Tshark) -> Ask:
+    """The values of a field in the packets that a filter lets through, a line a packet."""
+
+    def asked(display_filter: str, *fields: str, capture: Path = WIFI, passes: int = 2) -> list[str]:
+        words = ["-T", "fields", "-Y", display_filter]
+        for field in fields:
+            words += ["-e", field]
+        if passes == 2:
+            words.append("-2")
+        return tshark.run(capture, *words).splitlines()
+
+    return asked
+
+
+def info(ask: Ask, packet: int, capture: Path = WIFI) -> str:
+    (line,) = ask(f"frame.number == {packet}", "_ws.col.Info", capture=capture)
+    return line
+
+
+# The info column
+
+
+@pytest.fixture(scope="module")
+def infos(tshark: Tshark) -> list[str]:
+    """What is said of each packet."""
+    return tshark.run(WIFI, "-2", "-T", "fields", "-e", "_ws.col.Info").splitlines()
+
+
+@pytest.mark.parametrize(
+    ("packet", "line"),
+    [
+        (1, "beacon: 06165300000a 5555 myEV3 EV3"),
+        (7, "unlock 06165300000a"),
+        (9, "accepted"),
+        (11, "SOUND TONE volume=5 frequency=440 duration=250"),
+        (13, "INPUT_DEVICE_LIST length=4 (+2 operations)"),
+        (
+            17,
+            "UI_WRITE LED pattern=LED_ORANGE_PULSE; OUTPUT_SPEED layer=0 nos=6 speed=50 (+1 operation);"
+            " UI_READ GET_VBATT",
+        ),
+        (18, "reply to UI_READ GET_VBATT: 7.92 V"),
+        (29, "error reply to UI_READ GET_VBATT"),
+        (31, 'LIST_FILES max_bytes=80 "/home/root/lms2012/prjs/log/"'),
+        (32, 'reply: LIST_FILES "/home/root/lms2012/prjs/log/" 80 of 112 bytes'),
+        (43, 'CONTINUE_DOWNLOAD "../prjs/log/first.rbf" 1017 of 2500 bytes'),
+        (51, 'reply: BEGIN_DOWNLOAD "/home/root/none/here.rtf" 0 of 3 bytes ILLEGAL_PATH'),
+        (52, 'WRITEMAILBOX "abc" 6 bytes'),
+    ],
+)
+def test_the_info_column_tells_what_happened(infos: list[str], packet: int, line: str) -> None:
+    assert infos[packet - 1] == line
+
+
+def test_the_protocol_column_and_one_line_output_need_no_tree(tshark: Tshark) -> None:
+    lines = tshark.run(WIFI).splitlines()
+    assert [line.split(None, 5)[5] for line in lines if " EV3 " in line][3:6] == [
+        "EV3 108 unlock 06165300000a",
+        "EV3 71 accepted",
+        "EV3 70 SOUND TONE volume=5 frequency=440 duration=250",
+    ]
+
+
+# Fields
+
+
+FILTERS = {
+    "ev3.sound.tone.frequency > 400": [11],
+    "ev3.sound.tone.frequency > 440": [],
+    "ev3.ui_write.led.pattern == 9": [17],
+    "ev3.ui_write.led.pattern == LED_ORANGE_PULSE": [17],
+    "ev3.output_speed.speed": [17],
+    'ev3.cmd == "INPUT_DEVICE.READY_SI"': [15],
+    "ev3.op == 0xb3": [20],
+    "ev3.op == OUTPUT_GET_COUNT": [20],
+    "ev3.globals > 20": [13, 25],
+    "ev3.locals > 0": [],
+    'ev3.argument.variable == "GV(24)"': [13],
+    "ev3.msg_num == 5 && ev3.cmd_type == 0": [17],
+    "ev3.sys_cmd == 0x9e": [52],
+    "ev3.sys_cmd == WRITEMAILBOX": [52],
+    "ev3.reply_status == 6": [51],
+    "ev3.file_len == 2500": [41],
+    'ev3.file_name contains "first"': [41],
+    'ev3.path_name contains "log"': [31],
+    "ev3.max_bytes == 900 && ev3.file_name": [35],
+    "ev3.list_size == 112": [32],
+    "ev3.list": [32, 34],
+    'ev3.mailbox == "abc"': [52],
+    'ev3.beacon.name == "myEV3"': [1, 2],
+    'ev3.unlock.serial == "06165300000a"': [7],
+}
+"""Filters, and the packets that they let through."""
+
+
+@pytest.fixture(scope="module")
+def filtered(tshark: Tshark) -> dict[str, list[int]]:
+    return tshark.matches(WIFI, list(FILTERS), "-2")
+
+
+@pytest.mark.parametrize("display_filter", FILTERS)
+def test_everything_is_a_field(filtered: dict[str, list[int]], display_filter: str) -> None:
+    assert filtered[display_filter] == FILTERS[display_filter]
+
+
+def test_the_bootloader_has_fields_too(ask: Ask) -> None:
+    capture = CAPTURES / "usb-bootloader.pcapng"
+    assert ask("ev3.address == 0 && ev3.image_size == 2500", "ev3.sys_cmd", capture=capture) == ["0xf0", "0xf5"]
+    assert ask("ev3.hw_id", "ev3.hw_id", "ev3.fw_id", capture=capture) == ["0x0000b67f\t0x00000600"]
+    assert ask("ev3.checksum", "ev3.checksum", capture=capture) == ["0xdace64d3"]
+
+
+def test_a_command_in_the_tree(tshark: Tshark) -> None:
+    text = tshark.run(WIFI, "-V", "-Y", "frame.number == 11")
+    assert text[text.index("EV3: ") :].rstrip().splitlines() == [
+        "EV3: SOUND TONE volume=5 frequency=440 duration=250",
+        "    [Brick: 192.0.2.10:5555]",
+        "    Length: 14",
+        "    Message counter: 1",
+        "    Type: DIRECT_COMMAND_NO_REPLY (0x80)",
+        "    Memory asked for: 0x0000",
+        "        .... ..00 0000 0000 = Global memory: 0 bytes",
+        "        0000 00.. .... .... = Local memory: 0 bytes",
+        "    Opcode: SOUND (0x94) TONE volume=5 frequency=440 duration=250",
+        "        CMD: SOUND.TONE",
+        "        VOLUME: 5 %",
+        "            Encoding: LC0",
+        "        FREQUENCY: 440 Hz",
+        "            Encoding: LC2",
+        "        DURATION: 250 ms",
+        "            Encoding: LC2",
+    ]
+
+
+def test_values_have_names_flags_and_meanings(tshark: Tshark) -> None:
+    text = tshark.run(WIFI, "-V", "-Y", "frame.number == 17")
+    assert "PATTERN: LED_ORANGE_PULSE (9)" in text
+    assert "NOS: 6 (B+C)" in text
+    text = tshark.run(WIFI, "-V", "-Y", "frame.number == 24")
+    assert "NO: 0 (port 1)" in text
+    assert "TYPE: TYPE_KEEP (0) (keep the type)\n" in text
+
+
+def test_bytes_are_highlighted_exactly(tshark: Tshark) -> None:
+    (packet,) = tshark.packets(WIFI, "-Y", "frame.number == 11")
+    start = int(packet.ev3.msg_len.pos)
+    spans = {
+        name: (int(getattr(packet.ev3, name).pos) - start, int(getattr(packet.ev3, name).size))
+        for name in ("op", "cmd", "sound_tone_volume", "sound_tone_frequency", "sound_tone_duration")
+    }
+    assert spans == {
+        "op": (7, 9),
+        "cmd": (8, 1),
+        "sound_tone_volume": (9, 1),
+        "sound_tone_frequency": (10, 3),
+        "sound_tone_duration": (13, 3),
+    }
+    encodings = packet.ev3.argument_encoding.all_fields
+    assert [(field.show, int(field.pos) - start, int(field.size)) for field in encodings] == [
+        ("LC0", 9, 1),
+        ("LC2", 10, 1),
+        ("LC2", 13, 1),
+    ]
+
+
+def test_the_firmware_whose_instruction_set_is_meant_is_a_preference(tshark: Tshark, ask: Ask) -> None:
+    # DYNLOAD_VMLOAD is no opcode of LEGO's firmware.
+    frame = bytes.fromhex("0a 00 01 00 80 00 00 f0 60 84 61 00")
+    capture = one_segment(tshark.folder / "dynload.pcap", frame)
+    official = tshark.run(capture, "-V")
+    assert "0xF0 is no opcode of the official firmware" in official
+    xtended = tshark.run(capture, "-V", "-o", "ev3.firmware:xtended")
+    assert "0xF0 is no opcode" not in xtended
+    assert "0xf0" in xtended.lower()
+
+
+# Dialogues
+
+
+def test_request_and_reply_point_at_each_other(ask: Ask) -> None:
+    assert ask("ev3.response_in == 18", "frame.number") == ["17"]
+    assert ask("ev3.request_in == 17", "frame.number", "ev3.response_time") == ["18\t0.004300000"]
+    # Two commands went out before two replies came back in one segment.
+    assert ask("frame.number == 27", "ev3.request_in", "ev3.response_time") == ["24,25\t0.005100000,0.004800000"]
+    assert ask("frame.number in {24, 25}", "ev3.response_in") == ["27", "27"]
+
+
+def test_a_reply_is_read_through_its_command(ask: Ask) -> None:
+    assert ask("ev3.ui_read.get_vbatt.value > 7.9", "frame.number") == ["14", "18"]
+    (line,) = ask("frame.number == 18", "ev3.ui_read.get_vbatt.value", "ev3.answers")
+    value, operation = line.split("\t")
+    assert float(value) == pytest.approx(7.92)
+    assert operation == "UI_READ.GET_VBATT"
+    assert ask("frame.number == 14", "ev3.input_device_list.array", "ev3.input_device.get_name.destination") == [
+        "16,32,29,126\tCOL-REFLECT    "
+    ]
+    assert ask("frame.number == 16", "ev3.input_device.ready_si.values.item") == ["-12,3"]
+    assert ask("frame.number == 23", "ev3.output_get_count.tacho") == ["421,-17"]
+
+
+def test_one_pass_reads_replies_too(ask: Ask) -> None:
+    fields = ("frame.number", "ev3.request_in", "ev3.transfer.done", "ev3.ui_read.get_vbatt.value", "ev3.answers")
+    assert ask("ev3", *fields, passes=1) == ask("ev3", *fields, passes=2)
+
+
+def test_commands_without_a_reply_are_said_so_when_all_is_read(ask: Ask) -> None:
+    assert ask("ev3.expert.unanswered", "frame.number") == ["54"]
+    assert ask("ev3.expert.unanswered", "frame.number", passes=1) == []
+
+
+def test_replies_whose_command_is_not_in_the_capture_are_said_so(tshark: Tshark) -> None:
+    frame = bytes.fromhex("07 00 01 00 02 a4 70 fd 40")
+    capture = one_segment(tshark.folder / "orphan.pcap", frame, from_brick=True)
+    assert "the command that this reply answers was not seen" in tshark.run(capture, "-V")
+    assert "reply: 4 bytes, command not seen" in tshark.run(capture)
+
+
+def test_every_piece_of_a_file_tells_which_file_and_how_far_it_is(ask: Ask) -> None:
+    fields = ("frame.number", "ev3.transfer.path", "ev3.transfer.done", "ev3.transfer.size")
+    assert ask("ev3.sys_cmd in {0x92, 0x93} && frame.number < 50", *fields) == [
+        "41\t../prjs/log/first.rbf\t0\t2500",
+        "42\t../prjs/log/first.rbf\t0\t2500",
+        "43\t../prjs/log/first.rbf\t1017\t2500",
+        "44\t../prjs/log/first.rbf\t2034\t2500",
+        "46\t../prjs/log/first.rbf\t2034\t2500",
+        "47\t../prjs/log/first.rbf\t2034\t2500",
+        "48\t../prjs/log/first.rbf\t2500\t2500",
+        "49\t../prjs/log/first.rbf\t2500\t2500",
+    ]
+    path = "../prjs/log/values.rtf"
+    assert ask("ev3.sys_cmd == 0x95", *fields) == [
+        f"37\t{path},{path},{path}\t900,900,900\t2710,2710,2710",
+        f"38\t{path}\t1800\t2710",
+        f"39\t{path},{path}\t2700,2710\t2710,2710",
+    ]
+
+
+def test_commands_that_differ_in_few_bytes_keep_their_own_lines_and_replies(tshark: Tshark) -> None:
+    """What is known of a command is looked up by some of its bytes: here just those are the same."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for counter in range(1, 9):
+        # SOUND TONE, UI_READ GET_VBATT into GV(0) or GV(4), SOUND BREAK.
+        frequency, index = (440, 0) if counter % 2 else (441, 4)
+        tone = bytes.fromhex("9401 8105 82") + struct.pack("<H", frequency) + bytes.fromhex("82FA00")
+        body = struct.pack("<H", 8) + tone + bytes([0x81, 0x01, 0x60 + index, 0x94, 0x00])
+        connection.send(struct.pack("<HHB", 3 + len(body), counter, 0x00) + body)
+        connection.receive(struct.pack("<HHBff", 11, counter, 0x02, 1.5, 7.25))
+    path = tshark.place(capture.data(), "alike.pcap")
+    first = ["SOUND TONE volume=5 frequency=440 duration=250 (+2 operations)", "reply to SOUND TONE: 1.5 V"]
+    second = ["SOUND TONE volume=5 frequency=441 duration=250 (+2 operations)", "reply to SOUND TONE: 7.25 V"]
+    for words in ([], ["-2"], ["-T", "fields", "-e", "_ws.col.Info"]):
+        found = tshark.run(path, *words).splitlines()
+        expected = 4 * (first + second)
+        assert [line[-len(end) :] for line, end in zip(found, expected, strict=True)] == expected
+
+
+def test_error_replies_and_failures_are_expert_information(ask: Ask) -> None:
+    assert ask("ev3.expert.error_reply", "frame.number") == ["29"]
+    assert ask("ev3.expert.failed", "frame.number", "_ws.expert.message") == ["51\tthe command failed: ILLEGAL_PATH"]
+    assert ask("ev3.expert.misaligned", "frame.number") == ["28"]
+
+
+def one_segment(path: Path, frame: bytes, *, from_brick: bool = False) -> Path:
+    """A capture of one frame in a TCP segment to port 5555, or from it."""
+    ports = (5555, 49152) if from_brick else (49152, 5555)
+    segment = TCP(sport=ports[0], dport=ports[1], flags="PA")
+    wrpcap(str(path), Ether() / IP(src="192.0.2.1", dst="192.0.2.2") / segment / frame)
+    return path
+
+
+def test_no_control_character_is_in_a_line(tshark: Tshark) -> None:
+    """Of ISO-8859-1 neither those below 20 nor 7F to 9F: tshark 4.0 hands them to the terminal as they are."""
+    name = b"a\x1b\x7f\x85\x9b\xe4"
+    body = b"\x00\x00\xd4\x08\x84" + name + b"\x00"
+    capture = Capture(RAW_IP)
+    Connection(capture).send(struct.pack("<HHB", 3 + len(body), 1, 0x80) + body)
+    path = tshark.place(capture.data(), "controls.pcap")
+    said = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info").strip()
+    assert said == 'COM_SET SET_BRICKNAME name="a\u241b\u2421\ufffd\ufffdä"'

@@ -1,0 +1,407 @@
+"""The dissector and the codec agree: what tshark shows of a frame is what `ev3proto.parse` and `Dialogue` make of it.
+
+The one side comes through tshark, the dissector and pyshark. The other side gets the frames without the dissector: from
+tshark's fields of the carrier below it, or from the strategies that drew them.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import re
+import struct
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from functools import cache
+from itertools import groupby, pairwise
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+from hypothesis import strategies as st
+from support.dissected import Follower, Frame, difference, is_message, packets, shown, unshown
+from support.effort import THOROUGH, effort
+from support.frames import Segment, drawn, tcp_capture
+from support.packets import MILLISECONDS_EACH
+from support.wireshark import Tshark
+
+import ev3proto
+from ev3proto import GV, LV
+from ev3proto.messages import DaisyReply, DirectCommand, Message, Operation, SystemCommand, SystemReply, Variable
+from ev3proto.schema.discovery import UNLOCK
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.tables import operations
+from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
+from ev3proto.tables.discovery import ACCEPT, TCP_PORT, UNLOCK_REQUEST
+from ev3proto.tables.frame import MAX_FRAME, MessageType
+from ev3proto.testing import daisy_messages, frames, raw_operations, system_replies, values_for
+
+CAPTURES = Path(__file__).parents[2] / "captures"
+LESSON = CAPTURES / "lesson-02.log"
+
+
+def check(tshark: Tshark, capture: Path, expected: Sequence[Frame], *words: str, dialect: str = "official") -> None:
+    """Compares all messages that tshark shows in a capture with the frames that are in it."""
+    layers = packets(tshark, capture, *words)
+    found = [(number, layer) for number, layer in layers if is_message(layer)]
+    follower = Follower(dialect, passes=2 if "-2" in words else 1)
+    records = follower.follow(expected)
+    for (number, layer), record, frame in zip(found, records, expected, strict=False):
+        told = difference(shown(number, layer), record) or unshown(layer, frame.data + frame.padding)
+        assert not told, f"packet {frame.packet}, frame {frame.data.hex(' ')}\n{told}"
+    assert [number for number, _ in found] == [frame.packet for frame in expected]
+
+
+# Frames in captures
+
+
+class Pieces:
+    """A stream in one direction, piece by piece; texts in front of the frames are passed over."""
+
+    def __init__(self) -> None:
+        self.decoder = ev3proto.Decoder(strict=False)
+
+    def feed(self, data: bytes) -> Iterator[bytes]:
+        """The frames that are complete with this piece."""
+        if data.startswith(UNLOCK_REQUEST.encode()):
+            data = data[UNLOCK.read(data, 0)[1] :]
+        elif data.startswith(ACCEPT):
+            data = data.removeprefix(ACCEPT).removeprefix(b"\0")
+        return (message.build() for message in self.decoder.feed(data))
+
+
+Row = list[str]
+
+
+def rows(tshark: Tshark, capture: Path, display_filter: str, *fields: str, words: Iterable[str] = ()) -> Iterator[Row]:
+    """Fields of the packets that a filter lets through, read without the dissector."""
+    arguments = ["-T", "fields", "-Y", display_filter, *words]
+    for name in ("frame.number", "frame.time_relative", *fields):
+        arguments += ["-e", name]
+    for line in tshark.run(capture, *arguments, dissector=False).splitlines():
+        yield line.split("\t")
+
+
+def over_tcp(tshark: Tshark, capture: Path) -> Iterator[Frame]:
+    """Segments in the order of their numbers; what came already is passed over, what comes early waits."""
+    streams: dict[bool, Pieces] = {True: Pieces(), False: Pieces()}
+    behind: dict[bool, int] = {}
+    early: dict[tuple[bool, int], bytes] = {}
+    fields = ("tcp.dstport", "tcp.seq", "tcp.payload")
+    words = ("-d", f"tcp.port=={TCP_PORT},data")
+    for number, time, port, sequence, payload in rows(tshark, capture, "tcp.len > 0", *fields, words=words):
+        from_host = int(port) == TCP_PORT
+        early.setdefault((from_host, int(sequence)), bytes.fromhex(payload))
+        at = behind.setdefault(from_host, int(sequence))
+        while (piece := early.pop((from_host, at), None)) is not None:
+            at += len(piece)
+            behind[from_host] = at
+            for data in streams[from_host].feed(piece):
+                yield Frame(int(number), 1000 * float(time), from_host, data)
+    assert set(early) <= {(way, number) for way, number in early if number < behind[way]}
+
+
+def over_usb(devices: str) -> Callable[[Tshark, Path], Iterator[Frame]]:
+    """Reports of some devices, cut by the length field."""
+
+    def read(tshark: Tshark, capture: Path) -> Iterator[Frame]:
+        fields = ("usb.src", "usb.dst", "usb.capdata", "usbhid.data")
+        for number, time, source, target, *data in rows(tshark, capture, devices, *fields):
+            report = bytes.fromhex("".join(data))
+            size = 2 + int.from_bytes(report[:2], "little")
+            device = (target if source == "host" else source).rpartition(".")[0]
+            frame, padding = report[:size], report[size:]
+            yield Frame(int(number), 1000 * float(time), source == "host", frame, padding, talk=device)
+
+    return read
+
+
+def over_rfcomm(*words: str) -> Callable[[Tshark, Path], Iterator[Frame]]:
+    """What the channel of the serial port carries; the words make tshark see that it is RFCOMM."""
+
+    def read(tshark: Tshark, capture: Path) -> Iterator[Frame]:
+        streams: dict[bool, Pieces] = {True: Pieces(), False: Pieces()}
+        fields = ("hci_h4.direction", "btspp.data", "data.data")
+        channel = "btrfcomm.dlci == 2 && btrfcomm.len > 0"
+        for number, time, direction, *data in rows(tshark, capture, channel, *fields, words=words):
+            from_host = int(direction, 0) == 0
+            for frame in streams[from_host].feed(bytes.fromhex("".join(data))):
+                yield Frame(int(number), 1000 * float(time), from_host, frame)
+
+    return read
+
+
+class Carrier(NamedTuple):
+    """How to get at the frames of a capture, how many there are, and what tshark needs to see them."""
+
+    frames: Callable[[Tshark, Path], Iterator[Frame]]
+    total: int
+    words: tuple[str, ...] = ()
+
+
+LATE = ("-d", "btl2cap.cid==0x41,btrfcomm", "-d", "btl2cap.cid==0x51,btrfcomm")
+"""A capture that begins after the search for the serial port does not say which channels are RFCOMM."""
+
+CARRIERS = {
+    "bluetooth.log": Carrier(over_rfcomm(), 24),
+    "bluetooth.pcapng": Carrier(over_rfcomm(*LATE), 13),
+    "daisy.pcap": Carrier(over_usb("usb.data_len == 64"), 8),
+    "ev3_dc.pcap": Carrier(over_tcp, 188),
+    "usb-bootloader.pcapng": Carrier(over_usb("usb.data_len == 1024"), 16),
+    "usb-plugged.pcap": Carrier(over_usb('usb.data_len == 1024 && usb.addr == "1.7.1"'), 9),
+    "usb-windows.pcap": Carrier(over_usb("usb.data_len == 1024"), 15),
+    "usb.pcapng": Carrier(over_usb("usb.data_len == 1024"), 25),
+    "wifi-reordered.pcap": Carrier(over_tcp, 14, ("-o", "tcp.reassemble_out_of_order:TRUE")),
+    "wifi.pcapng": Carrier(over_tcp, 42),
+}
+
+
+def test_all_captures_are_read() -> None:
+    others = {"README.md", "make.py", LESSON.name, "real-bricks.log"}
+    assert {path.name for path in CAPTURES.iterdir() if path.is_file()} - others == set(CARRIERS)
+
+
+@pytest.mark.parametrize("name", CARRIERS)
+def test_captures(tshark: Tshark, name: str) -> None:
+    """Read once and read twice."""
+    capture, carrier = CAPTURES / name, CARRIERS[name]
+    found = list(carrier.frames(tshark, capture))
+    for passes in ((), ("-2",)):
+        check(tshark, capture, found, *carrier.words, *passes)
+
+
+# Frames in a connection of our own
+
+
+def in_segments(said: Iterable[tuple[bool, bytes]], chance: random.Random) -> tuple[list[Segment], list[Frame]]:
+    """Frames of both sides put into segments: whole or cut anywhere, alone or with others that go the same way."""
+    segments: list[Segment] = []
+    found: list[Frame] = []
+    for from_host, group in groupby(said, lambda one: one[0]):
+        run = [data for _, data in group]
+        ends = {sum(map(len, run[: index + 1])) for index in range(len(run))}
+        total = b"".join(run)
+        cuts = {end for end in ends if chance.random() < 0.5}
+        cuts |= {chance.randrange(1, len(total)) for _ in range(chance.choice((0, 0, 1, len(run))))}
+        edges = sorted({0, *cuts, len(total)})
+        at = 0
+        for start, end in pairwise(edges):
+            segments.append(Segment(from_host, total[start:end]))
+            while run and at + len(run[0]) <= end:
+                at += len(run[0])
+                milliseconds = MILLISECONDS_EACH * (len(segments) - 1)
+                found.append(Frame(len(segments), milliseconds, from_host, run.pop(0)))
+    return segments, found
+
+
+def test_lesson(tshark: Tshark) -> None:
+    """The frames of a lesson, in the order in which they stand there."""
+    lines = re.findall(r"(Sent|Recv) 0x\|([0-9A-F:|]+)\|$", LESSON.read_text(encoding="utf-8"), re.MULTILINE)
+    said = [(way == "Sent", bytes.fromhex(re.sub("[:|]", " ", data))) for way, data in lines]
+    segments, found = in_segments(said, random.Random(0))
+    assert len(found) == len(said)
+    for words in ((), ("-2",)):
+        check(tshark, tshark.place(tcp_capture(segments), "lesson.pcap"), found, *words)
+
+
+# Frames drawn from the tables
+
+DRAWN = {"official": effort(500, 3000), "xtended": effort(60, 300), "compat": effort(60, 300)}
+ASKING = {"official": effort(150, 800), "xtended": effort(30, 100), "compat": effort(30, 100)}
+AT_ONCE = 16
+"""Operations that are drawn together: hypothesis ends a draw that gets too long."""
+
+
+def names_of(dialect: str) -> list[str]:
+    """The operations of LEGO's firmware, and those that others have alone; all for thorough tests."""
+    official = operations("official")
+    return [
+        name
+        for name, it in operations(dialect).items()
+        if dialect == "official" or THOROUGH or name not in official or it.parameters != official[name].parameters
+    ]
+
+
+@cache
+def of_every_operation(dialect: str) -> list[bytes]:
+    """A direct command for each operation of a firmware, which asks for all the memory that there is."""
+    strategies = [raw_operations(dialect, name) for name in names_of(dialect)]
+    bodies: list[bytes] = []
+    for start in range(0, len(strategies), AT_ONCE):
+        (found,) = drawn(st.tuples(*strategies[start : start + AT_ONCE]), 2)[1:]
+        bodies += found
+    return [_direct(counter, body) for counter, body in enumerate(bodies)]
+
+
+def _direct(counter: int, operation: bytes) -> bytes:
+    size = COMMAND_HEADER_SIZE + len(operation)
+    assert size <= MAX_FRAME
+    memory = MAX_FRAME - HEADER_SIZE
+    return struct.pack("<HHBH", size - 2, counter, MessageType.DIRECT_COMMAND_REPLY, memory) + operation
+
+
+@cache
+def answers() -> dict[int, list[SystemReply]]:
+    """Replies to system commands by the command's number."""
+    found: dict[int, list[SystemReply]] = {}
+    for reply in drawn(system_replies(), 500):
+        found.setdefault(reply.number, []).append(reply)
+    return found
+
+
+@cache
+def chained() -> list[bytes]:
+    """Daisy replies."""
+    return [it.build() for it in drawn(daisy_messages(), 200) if isinstance(it, DaisyReply)]
+
+
+PLACES = st.builds(
+    Variable,
+    st.sampled_from(("global", "global", "global", "local")),
+    st.integers(0, 72),
+    handle=st.integers(0, 7).map(lambda it: it == 7),
+    address=st.integers(0, 7).map(lambda it: it == 7),
+)
+LENGTHS = st.sampled_from((-1, -3, 0, 1, 2, 5, 20, 127)) | PLACES
+
+
+@st.composite
+def asking(draw: st.DrawFn, dialect: str) -> bytes:
+    """Direct commands whose operations have outputs, most of them inside the memory that the command asks for."""
+    chosen: list[Operation] = []
+    with_outputs = [it for it in operations(dialect).values() if any(map(_gives, it.parameters))]
+    for declaration in draw(st.lists(st.sampled_from(with_outputs), min_size=1, max_size=4)):
+        values: list[Any] = []
+        lengths = {parameter.length for parameter in declaration.parameters}
+        for parameter in declaration.parameters:
+            if parameter.is_output:
+                values.append(draw(PLACES))
+            elif parameter.type is Type.COUNT and _gives(parameter):
+                values.append(draw(st.lists(PLACES, max_size=4)))
+            elif parameter.name in lengths:
+                values.append(draw(LENGTHS))
+            else:
+                values.append(draw(values_for(parameter)))
+                if parameter.type is Type.VALUES:
+                    values[-2] = len(values[-1])
+        chosen.append(ev3proto.operation(declaration.name, *values, dialect=dialect))
+    size, counter = draw(st.integers(0, 80)), draw(st.integers(0, 0xFFFF))
+    return ev3proto.direct_command(*chosen, counter=counter, reply=True, global_size=size).build()
+
+
+def _gives(parameter: Parameter) -> bool:
+    return parameter.is_output or (parameter.type is Type.COUNT and parameter.elements is not Direction.IN)
+
+
+TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
+
+
+class Conversation:
+    """A host and a brick that say what was drawn; the brick answers nearly everything, in its order."""
+
+    def __init__(self, dialect: str, seed: int) -> None:
+        self.chance = random.Random(seed)
+        self.dialect = dialect
+        self.said: list[tuple[bool, bytes]] = []
+        self.waiting: list[bytes] = []
+
+    def say(self, frames: Iterable[bytes]) -> None:
+        """Frames as they were drawn; replies among them are the brick's, which were asked for by nobody."""
+        for data in frames:
+            message = ev3proto.parse(data, dialect=self.dialect)
+            assert message.type is not None
+            if isinstance(message, SystemCommand | SystemReply) and "handle" in message.fields:
+                # Few handles, so that files go on.
+                handle = int(message.fields["handle"]) % 3
+                data = replace(message, fields={**message.fields, "handle": handle}).build()
+            self.said.append((message.type.is_command, data))
+            if message.wants_reply and self.chance.random() < 0.95:
+                self.waiting.append(self.reply(message))
+            if self.chance.random() < 0.7:
+                self.answer()
+        self.answer()
+
+    def answer(self) -> None:
+        """The brick says all that it owes."""
+        self.said += [(False, data) for data in self.waiting]
+        self.waiting.clear()
+
+    def reply(self, message: Message) -> bytes:
+        """The reply to a command: most often of the size asked for."""
+        chance, counter = self.chance, message.counter
+        if isinstance(message, DirectCommand):
+            size = message.global_size if chance.random() < 0.9 else chance.randrange(64)
+            error = chance.random() < 0.1
+            memory = b"" if error else chance.randbytes(min(size, MAX_FRAME - HEADER_SIZE))
+            return ev3proto.direct_reply(memory, counter=counter, error=error).build()
+        if isinstance(message, SystemCommand):
+            reply = replace(chance.choice(answers()[message.number]), counter=counter)
+            if "handle" in reply.fields:
+                reply = replace(reply, fields={**reply.fields, "handle": int(reply.fields["handle"]) % 3})
+            return reply.build()
+        data = chance.choice(chained())
+        return data[:2] + counter.to_bytes(2, "little") + data[4:]
+
+
+def agree(tshark: Tshark, dialect: str, drawn_frames: Iterable[bytes], *words: str) -> None:
+    """Has frames said in a connection of their own, and compares what is shown of them and of their replies.
+
+    It begins with a tone: not every frame claims a connection.
+    """
+    conversation = Conversation(dialect, seed=1)
+    conversation.say([TONE, *drawn_frames])
+    segments, found = in_segments(conversation.said, conversation.chance)
+    words = ("-o", f"ev3.firmware:{dialect}", *words)
+    check(tshark, tshark.place(tcp_capture(segments), "drawn.pcap"), found, *words, dialect=dialect)
+
+
+def test_every_letter(tshark: Tshark) -> None:
+    letters = "".join(map(chr, range(256)))
+    frames_of_all = [
+        ev3proto.direct_command(ev3proto.operation("COM_SET.SET_BRICKNAME", letters[1:])).build(),
+        *(
+            ev3proto.direct_command(ev3proto.operation("COM_SET.SET_BRICKNAME", f"a{letter}b")).build()
+            for letter in letters[1:]
+        ),
+        ev3proto.system_reply("LIST_FILES", list_size=len(letters), handle=0, list=letters).build(),
+    ]
+    agree(tshark, "official", frames_of_all)
+
+
+def test_floats(tshark: Tshark) -> None:
+    """Those at the edges of what there is, for the dissector puts them together itself."""
+    edges = [0.0, -0.0, 1e-45, 1.1754942e-38, 1.17549435e-38, 0.1, 1.0, 16777215.0, 3.4028235e38]
+    values = [*edges, *(-edge for edge in edges), math.inf, -math.inf, math.nan]
+    moves = (ev3proto.operation("MOVEF_F", value, LV(0)) for value in values)
+    agree(tshark, "official", [ev3proto.direct_command(*moves).build()])
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_every_operation(tshark: Tshark, dialect: str) -> None:
+    frames_of_all = of_every_operation(dialect)
+    found = [ev3proto.parse(data, dialect=dialect) for data in frames_of_all]
+    assert {
+        it.full_name for message in found if isinstance(message, DirectCommand) for it in message.operations
+    } == set(names_of(dialect))
+    agree(tshark, dialect, frames_of_all)
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_drawn_frames(tshark: Tshark, dialect: str) -> None:
+    agree(tshark, dialect, drawn(frames(dialect), DRAWN[dialect]))
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_reply_values(tshark: Tshark, dialect: str) -> None:
+    agree(tshark, dialect, drawn(asking(dialect), ASKING[dialect]), "-2")
+
+
+def test_a_length_counts_for_its_own_operation(tshark: Tshark) -> None:
+    """The first name has two bytes and does not come back; how long the second one is, only the brick knows."""
+    name = "INPUT_DEVICE.GET_NAME"
+    asked = (ev3proto.operation(name, 0, 0, 2, LV(0)), ev3proto.operation(name, 0, 0, GV(0), GV(1)))
+    command = ev3proto.direct_command(*asked, reply=True, global_size=8, local_size=2)
+    reply = ev3proto.direct_reply(b"\x07ABCDEF\0")
+    said = [(True, command.build()), (False, reply.build())]
+    segments, found = in_segments(said, random.Random(0))
+    check(tshark, tshark.place(tcp_capture(segments), "drawn.pcap"), found)

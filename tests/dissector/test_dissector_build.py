@@ -1,0 +1,318 @@
+"""The dissector's file is what the tables give, Wireshark has a field for all that is in them, and its README holds."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from support.cli import run_ev3proto
+from support.wireshark import DISSECTOR, Tshark
+
+from ev3proto.generate.dissector.build import build
+from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name
+from ev3proto.tables import OPCODES
+from ev3proto.tables.declaration import Enumeration, Parameter, Type
+from ev3proto.tables.system import SYSTEM, Kind
+
+ROOT = Path(__file__).parents[2]
+CAPTURES = ROOT / "captures"
+README = (ROOT / "dissector" / "README.md").read_text(encoding="utf-8")
+
+
+class Field(NamedTuple):
+    """What Wireshark knows of a field."""
+
+    name: str
+    type: str
+    base: str
+    text: str
+
+
+@pytest.fixture(scope="module")
+def fields(tshark: Tshark) -> dict[str, Field]:
+    """Every field of the dissector by what it is called in filters; none is there twice."""
+    rows = [line.split("\t") for line in report(tshark, "fields")]
+    found = [(row[2], Field(row[1], row[3], row[5], row[7])) for row in rows if row[0] == "F" and row[4] == "ev3"]
+    assert [name for name, count in Counter(name for name, _ in found).items() if count > 1] == []
+    return dict(found)
+
+
+@pytest.fixture(scope="module")
+def values(tshark: Tshark) -> dict[str, dict[int, str]]:
+    """The names of numbers that Wireshark knows, by field."""
+    found: dict[str, dict[int, str]] = {}
+    for line in report(tshark, "values"):
+        if line.startswith("V\tev3."):
+            _, field, digits, text = line.split("\t")
+            number = int(digits, 0)
+            found.setdefault(field, {})[number - 2**32 if number >= 2**31 else number] = text
+    return found
+
+
+def report(tshark: Tshark, what: str) -> list[str]:
+    done = subprocess.run(
+        [str(tshark.path), "-G", what, *tshark.words], capture_output=True, encoding="utf-8", timeout=120, check=True
+    )
+    assert ".lua:" not in done.stderr
+    return done.stdout.splitlines()
+
+
+def parameters() -> Iterator[tuple[str, Parameter]]:
+    """Every parameter of every operation, with what its field is called."""
+    for opcode in OPCODES:
+        for parameter in opcode.parameters:
+            yield f"ev3.{opcode.name}.{parameter.name}".lower(), parameter
+        for command in opcode.commands:
+            for parameter in command.parameters:
+                yield f"ev3.{opcode.name}.{command.name}.{parameter.name}".lower(), parameter
+
+
+def run(*words: str) -> subprocess.CompletedProcess[bytes]:
+    return run_ev3proto("dissector", "build", *words)
+
+
+def test_the_command_writes_the_same_every_time(tmp_path: Path) -> None:
+    file = tmp_path / "ev3.lua"
+    assert run("-o", str(file)).returncode == 0
+    done = run()
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout == file.read_bytes() == build().encode()
+
+
+def test_the_command_checks_a_file(tmp_path: Path) -> None:
+    file = tmp_path / "ev3.lua"
+    done = run("--check", "-o", str(file))
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert done.stderr.decode() == f"{file}: cannot be read: No such file or directory\n"
+    file.write_text(build(), newline="\n")
+    done = run("--check", "-o", str(file))
+    assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
+    file.write_text("-- old\n")
+    done = run("--check", "-o", str(file))
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert done.stderr.decode() == f"{file} is out of date: run ev3proto dissector build -o {file}\n"
+    assert file.read_text() == "-- old\n"
+
+
+def test_calls_that_are_wrong(tmp_path: Path) -> None:
+    done = run("--check")
+    assert done.returncode == 2
+    assert "--check needs -o" in done.stderr.decode()
+    done = run("-o", str(tmp_path / "none" / "ev3.lua"))
+    assert done.returncode == 1
+    assert done.stderr.decode().endswith("ev3.lua: cannot be written: No such file or directory\n")
+
+
+def test_the_form_of_the_file() -> None:
+    data = DISSECTOR.read_bytes()
+    assert not data.startswith(b"\xef\xbb\xbf")
+    assert b"\r" not in data
+    assert b"\t" not in data
+    assert data.endswith(b"\n")
+    lines = data.decode().split("\n")
+    assert [line for line in lines if len(line) > 120] == []
+    assert [line for line in lines if line != line.rstrip()] == []
+
+
+def expected_type(type: Type | str | None) -> str:
+    return {Type.DATAF: "FT_FLOAT", Type.STRING: "FT_STRING"}.get(type, "FT_INT32")  # type: ignore[arg-type]
+
+
+def test_every_parameter_has_its_field(fields: dict[str, Field]) -> None:
+    declared = dict(parameters())
+    assert len(declared) > 1000
+    wrong = []
+    for name, parameter in declared.items():
+        element = parameter.element
+        kind = element if parameter.type is Type.VALUES else parameter.type
+        field = fields.get(name)
+        if field is None or (field.name.split()[-1], field.type) != (parameter.name, expected_type(kind)):
+            wrong.append((name, field))
+        if parameter.type is Type.COUNT:
+            item = fields.get(f"{name}.item")
+            # Where another argument tells the type, a double holds any number.
+            type_of_item = expected_type(element) if isinstance(element, Type) else "FT_DOUBLE"
+            if item is None or (item.name, item.type) != (parameter.name, type_of_item):
+                wrong.append((f"{name}.item", item))
+    assert wrong == []
+
+
+def test_names_that_say_little_have_a_word_before_them(fields: dict[str, Field]) -> None:
+    assert fields["ev3.output_speed.layer"].name == "Daisy chain LAYER"
+    assert fields["ev3.output_speed.nos"].name == "Ports NOS"
+    assert fields["ev3.input_device.ready_si.no"].name == "Port NO"
+    assert fields["ev3.mailbox_open.no"].name == "NO"  # a mailbox
+
+
+def test_every_parameter_tells_what_it_means(fields: dict[str, Field]) -> None:
+    # An operation that dialects have in two forms has one field for both.
+    meanings: dict[str, set[str]] = {}
+    for name, parameter in parameters():
+        meanings.setdefault(name, set()).add(parameter.text)
+    assert {name: fields[name].text for name in meanings if fields[name].text not in meanings[name]} == {}
+
+
+def test_enumerations_have_their_names(values: dict[str, dict[int, str]]) -> None:
+    wrong = []
+    for name, parameter in parameters():
+        if parameter.enum is not None and not parameter.enum.flags and values.get(name) != names_of(parameter.enum):
+            wrong.append((name, values.get(name)))
+    assert wrong == []
+
+
+def names_of(enum: Enumeration) -> dict[int, str]:
+    names: dict[int, str] = {}
+    for name, number in enum.members.items():
+        names.setdefault(number, name)
+    return names
+
+
+SYSTEM_TYPES = {
+    Kind.U8: "FT_UINT8",
+    Kind.U16: "FT_UINT16",
+    Kind.U32: "FT_UINT32",
+    Kind.TEXT: "FT_STRING",
+    Kind.COUNTED_TEXT: "FT_STRING",
+    Kind.LISTING: "FT_STRING",
+    Kind.DATA: "FT_BYTES",
+}
+
+
+def test_every_field_of_system_messages(fields: dict[str, Field]) -> None:
+    for command in SYSTEM:
+        for field in (*command.request, *command.reply):
+            known = fields[f"ev3.{filter_name(command, field)}"]
+            assert known.type == SYSTEM_TYPES[field.kind], (command.name, field.name)
+            assert (known.base == "BASE_HEX") == (field.name in HEXADECIMAL), (command.name, field.name)
+
+
+FAMILIAR = {
+    "msg_len": "FT_UINT16",
+    "msg_num": "FT_UINT16",
+    "cmd_type": "FT_UINT8",
+    "sys_cmd": "FT_UINT8",
+    "vars": "FT_UINT16",
+    "op": "FT_UINT8",
+    "reply_status": "FT_UINT8",
+    "file_len": "FT_UINT32",
+    "file_name": "FT_STRING",
+    "max_bytes": "FT_UINT16",
+    "path_name": "FT_STRING",
+    "handle": "FT_UINT8",
+    "list_size": "FT_UINT32",
+    "list": "FT_STRING",
+    "address": "FT_UINT32",
+    "image_size": "FT_UINT32",
+    "checksum": "FT_UINT32",
+    "hw_id": "FT_UINT32",
+    "fw_id": "FT_UINT32",
+}
+"""The names that people have filters with, of the dissector that was public before."""
+
+
+def test_familiar_names(fields: dict[str, Field]) -> None:
+    types = {name: fields[f"ev3.{name}"].type for name in FAMILIAR}
+    assert types == FAMILIAR
+    section = README.split("## If you had filters before")[1].split("##")[0]
+    assert set(re.findall(r"`ev3\.(\w+)`", section)) == set(FAMILIAR)
+
+
+def test_names_of_the_header(fields: dict[str, Field], values: dict[str, dict[int, str]]) -> None:
+    assert fields["ev3.cmd"].type == "FT_STRING"
+    assert fields["ev3.globals"].type == fields["ev3.locals"].type == "FT_UINT16"
+    assert values["ev3.cmd_type"][0x80] == "DIRECT_COMMAND_NO_REPLY"
+    assert values["ev3.sys_cmd"] == {command.number: command.name for command in SYSTEM}
+    assert values["ev3.op"].items() >= {0x94: "SOUND", 0x81: "UI_READ"}.items()
+    assert values["ev3.op"].keys() == {opcode.number for opcode in OPCODES}
+    assert values["ev3.reply_status"][6] == "ILLEGAL_PATH"
+
+
+ROWS = re.findall(r"^\| [^|`]+ \| `(.*)` \|(?: `([\w.-]+)`: (\d+))? \|$", README, re.MULTILINE)
+TWICE = set(re.findall(r"^\| [^|`]+ \(-2\) \| `(.*)` \|.*$", README, re.MULTILINE))
+"""Filters that find all only when the capture is read twice."""
+SESSIONS = re.findall(r"^\$ (tshark .*)\n((?:(?!\$ |```).*\n)*)", README, re.MULTILINE)
+
+
+def test_there_is_something_to_test() -> None:
+    assert len(ROWS) == README.count("\n| ", README.index("| question"), README.index("The same names")) - 1
+    assert len(ROWS) >= 25
+    assert len(SESSIONS) == 3
+    assert len(TWICE) == 2
+
+
+@pytest.fixture(scope="module")
+def filtered(tshark: Tshark) -> dict[tuple[str, str], int]:
+    """How many packets each filter lets through, by filter and capture."""
+    found = {}
+    for name in {capture or "wifi.pcapng" for _, capture, _ in ROWS}:
+        texts = [text for text, capture, _ in ROWS if (capture or "wifi.pcapng") == name]
+        for words in ((), ("-2",)):
+            chosen = [text for text in texts if (text in TWICE) == bool(words)]
+            if chosen:
+                for text, packets in tshark.matches(CAPTURES / name, chosen, *words).items():
+                    found[text, name] = len(packets)
+    return found
+
+
+@pytest.mark.parametrize(("filter", "capture", "count"), ROWS, ids=[row[0] for row in ROWS])
+def test_every_filter_of_the_readme(
+    filtered: dict[tuple[str, str], int], filter: str, capture: str, count: str
+) -> None:
+    assert filtered[filter, capture or "wifi.pcapng"] == int(count or 0)
+
+
+@pytest.mark.parametrize(("command", "output"), SESSIONS, ids=[command[:60] for command, _ in SESSIONS])
+def test_the_commands_of_the_readme(tshark: Tshark, command: str, output: str) -> None:
+    program, option, capture, *words = shlex.split(command)
+    assert (program, option) == ("tshark", "-r")
+    assert tshark.run(ROOT / capture, *words) == output
+
+
+def test_every_name_in_the_readme(tshark: Tshark, fields: dict[str, Field]) -> None:
+    names = set(re.findall(r"`(ev3\.[a-z0-9_.]+)`", README)) - {
+        *("ev3.lua", "ev3.tcp_ports", "ev3.firmware", "ev3.export")
+    }
+    assert len(names) > 50
+    experts = {line.split("\t")[2] for line in report(tshark, "fields") if "\tev3.expert." in line}
+    assert names - fields.keys() - experts == set()
+    assert {name for name in names if ".expert." in name} == experts
+
+
+def test_the_preferences_in_the_readme(tshark: Tshark) -> None:
+    words = [word for option in re.findall(r"`-o (ev3\.\S+?)`", README) for word in ("-o", option)]
+    assert len(words) == 8
+    said = tshark.run(CAPTURES / "wifi.pcapng", *words, "-Y", "ev3.sound.tone.volume")
+    assert said.count("volume=5") == 1
+    assert "Operation " in said
+
+
+def test_what_the_readme_says_of_other_ports(tshark: Tshark) -> None:
+    capture = (CAPTURES / "wifi.pcapng").read_bytes().replace((5555).to_bytes(2, "big"), (6000).to_bytes(2, "big"))
+    moved = tshark.place(capture, "port-6000.pcapng")
+    assert tshark.run(moved, "-Y", "ev3.cmd") == ""
+    for words in (["-d", "tcp.port==6000,ev3"], ["-o", "ev3.tcp_ports:5555,6000"]):
+        assert words[1] in README
+        assert tshark.run(moved, *words, "-Y", "ev3.cmd") != ""
+
+
+def test_what_the_readme_says_of_channels(tshark: Tshark) -> None:
+    whole = CAPTURES / "bluetooth.log"
+    begun_late = tshark.folder / "begun-late.pcapng"
+    tshark.run(whole, "-Y", "frame.number > 30", "-w", str(begun_late), dissector=False)
+    found = re.search(r"`(-d btl2cap\S+ -d btl2cap\S+)`", README)
+    assert found
+    assert tshark.run(begun_late, "-Y", "ev3") == ""
+    form = ["-Y", "ev3.cmd", "-T", "fields", "-e", "ev3.cmd"]
+    assert tshark.run(begun_late, *found[1].split(), *form) == tshark.run(whole, *form) != ""
+
+
+def test_the_files_it_names_are_there() -> None:
+    for name in re.findall(r"`((?:ev3proto|captures|dissector)/[\w./-]*)`", README):
+        assert (ROOT / name).exists(), name
+    assert (ROOT / "dissector" / "wireshark.png").stat().st_size < 250_000

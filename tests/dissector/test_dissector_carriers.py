@@ -1,0 +1,705 @@
+"""Frames are found in whatever carries them, however it cuts them; what is not theirs is left to Wireshark."""
+
+from __future__ import annotations
+
+import io
+import random
+import re
+import struct
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
+
+import pytest
+from support.effort import effort
+from support.packets import (
+    BRICK,
+    HCI_WITH_DIRECTION,
+    HOST,
+    RAW_IP,
+    USBMON,
+    Capture,
+    Connection,
+    Device,
+    SerialPort,
+    datagram,
+    packets_of,
+    segment,
+)
+from support.unlikely_reports import FROM_DEVICE, FROM_HOST, UNLIKELY
+from support.wireshark import Tshark
+
+import ev3proto
+from ev3proto.capture import Announcement, read
+
+CAPTURES = Path(__file__).parents[2] / "captures"
+SERIAL = "06165300000a"
+UNLOCK = ev3proto.Unlock(SERIAL).build()
+ACCEPT = b"Accept:EV340\r\n\r\n\0"
+
+Ask = Callable[..., list[str]]
+
+
+def tone(counter: int) -> bytes:
+    """A command that no reply comes to: 16 bytes."""
+    return struct.pack("<HHB", 14, counter, 0x80) + bytes.fromhex("0000 94 01 01 82B801 82E803")
+
+
+def voltage(counter: int) -> bytes:
+    return struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60")
+
+
+def volts(counter: int, value: float = 7.5) -> bytes:
+    """The reply to it."""
+    return struct.pack("<HHBf", 7, counter, 0x02, value)
+
+
+def begin_upload(counter: int) -> bytes:
+    return ev3proto.system_command("BEGIN_UPLOAD", counter=counter, max_bytes=1000, path="a/b.rtf").build()
+
+
+@pytest.fixture
+def ask(tshark: Tshark) -> Ask:
+    """Fields of the packets that a filter lets through, a line a packet."""
+
+    def asked(capture: Capture | Path, display_filter: str, *fields: str, words: Sequence[str] = ()) -> list[str]:
+        path = capture if isinstance(capture, Path) else tshark.place(capture.data(), "carrier.pcap")
+        arguments = ["-T", "fields", "-Y", display_filter, *words]
+        for field in fields or ("frame.number",):
+            arguments += ["-e", field]
+        return tshark.run(path, *arguments).splitlines()
+
+    return asked
+
+
+def counters(lines: Iterable[str]) -> list[int]:
+    """All counters, in whichever packets they are."""
+    return [int(number) for line in lines for number in line.split(",") if number]
+
+
+# TCP
+
+FRAMES = [tone(1), voltage(2), tone(3), begin_upload(4), tone(5)]
+STREAM = b"".join(FRAMES)
+
+
+@pytest.mark.parametrize("words", [[], ["-2"]])
+@pytest.mark.parametrize("port", [5555, 10_000])
+def test_connections_with_the_same_ports_are_told_apart(ask: Ask, port: int, words: list[str]) -> None:
+    """Three of them, with one other end each; all count their messages alike, and frames are split."""
+    capture = Capture(RAW_IP)
+    other_host, other_brick = HOST[:3] + bytes([HOST[3] + 100]), BRICK[:3] + bytes([BRICK[3] + 100])
+    connections = [
+        Connection(capture, brick_port=port, ends=ends)
+        for ends in ((HOST, BRICK), (HOST, other_brick), (other_host, BRICK))
+    ]
+    for connection in connections:
+        connection.send(UNLOCK)
+        connection.receive(ACCEPT)
+    expected = []
+    for counter in range(6):
+        for connection in connections:
+            connection.send(voltage(counter)[:7])
+        asked = [connection.send(voltage(counter)[7:]) for connection in connections]
+        answers = [connection.receive(volts(counter)) for connection in reversed(connections)]
+        expected += [f"{answer}\t{question}" for answer, question in zip(answers, reversed(asked), strict=True)]
+    assert ask(capture, "ev3.request_in", "frame.number", "ev3.request_in", words=words) == expected
+
+
+def test_port_5555(ask: Ask) -> None:
+    capture = Capture(RAW_IP)
+    for port in (5555, 6000):
+        connection = Connection(capture, brick_port=port)
+        connection.send(voltage(7))
+        connection.receive(volts(7))
+    assert ask(capture, "ev3") == ["1", "2"]
+
+
+@pytest.mark.parametrize(
+    ("ports", "packets"),
+    [
+        ("6000", ["2"]),
+        ("5555,6000", ["1", "2"]),
+        ("5999-6001", ["2", "3"]),
+        ("5550-5560,6001", ["1", "3"]),
+        ("", []),
+    ],
+)
+def test_a_preference_names_other_ports(ask: Ask, ports: str, packets: list[str]) -> None:
+    capture = Capture(RAW_IP)
+    for port in (5555, 6000, 6001):
+        Connection(capture, brick_port=port).send(tone(1))
+    assert ask(capture, "ev3", words=("-o", f"ev3.tcp_ports:{ports}")) == packets
+
+
+@pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
+def test_a_preference_names_the_ports_of_both_ends(ask: Ask, words: tuple[str, ...]) -> None:
+    """Data tell which end is the brick, whichever port is lower: commands and the unlock text go to it, the answer to
+    the text and replies come from it.
+    """
+    capture = Capture(RAW_IP)
+    for number, (host_port, brick_port) in enumerate([(40_000, 5555), (5600, 50_000)]):
+        for begin in range(4):
+            connection = Connection(capture, host_port + begin, brick_port, (HOST, BRICK[:3] + bytes((10 * number,))))
+            if begin == 1:
+                connection.send(UNLOCK)
+            if begin in (1, 2):
+                connection.receive(ACCEPT)
+            if begin == 3:
+                connection.receive(volts(9))
+            connection.send(voltage(1))
+            connection.receive(volts(1))
+            connection.send(voltage(2)[:6])
+            connection.send(voltage(2)[6:] + voltage(3))
+            connection.receive(volts(2)[:6])
+            connection.receive(volts(2)[6:] + volts(3))
+    words = (*words, "-o", "ev3.tcp_ports:5000-60000", "-E", "occurrence=f")
+    bricks = ask(capture, "ev3", "ev3.brick", words=words)
+    assert bricks == ["192.0.2.0:5555"] * 20 + ["192.0.2.10:50000"] * 20
+    assert counters(ask(capture, "ev3.request_in", "ev3.msg_num", words=words)) == [1, 2] * 8
+    assert ask(capture, "ev3.request_in == 0 || ev3.expert.no_boundary", words=words) == []
+
+
+@pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
+def test_a_preference_names_the_port_of_the_computer(ask: Ask, words: tuple[str, ...]) -> None:
+    """The unlock text, or Decode As, tells all the same that the other end is the brick."""
+    for is_unlocked in (True, False):
+        capture = Capture(RAW_IP)
+        connection = Connection(capture, 40_000, 61_000)
+        if is_unlocked:
+            connection.send(UNLOCK)
+            connection.receive(ACCEPT)
+        connection.send(voltage(1)[:6])
+        connection.send(voltage(1)[6:] + voltage(2))
+        connection.receive(volts(1)[:6])
+        connection.receive(volts(1)[6:] + volts(2))
+        chosen = () if is_unlocked else ("-d", "tcp.port==61000,ev3")
+        asked = (*words, *chosen, "-o", "ev3.tcp_ports:5000-60000", "-E", "occurrence=f")
+        bricks = ask(capture, "ev3", "ev3.brick", words=asked)
+        assert bricks == ["192.0.2.10:61000"] * (4 if is_unlocked else 2)
+        assert ask(capture, "ev3.request_in", "ev3.msg_num", words=(*asked, "-E", "occurrence=a")) == ["1,2"]
+
+
+def test_decode_as_on_another_port(ask: Ask) -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture, brick_port=6000)
+    connection.send(voltage(7)[:3])
+    connection.send(voltage(7)[3:])
+    connection.receive(volts(7))
+    assert ask(capture, "ev3") == []
+    fields = ("frame.number", "ev3.msg_num", "ev3.request_in")
+    assert ask(capture, "ev3", *fields, words=("-d", "tcp.port==6000,ev3")) == ["2\t7\t", "3\t7\t2"]
+
+
+def test_frames_are_cut_anywhere(ask: Ask) -> None:
+    """Two segments for all frames, cut at every place; the same from the brick, with replies."""
+    replies = b"".join(volts(number) for number in range(1, 6))
+    capture = Capture(RAW_IP)
+    for at in range(1, len(STREAM)):
+        connection = Connection(capture, 10_000 + at)
+        for piece in (STREAM[:at], STREAM[at:]):
+            connection.send(piece)
+        for piece in (replies[: at % len(replies)], replies[at % len(replies) :]):
+            connection.receive(piece) if piece else None
+    found = counters(ask(capture, "tcp.dstport == 5555", "ev3.msg_num"))
+    assert found == [1, 2, 3, 4, 5] * (len(STREAM) - 1)
+    assert counters(ask(capture, "tcp.srcport == 5555", "ev3.msg_num")) == found
+    assert ask(capture, "ev3.expert.cut_off || ev3.expert.no_boundary || ev3.expert.fault") == []
+
+
+def test_segments_of_any_size(ask: Ask) -> None:
+    capture = Capture(RAW_IP)
+    many = b"".join(tone(number) + begin_upload(number) for number in range(30))
+    sizes = (1, 2, 3, 7, 16, 1000)
+    for size in sizes:
+        connection = Connection(capture, 10_000 + size)
+        for at in range(0, len(many), size):
+            connection.send(many[at : at + size])
+    found = counters(ask(capture, "ev3", "ev3.msg_num"))
+    assert found == [number for number in range(30) for _ in range(2)] * len(sizes)
+
+
+def test_both_directions_at_once(ask: Ask) -> None:
+    """While a reply is on its way in pieces, commands are, too."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(voltage(1) + voltage(2)[:4])
+    connection.receive(volts(1)[:6])
+    connection.send(voltage(2)[4:] + voltage(3))
+    connection.receive(volts(1)[6:] + volts(2) + volts(3)[:1])
+    connection.receive(volts(3)[1:])
+    fields = ("frame.number", "ev3.msg_num", "ev3.request_in", "ev3.ui_read.get_vbatt.value")
+    assert ask(capture, "ev3", *fields) == ["1\t1\t\t", "3\t2,3\t\t", "4\t1,2\t1,3\t7.5,7.5", "5\t3\t3\t7.5"]
+
+
+def test_segments_out_of_order(ask: Ask) -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(tone(0))
+    pieces = [connection.segment(True, STREAM[at : at + 20]) for at in range(0, len(STREAM), 20)]
+    for piece in (pieces[0], pieces[2], pieces[1], *pieces[:2:-1]):
+        capture.add(piece)
+    words = ("-o", "tcp.reassemble_out_of_order:TRUE")
+    assert counters(ask(capture, "ev3", "ev3.msg_num", words=words)) == [0, 1, 2, 3, 4, 5]
+    assert ask(capture, "ev3.expert.no_boundary", words=words) == []
+
+
+@pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
+def test_a_connection_with_segments_out_of_order_and_twice(ask: Ask, words: tuple[str, ...]) -> None:
+    path = CAPTURES / "wifi-reordered.pcap"
+    words = (*words, "-o", "tcp.reassemble_out_of_order:TRUE")
+    found = counters(ask(path, "ev3", "ev3.msg_num", words=words))
+    assert sorted(found) == [number for number in range(0x8000, 0x8007) for _ in range(2)]
+    assert ask(path, "ev3.expert.no_boundary || ev3.expert.fault || ev3.expert.orphan", words=words) == []
+
+
+UNLOCKS = [
+    b"GET /target?sn=06165300000a VMTP1.0\nProtocol: EV3",
+    b"GET /target?sn=06165300000a VMTP1.0\nProtocol: EV3\n",
+    b"GET /target?sn=06165300000a VMTP1.0\nProtocol: EV3\n\n",
+    b"GET /target?sn=06165300000aVMTP1.0\nProtocol: EV3",
+    b"GET /target?sn=06165300000a VMTP1.0\r\nProtocol: EV3\r\n\r\n",
+]
+
+
+def test_texts_stand_before_the_frames(ask: Ask) -> None:
+    """Whatever ends the text, in a segment of its own or together with the frame: a connection each."""
+    capture = Capture(RAW_IP)
+    ways = [(unlock, apart) for unlock in UNLOCKS for apart in (True, False)]
+    for port, (unlock, apart) in enumerate(ways, 10_000):
+        connection = Connection(capture, port)
+        for send, text, frame in ((connection.send, unlock, voltage(1)), (connection.receive, ACCEPT, volts(1))):
+            for piece in (text, frame) if apart else (text + frame,):
+                send(piece)
+    ports = [str(port) for port in range(10_000, 10_000 + len(ways))]
+    assert ask(capture, "ev3.unlock", "tcp.srcport", "ev3.unlock.serial") == [f"{port}\t{SERIAL}" for port in ports]
+    assert ask(capture, "ev3.accept", "tcp.dstport") == ports
+    commands = ask(capture, "ev3.msg_num && tcp.dstport == 5555", "tcp.srcport", "ev3.msg_num")
+    assert commands == [f"{port}\t1" for port in ports]
+    fields = ("tcp.dstport", "ev3.msg_num", "ev3.ui_read.get_vbatt.value")
+    assert ask(capture, "ev3.msg_num && tcp.srcport == 5555", *fields) == [f"{port}\t1\t7.5" for port in ports]
+    assert ask(capture, "ev3.rest") == []
+
+
+def test_texts_are_cut_anywhere(ask: Ask) -> None:
+    text = UNLOCKS[2]
+    capture = Capture(RAW_IP)
+    for at in range(1, len(text)):
+        connection = Connection(capture, 10_000 + at)
+        for piece in (text[:at], text[at:], tone(at)):
+            connection.send(piece)
+    assert counters(ask(capture, "ev3", "ev3.msg_num")) == list(range(1, len(text)))
+    assert ask(capture, "ev3.unlock", "ev3.unlock.serial") == [SERIAL] * (len(text) - 1)
+    assert ask(capture, "ev3.expert.no_boundary") == []
+
+
+def test_a_frame_of_three_segments_of_which_the_second_comes_twice(ask: Ask) -> None:
+    """Each command is shown with its last segment, before its reply, which finds it."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(tone(0))
+    for counter in range(1, 10):
+        frame = struct.pack("<HHB", 17, counter, 0x00) + bytes.fromhex("0400 81 01 60 94 01 01 82B801 82E803")
+        connection.send(frame[:7])
+        second = connection.segment(True, frame[7:14])
+        capture.add(second)
+        capture.add(second)
+        connection.send(frame[14:])
+        connection.receive(struct.pack("<HHBf", 7, counter, 0x02, 7.5))
+    assert counters(ask(capture, "ev3.request_in", "ev3.msg_num")) == list(range(1, 10))
+    assert ask(capture, "ev3.cmd_type == 0") == [str(5 * number) for number in range(1, 10)]
+
+
+def test_a_command_captured_after_its_reply_is_a_message_of_its_own(ask: Ask) -> None:
+    """As on two interfaces. Of TCP this needs the order back: Wireshark takes what was acknowledged for repeated."""
+    device, port = Device(Capture(USBMON)), SerialPort(Capture(HCI_WITH_DIRECTION))
+    streams: tuple[Connection | Device | SerialPort, ...] = (Connection(Capture(RAW_IP)), device, port)
+    for stream in streams:
+        stream.send(voltage(1))
+        stream.receive(volts(1))
+        if isinstance(stream, Connection):
+            command, reply = (segment(True, 11, voltage(2)), segment(False, 10, volts(2), acknowledged=21))
+            late = [stream.capture.add(packet) for packet in (reply, command)][1]
+            stream.numbers = {True: 21, False: 19}
+        else:
+            stream.receive(volts(2))
+            late = stream.send(voltage(2))
+        stream.send(voltage(3))
+        stream.receive(volts(3))
+        words = ("-o", "tcp.reassemble_out_of_order:TRUE")
+        said = ask(stream.capture, "ev3.msg_num == 2", "frame.number", "ev3.cmd_type", "ev3.request_in", words=words)
+        assert said == [f"{late - 1}\t0x02\t", f"{late}\t0x00\t"]
+        assert counters(ask(stream.capture, "ev3.request_in", "ev3.msg_num", words=words)) == [1, 3]
+
+
+@pytest.mark.parametrize("words", [(), ("-2",)], ids=" ".join)
+def test_the_first_frame_of_which_the_segment_before_the_last_comes_twice(ask: Ask, words: tuple[str, ...]) -> None:
+    """Before anything else tells that a connection is ours; however the frame is cut, it is shown with its last one."""
+    capture = Capture(RAW_IP)
+    frame = struct.pack("<HHB", 17, 1, 0x00) + bytes.fromhex("0400 81 01 60 94 01 01 82B801 82E803")
+    last = []
+    for port, cuts in enumerate([(7, 14), (3, 14), (2, 4), (5, 6), (4, 8, 14)], 10_000):
+        connection = Connection(capture, port)
+        pieces = [frame[at:stop] for at, stop in zip((0, *cuts), (*cuts, len(frame)), strict=True)]
+        segments = [connection.segment(True, piece) for piece in pieces]
+        for packet in (*segments[:-1], segments[-2]):
+            capture.add(packet)
+        last.append(str(capture.add(segments[-1])))
+        connection.receive(volts(1))
+    assert ask(capture, "ev3.cmd_type == 0", words=words) == last
+    assert ask(capture, "ev3.request_in", "ev3.request_in", words=words) == last
+
+
+# UDP
+
+BEACON = ev3proto.Beacon(SERIAL, name="myEV3").build()
+
+
+def answer(port: int, target_port: int, target: bytes = BRICK) -> bytes:
+    return datagram(b"\0", HOST, port, target, target_port)
+
+
+def test_a_beacon_and_the_answer_to_its_source_port(ask: Ask) -> None:
+    capture = Capture(RAW_IP)
+    capture.add(answer(40_000, 41_234))  # too early
+    capture.add(datagram(BEACON, port=41_234))
+    capture.add(answer(40_000, 41_234))
+    capture.add(answer(3015, 41_234))
+    capture.add(answer(40_000, 41_235))  # to another port
+    capture.add(answer(40_000, 41_234, HOST))  # to another machine
+    assert ask(capture, "ev3.beacon.name", "frame.number", "ev3.beacon.serial") == [f"2\t{SERIAL}"]
+    assert ask(capture, "ev3.beacon.answer") == ["3", "4"]
+    assert ask(capture, "ev3.beacon.answer", words=("-2",)) == ["3", "4"]
+
+
+def test_a_beacon_with_another_line(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    capture.add(datagram(b"Serial-Number: 06165300000a\r\nPort: 5555\r\nColour: red\r\nProtocol: EV3\r\n"))
+    text = tshark.run(tshark.place(capture.data(), "beacon.pcap"), "-V")
+    assert "at offset 41: a line 'Name: ...' should stand here" in text
+    assert "    Port: 5555" in text
+
+
+def test_a_beacon_with_a_port_that_there_cannot_be(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    for number, port in enumerate((b"0", b"65536", b"1" + 30 * b"0", b"9" * 400)):
+        capture.add(datagram(BEACON.replace(b"5555", port), port=50_000 + number))
+        capture.add(answer(40_000, 50_000 + number))
+    path = tshark.place(capture.data(), "ports.pcap")
+    assert tshark.lua_errors(path, "-V") == []
+    assert tshark.run(path, "-Y", "ev3.beacon.serial", "-T", "fields", "-e", "frame.number").split() == list("1357")
+    bricks = tshark.run(path, "-Y", "ev3.beacon.answer", "-T", "fields", "-e", "ev3.brick").split()
+    assert bricks == [f"192.0.2.10:{50_000 + number}" for number in range(4)]
+
+
+def test_a_beacon_of_which_less_was_captured(ask: Ask) -> None:
+    """What is there tells nothing else: the first label has 15 bytes, the first line 29, the last label ends at 64."""
+    whole = datagram(BEACON)
+    head = len(whole) - len(BEACON)
+    capture = Capture(RAW_IP)
+    for captured in (14, 15, 27, 29, 32, 40, 65):
+        capture.add(whole[: head + captured], len(whole))
+    assert ask(capture, "ev3") == ["2", "3", "4", "5", "6", "7"]
+    events = read(io.BytesIO(capture.data())).events()
+    assert [event.numbers for event in events if isinstance(event, Announcement)] == [(n,) for n in range(2, 8)]
+
+
+def test_decode_as_takes_faulty_beacons(ask: Ask) -> None:
+    capture = Capture(RAW_IP)
+    capture.add(datagram(b"Serial-Number: 06165300000a\r\nProtocol: EV3\r\n", target_port=3016))
+    words = ("-d", "udp.port==3016,ev3")
+    assert ask(capture, "ev3.beacon.serial", "ev3.beacon.serial", words=words) == [SERIAL]
+
+
+# USB
+
+
+def known(capture: Capture, product: int = 0x0005, number: int = 7) -> Device:
+    device = Device(capture, number)
+    device.enumerate(0x0694, product)
+    return device
+
+
+@pytest.mark.parametrize("product", [0x0005, 0x0006])
+def test_a_brick_is_known_by_its_product(ask: Ask, product: int) -> None:
+    capture = Capture(USBMON)
+    brick, other = known(capture, product), Device(capture, 8)
+    other.enumerate(0x1234, product)
+    # Only of a brick: a command that ends inside an operation.
+    frame = bytes.fromhex("0800 0100 80 0000 94 01 01")
+    sent = brick.send(frame)
+    other.send(frame)
+    assert ask(capture, "ev3") == [str(sent)]
+    assert ask(capture, "ev3.expert.cut_off") == [str(sent)]
+
+
+@pytest.mark.parametrize("is_known", [True, False])
+def test_what_is_behind_the_frame_is_padding(tshark: Tshark, is_known: bool) -> None:
+    capture = Capture(USBMON)
+    brick = known(capture) if is_known else Device(capture)
+    pairs = [(brick.send, voltage(1)), (brick.receive, volts(1)), (brick.send, begin_upload(2))]
+    for send, frame in pairs:
+        send(frame, b"what an earlier frame left")
+    packets = tshark.packets(tshark.place(capture.data(), "padding.pcap"), "-Y", "ev3")
+    for packet, (_, frame) in zip(packets, pairs, strict=True):
+        start = int(packet.ev3.msg_len.pos)
+        padding = packet.ev3.padding
+        assert (int(padding.pos) - start, int(padding.size)) == (len(frame), 1024 - len(frame))
+        assert bytes.fromhex(padding.raw_value).startswith(b"what an earlier")
+
+
+def test_a_full_report_has_no_padding(ask: Ask) -> None:
+    capture = Capture(USBMON)
+    frame = ev3proto.system_command("CONTINUE_DOWNLOAD", counter=1, handle=0, data=bytes(1017)).build()
+    known(capture).send(frame)
+    assert len(frame) == 1024
+    assert ask(capture, "ev3", "ev3.msg_len", "ev3.padding") == ["1022\t"]
+
+
+def test_without_the_product_frames_are_recognised(ask: Ask) -> None:
+    capture = Capture(USBMON)
+    brick = Device(capture)
+    sent = [brick.send(voltage(1)), brick.receive(volts(1)), brick.send(begin_upload(2)), brick.send(tone(3))]
+    assert ask(capture, "ev3") == [str(number) for number in sent]
+
+
+def test_what_is_no_frame_in_every_respect_is_left_to_wireshark(ask: Ask) -> None:
+    """Each report is of another device; the last device says a frame."""
+    capture = Capture(USBMON)
+    sent = {}
+    for number, (report, (from_host, data)) in enumerate(UNLIKELY.items(), 1):
+        device = Device(capture, number)
+        sent[str((device.send if from_host else device.receive)(data))] = report
+    last = Device(capture, 100).send(voltage(1))
+    found = ask(capture, "ev3")
+    assert [sent.get(packet, packet) for packet in found] == [str(last)]
+
+
+def test_other_devices_are_left_to_wireshark(ask: Ask) -> None:
+    mouse, key = 'usb.addr == "1.3.1"', 'usb.addr == "1.5.1"'
+    path = CAPTURES / "usb-plugged.pcap"
+    assert ask(path, f"({mouse} || {key}) && usb.data_len > 0") != []
+    assert ask(path, f"({mouse} || {key}) && ev3") == []
+
+
+@pytest.mark.parametrize(
+    ("size", "first", "most"),
+    [
+        pytest.param(4, b"", 0, id="mouse"),
+        pytest.param(8, b"", 0, id="keyboard"),
+        pytest.param(64, b"", 0, id="vendor's own, 64 bytes"),
+        pytest.param(64, bytes.fromhex("0A000001"), 1, id="security key"),
+        pytest.param(1024, b"", 5, id="vendor's own, 1024 bytes"),
+    ],
+)
+def test_of_many_random_reports_hardly_any_is_taken_for_a_frame(ask: Ask, size: int, first: bytes, most: int) -> None:
+    """`most` of a hundred thousand. Of those of 1024 bytes some are: replies may have any memory in them."""
+    rng = random.Random(size)
+    capture = Capture(USBMON)
+    device = Device(capture, size=size)
+    for _ in range(effort(8_000, 50_000)):
+        device.send(first + rng.randbytes(size - len(first)))
+        device.receive(first + rng.randbytes(size - len(first)))
+    assert len(ask(capture, "ev3")) <= most
+
+
+# Daisy chain
+
+
+def test_reports_between_bricks(ask: Ask) -> None:
+    lines = ask(CAPTURES / "daisy.pcap", "ev3", "_ws.col.Info")
+    assert lines[0] == "daisy INFO layer 0 to 1"
+    assert lines[3] == "daisy DOWNSTREAM layer 0 to 1: OUTPUT_SPEED layer=0 nos=6 speed=50 (+1 operation)"
+    assert lines[5] == "daisy reply layer 1 to 0"
+    assert len(lines) == 8
+
+
+def test_a_daisy_report_has_padding_too(ask: Ask) -> None:
+    capture = Capture(USBMON)
+    Device(capture, size=64).send(bytes.fromhex("0600 0100 0A A2 00 01"))
+    (line,) = ask(capture, "ev3", "ev3.daisy.command", "ev3.padding")
+    command, padding = line.split("\t")
+    assert command == "0xa2"
+    assert bytes.fromhex(padding) == bytes(64 - 8)
+
+
+def test_a_computer_sends_daisy_messages_in_its_own_reports(ask: Ask) -> None:
+    """Of 1024 bytes: nothing in them tells against what else the computer says."""
+    capture = Capture(USBMON)
+    device = Device(capture)
+    for _ in range(3):
+        device.send(bytes.fromhex("0600 0100 0A A2 00 01"))
+        device.receive(bytes.fromhex("0500 0100 08 01 00"))
+    device.send(bytes.fromhex("0600 0200 8A A3 00 01"))
+    device.send(voltage(3))
+    device.receive(volts(3))
+    found = ask(capture, "ev3", "ev3.cmd_type", "ev3.request_in")
+    assert found == [*["0x0a\t", "0x08\t1", "0x0a\t", "0x08\t3", "0x0a\t", "0x08\t5"], "0x8a\t", "0x00\t", "0x02\t8"]
+
+
+def test_bricks_in_a_chain_are_few(ask: Ask) -> None:
+    capture = Capture(USBMON)
+    device = Device(capture, size=64)
+    device.send(bytes.fromhex("0600 0100 0A A2 00 63"))
+    device.receive(bytes.fromhex("0500 0100 08 63 00"))
+    assert ask(capture, "ev3") == []
+
+
+# Bluetooth
+
+
+def rfcomm(channel: int = 1) -> tuple[Capture, SerialPort]:
+    capture = Capture(HCI_WITH_DIRECTION)
+    return capture, SerialPort(capture, channel)
+
+
+def test_channel_1(ask: Ask) -> None:
+    capture, port = rfcomm()
+    sent = [port.send(voltage(1)), port.receive(volts(1))]
+    fields = ("frame.number", "ev3.request_in", "ev3.ui_read.get_vbatt.value")
+    assert ask(capture, "ev3", *fields) == [f"{sent[0]}\t\t", f"{sent[1]}\t{sent[0]}\t7.5"]
+
+
+def test_decode_as_on_another_channel(ask: Ask) -> None:
+    capture, port = rfcomm(5)
+    port.send(voltage(1) + voltage(2)[:4])
+    port.send(voltage(2)[4:])
+    port.receive(volts(1) + volts(2))
+    assert ask(capture, "ev3") == []
+    # A DLCI is twice the channel, and one more where the other end opened it.
+    found = ask(capture, "ev3.msg_num", "ev3.msg_num", "ev3.request_in", words=("-d", "btrfcomm.dlci==10,ev3"))
+    assert found == ["1\t", "2\t", "1,2\t3,4"]
+
+
+def test_frames_cut_over_rfcomm_frames_and_sharing_them(ask: Ask) -> None:
+    capture = Capture(HCI_WITH_DIRECTION)
+    places = range(HEADER, len(STREAM))
+    for at in places:
+        port = SerialPort(capture, connection=at)
+        for piece in (STREAM[:at], STREAM[at:]):
+            port.send(piece)
+    assert counters(ask(capture, "ev3", "ev3.msg_num")) == [1, 2, 3, 4, 5] * len(places)
+
+
+HEADER = 5
+"""Bytes that tell whether a stream may be of this protocol."""
+
+
+def test_rfcomm_frames_of_any_size(ask: Ask) -> None:
+    capture = Capture(HCI_WITH_DIRECTION)
+    sizes = (1, 2, 3, 7, 16, 250)
+    for size in sizes:
+        port = SerialPort(capture, connection=size)
+        port.send(tone(99))
+        for number in range(30):
+            both = tone(number) + begin_upload(number)
+            for at in range(0, len(both), size):
+                port.send(both[at : at + size])
+                port.receive(volts(number)[at : at + size]) if at < 9 else None
+    found = counters(ask(capture, "btrfcomm && hci_h4.direction == 0", "ev3.msg_num"))
+    assert found == [99, *(number for number in range(30) for _ in range(2))] * len(sizes)
+    assert counters(ask(capture, "btrfcomm && hci_h4.direction == 1", "ev3.msg_num")) == list(range(30)) * len(sizes)
+    assert ask(capture, "ev3.expert.fault || ev3.expert.no_boundary || ev3.expert.cut_off") == []
+
+
+def test_the_parts_of_a_frame_point_at_each_other(ask: Ask) -> None:
+    capture, port = rfcomm()
+    first = port.send(begin_upload(1)[:6])
+    second = port.send(begin_upload(1)[6:12])
+    third = port.send(begin_upload(1)[12:])
+    fields = ("frame.number", "ev3.fragment_of", "ev3.fragments", "ev3.msg_num")
+    assert ask(capture, "ev3", *fields, words=("-2",)) == [
+        f"{first}\t{third}\t\t",
+        f"{second}\t{third}\t{first}\t",
+        f"{third}\t\t{first},{second}\t1",
+    ]
+
+
+HANDSFREE = (
+    (FROM_HOST, b"AT+BRSF=191\r"),
+    (FROM_DEVICE, b"\r\n+BRSF: 103\r\n"),
+    (FROM_DEVICE, b"\r\nOK\r\n"),
+    (FROM_HOST, b"AT+CIND=?\r"),
+    (FROM_DEVICE, b'\r\n+CIND: ("service",(0,1)),("call",(0,1))\r\n\r\nOK\r\n'),
+    (FROM_HOST, b"ATD5551234;\r"),
+    (FROM_DEVICE, b"\r\nERROR\r\n"),
+)
+
+
+@pytest.mark.parametrize("is_typed", [False, True])
+def test_other_protocols_on_channel_1_are_left_to_wireshark(ask: Ask, is_typed: bool) -> None:
+    capture, port = rfcomm()
+    for from_host, text in HANDSFREE:
+        for piece in [bytes((byte,)) for byte in text] if is_typed else [text]:
+            (port.send if from_host else port.receive)(piece)
+    assert ask(capture, "ev3 || ev3.fragment") == []
+    assert len(ask(capture, "btrfcomm.len > 0")) == sum(len(text) if is_typed else 1 for _, text in HANDSFREE)
+
+
+def test_a_stream_whose_first_piece_says_nothing_yet(ask: Ask) -> None:
+    """It is not shown before the frame is whole, as it might be another program's."""
+    capture, port = rfcomm()
+    numbers = [port.send(piece) for piece in (voltage(1)[:1], voltage(1)[1:3], voltage(1)[3:] + tone(2))]
+    fields = ("frame.number", "ev3.fragments", "ev3.msg_num")
+    whole = f"{numbers[2]}\t{numbers[0]},{numbers[1]}\t1,2"
+    assert ask(capture, "ev3", *fields) == [whole]
+    parts = [f"{numbers[0]}\t\t", f"{numbers[1]}\t{numbers[0]}\t"]
+    assert ask(capture, "ev3", *fields, words=("-2",)) == [*parts, whole]
+
+
+def test_a_device_whose_name_is_learnt_on_the_way_stays_the_same(ask: Ask) -> None:
+    """With a name Wireshark shows another address."""
+    address = bytes.fromhex("0A0000531606")
+    capture = Capture(HCI_WITH_DIRECTION)
+    event(capture, 0x03, struct.pack("<BH6sBB", 0, 0x00B, address, 1, 0))
+    port = SerialPort(capture)
+    asked = port.send(voltage(1))
+    port.receive(volts(1)[:6])
+    event(capture, 0x07, struct.pack("<B6s248s", 0, address, b"myEV3"))
+    answered = port.receive(volts(1)[6:])
+    assert ask(capture, "ev3.request_in", "frame.number", "ev3.request_in") == [f"{answered}\t{asked}"]
+
+
+def event(capture: Capture, code: int, body: bytes) -> None:
+    """What the host's Bluetooth controller reports."""
+    capture.add(struct.pack(">IBBB", 1, 4, code, len(body)) + body)
+
+
+def test_a_frame_of_which_less_was_captured_hides_none_behind_it(ask: Ask) -> None:
+    capture, port = rfcomm()
+    port.send(tone(1))
+    whole = Capture(HCI_WITH_DIRECTION)
+    port.capture = whole
+    port.send(tone(2))
+    (packet,) = list(packets_of(whole.data()))
+    capture.add(packet[:-6], len(packet))
+    port.capture = capture
+    port.send(tone(3))
+    assert counters(ask(capture, "ev3", "ev3.msg_num")) == [1, 2, 3]
+    assert ask(capture, "ev3.expert.cut_off", "ev3.msg_num") == ["2"]
+
+
+# Passes
+
+WORDS = {
+    "bluetooth.pcapng": ("-d", "btl2cap.cid==0x41,btrfcomm", "-d", "btl2cap.cid==0x51,btrfcomm"),
+    "wifi-reordered.pcap": ("-o", "tcp.reassemble_out_of_order:TRUE"),
+}
+LATER = re.compile(r"^ *\[(Response in: \d+|Frame complete in: \d+)\]$|no reply to this command was seen|SEQUENCE")
+"""What is known only when all was read once."""
+
+
+@pytest.mark.parametrize("name", [*sorted(path.name for path in CAPTURES.glob("*.pcap*")), "bluetooth.log"])
+def test_one_pass_and_two_show_the_same(tshark: Tshark, name: str) -> None:
+    once, twice = (
+        [line for line in shown(tshark.run(CAPTURES / name, "-O", "ev3", *WORDS.get(name, ()), *passes)) if line]
+        for passes in ((), ("-2",))
+    )
+    assert "EV3: " in "\n".join(once)
+    assert [line for line in twice if not LATER.search(line)] == once
+
+
+def shown(text: str) -> Iterator[str]:
+    """The lines on messages, without what is folded away in an expert information."""
+    for line in text.splitlines():
+        if line.startswith(("EV3: ", "    ")) and not re.match(r" *\[(Severity level|Group|no reply)", line):
+            yield line

@@ -1,0 +1,505 @@
+"""`ev3proto dissector install`, with the real tshark: what it writes where, what it says, and that Wireshark loads it.
+
+Each test has a home of its own. It lies in the work folder of the fixture `tshark`: a tshark that runs inside a folder
+sees nothing else of ours.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import struct
+import subprocess
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from support.cli import run_ev3proto_text
+from support.packets import RAW_IP, Capture, Connection
+from support.wireshark import Tshark
+
+from ev3proto.cli.dissector import dissector
+from ev3proto.generate.dissector import install, profile
+from ev3proto.generate.dissector.build import build
+
+ROOT = Path(__file__).parents[2]
+CAPTURES = ROOT / "captures"
+README = (ROOT / "dissector" / "README.md").read_text(encoding="utf-8")
+RELOAD = "Restart Wireshark, or choose Analyze, Reload Lua Plugins."
+ELSEWHERE = "it looks for Lua plugins elsewhere, or was built without Lua: see Help, About, Folders in Wireshark"
+
+
+def run(*words: str, path: str | None = None, **variables: str) -> subprocess.CompletedProcess[str]:
+    env = {**os.environ, "PATH": os.environ["PATH"] if path is None else path, **variables}
+    return run_ev3proto_text("dissector", "install", *words, env=env)
+
+
+def tree(folder: Path) -> list[str]:
+    """All files below a folder."""
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*") if not path.is_dir())
+
+
+@dataclass
+class Home:
+    """A home folder, with a tshark in it that takes it for its own."""
+
+    folder: Path
+    tshark: Tshark
+
+    def __post_init__(self) -> None:
+        self.set()
+
+    def set(self, **variables: Path) -> None:
+        """Makes the tshark; `variables` are in its environment."""
+        words = shlex.join(f"{name}={value}" for name, value in {"HOME": self.folder, **variables}.items())
+        text = self.tshark.path.read_text()
+        assert "HOME=/nonexistent" in text
+        text = text.replace("HOME=/nonexistent", words)
+        # The one of another release finds its folder beside itself.
+        text = text.replace('$(dirname "$(readlink -f "$0")")', shlex.quote(str(self.tshark.program.parent)))
+        self.program.parent.mkdir(exist_ok=True)
+        self.program.write_text(text)
+        self.program.chmod(0o755)
+
+    @property
+    def program(self) -> Path:
+        return self.folder / "bin" / "tshark"
+
+    @property
+    def plugin(self) -> Path:
+        return self.folder / ".local" / "lib" / "wireshark" / "plugins" / "ev3.lua"
+
+    @property
+    def profile(self) -> Path:
+        return self.folder / ".config" / "wireshark" / "profiles" / "EV3"
+
+    def install(self, *words: str) -> subprocess.CompletedProcess[str]:
+        """With our tshark first on the path."""
+        return run(*words, path=f"{self.program.parent}{os.pathsep}{os.environ['PATH']}")
+
+    def read(self, capture: str | Path, *words: str) -> str:
+        """What tshark prints of a capture, without the name of any script, and without complaining."""
+        placed = self.tshark.place(CAPTURES / capture)
+        done = subprocess.run(
+            [str(self.program), "-n", "-r", str(placed), *words],
+            capture_output=True,
+            encoding="utf-8",
+            check=True,
+            timeout=120,
+        )
+        complaints = [line for line in done.stderr.splitlines() if not line.startswith("Running as user")]
+        assert complaints == []
+        return done.stdout
+
+    def files(self) -> list[str]:
+        """What is there but for tshark itself."""
+        return [name for name in tree(self.folder) if name != "bin/tshark"]
+
+
+def make_home(tshark: Tshark) -> Home:
+    folder = Path(tempfile.mkdtemp(prefix="home-", dir=tshark.folder))
+    folder.chmod(0o755)
+    return Home(folder, tshark)
+
+
+@pytest.fixture
+def home(tshark: Tshark) -> Home:
+    return make_home(tshark)
+
+
+@pytest.fixture(scope="module")
+def with_profile(tshark: Tshark) -> Home:
+    """One where the profile is installed, for tests that only look at it."""
+    home = make_home(tshark)
+    assert home.install("--profile").returncode == 0
+    return home
+
+
+def test_installed_it_is_loaded_and_decodes(home: Home) -> None:
+    done = home.install()
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines() == [f"{home.plugin}: written", f"{home.program} loads it.", RELOAD]
+    assert home.plugin.read_bytes() == build().encode()
+    assert home.files() == [".local/lib/wireshark/plugins/ev3.lua"]
+    assert home.plugin.stat().st_mode & 0o444 == 0o444
+    assert home.read("wifi.pcapng") == home.tshark.run(CAPTURES / "wifi.pcapng")
+    assert "SOUND TONE" in home.read("wifi.pcapng")
+
+
+def test_the_tshark_that_is_named(home: Home) -> None:
+    done = run("--tshark", str(home.program))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert home.plugin.exists()
+
+
+def test_an_older_one_is_replaced(tmp_path: Path) -> None:
+    plugin = tmp_path / "ev3.lua"
+    run("--dir", str(tmp_path))
+    assert run("--dir", str(tmp_path)).stdout.startswith(f"{plugin}: there already, the same\n")
+    plugin.write_text(build().replace("SOUND", "NOISE"))
+    assert run("--dir", str(tmp_path)).stdout.startswith(f"{plugin}: written in place of an older one\n")
+    assert plugin.read_bytes() == build().encode()
+
+
+def test_another_program_keeps_its_file(tmp_path: Path) -> None:
+    plugin = tmp_path / "ev3.lua"
+    plugin.write_text("-- mine\n")
+    done = run("--dir", str(tmp_path), "--profile")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == f"{plugin} is another program's: move it away, or overwrite it with --force\n"
+    assert plugin.read_text() == "-- mine\n"
+    assert tree(tmp_path) == ["ev3.lua"]
+    done = run("--dir", str(tmp_path), "--force")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith(f"{plugin}: written in place of another one\n")
+
+
+def test_what_a_link_points_to_stays(tmp_path: Path) -> None:
+    elsewhere, plugin = tmp_path / "mine.lua", tmp_path / "plugins" / "ev3.lua"
+    elsewhere.write_text(build() + "-- mine\n")
+    plugin.parent.mkdir()
+    plugin.symlink_to(elsewhere)
+    assert run("--dir", str(plugin.parent)).returncode == 0
+    assert elsewhere.read_text() == build() + "-- mine\n"
+    assert not plugin.is_symlink()
+
+
+def test_a_folder_of_ones_own_needs_no_tshark(tmp_path: Path) -> None:
+    folder = tmp_path / "new" / "plugins"
+    done = run("--dir", str(folder), "--profile", path="", HOME=str(tmp_path / "home"))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines() == [
+        f"{folder / 'ev3.lua'}: written",
+        f"{folder / 'profiles' / 'EV3' / 'preferences'}: written",
+        f"{folder / 'profiles' / 'EV3' / 'colorfilters'}: written",
+        f"{folder / 'profiles' / 'EV3' / 'dfilter_buttons'}: written",
+        RELOAD,
+        "The profile belongs in the folder profiles of the personal configuration: Help, About, Folders.",
+    ]
+    assert tree(tmp_path) == [
+        "new/plugins/ev3.lua",
+        "new/plugins/profiles/EV3/colorfilters",
+        "new/plugins/profiles/EV3/dfilter_buttons",
+        "new/plugins/profiles/EV3/preferences",
+    ]
+
+
+def test_a_folder_and_a_tshark(home: Home, tmp_path: Path) -> None:
+    done = run("--dir", str(home.plugin.parent), "--tshark", str(home.program))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines()[1] == f"{home.program} loads it."
+    done = run("--dir", str(tmp_path / "plugins"), "--tshark", str(home.program))
+    assert (tmp_path / "plugins" / "ev3.lua").exists()
+    assert (done.returncode, done.stderr) == (1, f"{home.program} does not load it: {ELSEWHERE}\n")
+
+
+def test_a_tshark_that_is_not_there(tmp_path: Path) -> None:
+    advice = (
+        "install tshark, which is part of Wireshark, or name it with --tshark, or name the folder for Lua plugins with "
+        "--dir (Wireshark shows it under Help, About, Folders)\n"
+    )
+    done = run("--tshark", "no-such-program")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == f"there is no program no-such-program: {advice}"
+    assert tree(tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    ("script", "complaint"),
+    [
+        ("#!/bin/sh\necho hello\n", "does not name the folder 'Personal Lua Plugins': is this a Wireshark with Lua?"),
+        ("#!/bin/sh\necho broken >&2; exit 3\n", "-G folders failed: broken"),
+        ("#!/no/such/shell\n", "cannot be run: No such file or directory"),
+    ],
+)
+def test_a_program_that_is_no_tshark(tmp_path: Path, script: str, complaint: str) -> None:
+    program = tmp_path / "tshark"
+    program.write_text(script)
+    program.chmod(0o755)
+    done = run("--tshark", str(program))
+    assert (done.returncode, done.stdout) == (1, "")
+    assert complaint in done.stderr
+    assert "Traceback" not in done.stderr
+    assert tree(tmp_path) == ["tshark"]
+
+
+def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.write_text("")
+    done = run("--dir", str(file / "plugins"))
+    assert (done.returncode, done.stdout) == (1, "")
+    assert re.fullmatch(rf"{re.escape(str(file))}\S* cannot be written: Not a directory\n", done.stderr)
+    (tmp_path / "ev3.lua").mkdir()
+    done = run("--dir", str(tmp_path))
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == f"{tmp_path / 'ev3.lua'} cannot be written: Is a directory\n"
+    assert run("--dir", str(file)).returncode == 2
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_belongs_to_another(tmp_path: Path) -> None:
+    tmp_path.chmod(0o555)
+    done = run("--dir", str(tmp_path))
+    tmp_path.chmod(0o755)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "cannot be written: Permission denied" in done.stderr
+
+
+def test_another_dissector_of_the_same_name(home: Home) -> None:
+    home.plugin.parent.mkdir(parents=True)
+    (home.plugin.parent / "a-first.lua").write_text('local other = Proto("EV3", "another")\n')
+    done = home.install()
+    assert done.returncode == 1
+    assert done.stdout == f"{home.plugin}: written\n"
+    assert done.stderr.startswith(f"{home.program} does not load it: Lua says: ")
+    assert "there cannot be two protocols with the same name" in done.stderr
+
+
+def test_newer_ones_load_nothing_as_root(home: Home) -> None:
+    if os.geteuid() != 0 or not home.tshark.chrooted or home.tshark.version < (4, 4):
+        pytest.skip("needs root, and a tshark since 4.4 that is run as another")
+    text = home.program.read_text()
+    assert "--userspec=ev3:ev3" in text
+    home.program.write_text(text.replace("--userspec=ev3:ev3", ""))
+    done = home.install()
+    assert done.returncode == 1
+    assert done.stdout == f"{home.plugin}: written\n"
+    assert done.stderr == (
+        f"{home.program} does not load it: as root, Wireshark 4.4 and later load no Lua plugins; run this, and "
+        "Wireshark, as an ordinary user\n"
+    )
+
+
+def test_the_profile(home: Home) -> None:
+    done = home.install("--profile")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines() == [
+        f"{home.plugin}: written",
+        f"{home.profile / 'preferences'}: written",
+        f"{home.profile / 'colorfilters'}: written",
+        f"{home.profile / 'dfilter_buttons'}: written",
+        f"{home.program} loads it.",
+        RELOAD,
+        "For the profile, choose EV3 under Edit, Configuration Profiles.",
+    ]
+    assert home.files() == [
+        ".config/wireshark/profiles/EV3/colorfilters",
+        ".config/wireshark/profiles/EV3/dfilter_buttons",
+        ".config/wireshark/profiles/EV3/preferences",
+        ".local/lib/wireshark/plugins/ev3.lua",
+    ]
+    lines = home.read("wifi.pcapng", "-C", "EV3").splitlines()
+    assert re.search(r" EV3 87 2 0\.0043\d* reply to ", lines[13]), lines[13]
+
+
+def test_the_preferences_of_the_profile(with_profile: Home) -> None:
+    done = subprocess.run(
+        [str(with_profile.program), "-G", "currentprefs", "-C", "EV3"],
+        capture_output=True,
+        encoding="utf-8",
+        check=True,
+    )
+    # With it a single segment that the capture lacks hides all that follow.
+    assert "\n#tcp.reassemble_out_of_order: FALSE\n" in done.stdout
+    # Only what was changed has no # in front.
+    columns = re.search(r"^gui\.column\.format: ?\n((?:\t.*\n)+)", done.stdout, re.MULTILINE)
+    assert columns
+    pairs = re.findall(r'"(.*?)", "(.*?)"', columns[1])
+    assert [profile.Column(*pair) for pair in pairs] == list(profile.COLUMNS)
+
+
+def test_the_colours_of_the_profile(with_profile: Home) -> None:
+    form = ["-C", "EV3", "--color", "-2", "-T", "fields", "-e", "frame.number", "-e", "frame.coloring_rule.name"]
+    rules: dict[tuple[str, int], str] = {}
+    for capture in ("wifi.pcapng", "wifi-reordered.pcap", "usb-bootloader.pcapng", "daisy.pcap", "bluetooth.pcapng"):
+        for line in with_profile.read(capture, *form).splitlines():
+            number, _, rule = line.partition("\t")
+            rules[capture, int(number)] = rule
+    assert set(rules.values()) == {rule.name for rule in profile.RULES}
+    assert rules["wifi.pcapng", 1] == "EV3: beacon and unlocking"
+    assert rules["wifi.pcapng", 11] == "EV3: direct command"
+    assert rules["wifi.pcapng", 14] == "EV3: reply"
+    assert rules["bluetooth.pcapng", 20] == "EV3: part of a frame"
+    assert rules["wifi.pcapng", 29] == "EV3: refused or failed"
+    assert rules["wifi.pcapng", 36] == "EV3: file transfer"
+    assert rules["wifi.pcapng", 51] == "EV3: refused or failed"
+    assert rules["wifi.pcapng", 52] == "EV3: system command"
+    assert rules["wifi.pcapng", 54] == "EV3: doubtful"
+    assert rules["usb-bootloader.pcapng", 24] == "EV3: fault"
+
+
+def edited(text: str) -> str:
+    """As Wireshark leaves a file: all of it written anew, without our first line."""
+    return "# Written by Wireshark\n" + text.partition("\n")[2]
+
+
+def older(text: str) -> str:
+    """As another version of ours may have written it."""
+    body = text.partition("\n")[2] + "# An older one.\n"
+    return profile._signed(body)
+
+
+def test_the_button_for_trouble_shows_what_is_wrong_with_ev3_alone(with_profile: Home) -> None:
+    """Wireshark complains of every packet of a Bluetooth connection whose beginning the capture lacks."""
+    trouble = {label: text for label, text, _ in profile.BUTTONS}["Trouble"]
+
+    def found(capture: str, text: str) -> list[int]:
+        return [
+            int(number)
+            for number in with_profile.read(capture, "-2", "-Y", text, "-T", "fields", "-e", "frame.number").split()
+        ]
+
+    assert len(found("bluetooth.pcapng", "ev3 && _ws.expert")) == 13
+    assert found("bluetooth.pcapng", trouble) == [28, 29]
+    assert found("wifi.pcapng", trouble) == found("wifi.pcapng", "ev3 && _ws.expert") != []
+
+
+def test_the_button_for_motors_shows_all_that_works_on_motors(with_profile: Home, tmp_path: Path) -> None:
+    """OUTPUT_STOP, _STEP_SPEED, _TIME_SYNC, _SPEED of ports in a variable, _READ; then a tone."""
+    motors = ["A3 00 0F 01", "AE 00 01 14 00 83 E8030000 00 01", "B1 00 06 14 00 83 E8030000 01", "A5 00 40 14"]
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    for body in (*motors, "A8 00 01 60 64", "94 01 01 82B801 82E803"):
+        operation = bytes.fromhex(body)
+        connection.send(struct.pack("<HHBH", 5 + len(operation), 1, 0x80, 0x0408) + operation)
+    path = tmp_path / "motors.pcap"
+    path.write_bytes(capture.data())
+    button = {label: text for label, text, _ in profile.BUTTONS}["Motors"]
+    assert with_profile.read(path, "-Y", button, "-T", "fields", "-e", "frame.number").split() == list("12345")
+
+
+@pytest.mark.parametrize(
+    ("change", "words", "said", "stays"),
+    [
+        (edited, (), "kept, because it was changed", True),
+        (lambda text: text + "# mine\n", (), "kept, because it was changed", True),
+        (edited, ("--force",), "written in place of another one", False),
+        (older, (), "written in place of an older one", False),
+        (str, (), "there already, the same", True),
+    ],
+    ids=["edited", "appended", "forced", "older", "same"],
+)
+@pytest.mark.parametrize("name", ["preferences", "colorfilters", "dfilter_buttons"])
+def test_what_was_changed_stays(
+    tmp_path: Path, name: str, change: Callable[[str], str], words: tuple[str, ...], said: str, stays: bool
+) -> None:
+    run("--dir", str(tmp_path), "--profile", path="")
+    file = tmp_path / "profiles" / "EV3" / name
+    before = change(file.read_text())
+    file.write_text(before)
+    done = run("--dir", str(tmp_path), "--profile", *words, path="")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert f"\n{file}: {said}\n" in done.stdout
+    assert file.read_text() == (before if stays else profile.files()[name])
+    assert ("add --force" in done.stdout) == (said.startswith("kept"))
+
+
+@pytest.mark.parametrize(
+    ("variable", "profiles"),
+    [("XDG_CONFIG_HOME", "settings/wireshark/profiles"), ("WIRESHARK_CONFIG_DIR", "settings/profiles")],
+)
+def test_configuration_in_another_place(home: Home, variable: str, profiles: str) -> None:
+    home.set(**{variable: home.folder / "settings"})
+    done = home.install("--profile")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert home.files() == [
+        ".local/lib/wireshark/plugins/ev3.lua",
+        f"{profiles}/EV3/colorfilters",
+        f"{profiles}/EV3/dfilter_buttons",
+        f"{profiles}/EV3/preferences",
+    ]
+    assert re.search(r" EV3 70 1 ", home.read("wifi.pcapng", "-C", "EV3"))
+
+
+def test_the_session_in_the_readme(home: Home) -> None:
+    found = re.search(r"^\$ ev3proto dissector install (.*)\n((?:(?!```).*\n)*)", README, re.MULTILINE)
+    assert found
+    said = home.install(*found[1].split()).stdout
+    assert said.replace(str(home.program), "/usr/bin/tshark").replace(str(home.folder), "/home/me") == found[2]
+
+
+def test_the_help_shows_calls_line_by_line() -> None:
+    assert "\n    ev3proto dissector install --profile\n" in run("--help").stdout
+
+
+def test_the_folders_in_the_readme() -> None:
+    assert "`~/.local/lib/wireshark/plugins`" in README
+    assert r"`%APPDATA%\Wireshark\plugins`" in README
+
+
+def test_uninstall_removes_what_install_wrote_and_no_more(tmp_path: Path) -> None:
+    plugins = tmp_path / "plugins"
+    assert run_ev3proto_text("dissector", "install", "--dir", str(plugins), "--profile").returncode == 0
+    profile = plugins / "profiles" / "EV3"
+    (profile / "preferences").write_text("gui.column.format: mine\n")
+    done = run_ev3proto_text("dissector", "uninstall", "--dir", str(plugins))
+    assert done.returncode == 0
+    assert f"{plugins / 'ev3.lua'}: removed" in done.stdout
+    assert f"{profile / 'preferences'}: kept, because it was changed" in done.stdout
+    assert [path.name for path in plugins.rglob("*") if path.is_file()] == ["preferences"]
+    assert run_ev3proto_text("dissector", "uninstall", "--dir", str(plugins), "--force").returncode == 0
+    assert not profile.exists()
+    assert "ev3.lua: not there" in run_ev3proto_text("dissector", "uninstall", "--dir", str(plugins)).stdout
+
+
+def test_uninstall_leaves_the_plugin_of_others(tmp_path: Path) -> None:
+    plugin = tmp_path / "ev3.lua"
+    plugin.write_text("-- somebody else's\n")
+    assert "kept" in run_ev3proto_text("dissector", "uninstall", "--dir", str(tmp_path)).stdout
+    assert plugin.exists()
+
+
+USUAL = {
+    "linux": ("home/.local/lib/wireshark/plugins", "home/.config/wireshark/profiles/EV3"),
+    "darwin": ("home/.local/lib/wireshark/plugins", "home/.config/wireshark/profiles/EV3"),
+    "win32": ("roaming/Wireshark/plugins", "roaming/Wireshark/profiles/EV3"),
+}
+"""By platform: where Wireshark's manual says that plugins and profiles are."""
+
+
+@pytest.mark.parametrize("platform", USUAL)
+def test_without_a_tshark_the_usual_folders_are_taken(
+    platform: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(install, "PLATFORM", platform)
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.setenv("APPDATA", str(tmp_path / "roaming"))
+    for name in ("XDG_CONFIG_HOME", "WIRESHARK_CONFIG_DIR"):
+        monkeypatch.delenv(name, raising=False)
+    plugins, profile = USUAL[platform]
+    files = [
+        f"{plugins}/ev3.lua",
+        *(f"{profile}/{name}" for name in ("colorfilters", "dfilter_buttons", "preferences")),
+    ]
+    done = CliRunner().invoke(dissector, ["install", "--profile"])
+    assert done.exit_code == 0
+    assert "There is no tshark to ask" in done.output
+    assert sorted(tree(tmp_path)) == sorted(files)
+    done = CliRunner().invoke(dissector, ["uninstall"])
+    assert (done.exit_code, done.output.count(": removed\n")) == (0, 4)
+    assert tree(tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    ("variables", "profiles"),
+    [
+        ({}, ".wireshark/profiles"),
+        ({"XDG_CONFIG_HOME": "settings"}, ".wireshark/profiles"),
+        ({"WIRESHARK_CONFIG_DIR": "own"}, "own/profiles"),
+    ],
+)
+def test_a_configuration_where_it_was_before(
+    variables: dict[str, str], profiles: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(install, "PLATFORM", "linux")
+    (tmp_path / ".wireshark").mkdir()
+    for name in ("XDG_CONFIG_HOME", "WIRESHARK_CONFIG_DIR"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in {"HOME": "", **variables}.items():
+        monkeypatch.setenv(name, str(tmp_path / value))
+    assert install.Folders.documented().profiles == tmp_path / profiles

@@ -1,0 +1,215 @@
+"""The documentation: it builds without a warning, its links lead somewhere, its search finds what people look for."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from selenium.webdriver.support.ui import WebDriverWait
+from support.browser import chromium
+from support.wireshark import Tshark
+
+import ev3proto
+from ev3proto.capture.filter.fields import parameter_names
+from ev3proto.capture.filter.names import NAMES
+from ev3proto.checking.checking import check
+from ev3proto.generate.pages.examples import example_of, explained, system_example
+from ev3proto.generate.pages.markdown import anchor
+from ev3proto.generate.pages.operations import dialect_of, filter_name
+from ev3proto.tables import AREAS, OPCODES
+from ev3proto.tables.declaration import Effect, declarations
+from ev3proto.tables.system import SYSTEM
+from ev3proto.version import VERSION
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+PAGES = sorted([*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *ROOT.glob("*/README.md")])
+LINK = re.compile(r"!?\[(?:[^\]\\]|\\.)*\]\(([^)\s]+)\)")
+
+
+def without_code(text: str) -> str:
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE))
+
+
+def headings(path: Path) -> list[str]:
+    text = re.sub(r"^```.*?^```$", "", path.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    return [re.sub(r"`", "", found) for found in re.findall(r"^#+ (.*)$", text, re.MULTILINE)]
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The documentation, built by the command that CONTRIBUTING.md names; once for all workers of a run."""
+    base = tmp_path_factory.getbasetemp()
+    shared = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+    folder = shared / "documentation"
+    with (shared / "documentation.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not (folder / "index.html").exists():
+            command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", str(DOCS), str(folder)]
+            done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+            assert (done.returncode, done.stderr) == (0, "")
+    return folder
+
+
+def test_the_search_finds_numbers_names_and_words(built: Path, tmp_path: Path) -> None:
+    """In a browser, as people search."""
+    shown = "return [...document.querySelectorAll('#search-results li a')].map((link) => link.getAttribute('href'))"
+    with chromium(tmp_path / "profile") as browser:
+
+        def finds(words: str, *pages: str) -> bool:
+            browser.get(f"{(built / 'search.html').as_uri()}?q={words}")
+            links: set[str] = set()
+
+            def is_there(_: Any) -> bool:
+                links.update(link.partition("#")[0] for link in browser.execute_script(shown))
+                return links >= {f"reference/{page}.html" for page in pages}
+
+            return bool(WebDriverWait(browser, 10, 0.1).until(is_there, f"{words} finds {links}"))
+
+        assert finds("0x94", "sound", "numbers")
+        assert finds("SOUND", "sound")
+        assert finds("tone", "sound")
+        assert finds("LED_RED_FLASH", "enumerations", "numbers")
+
+
+def test_every_page_of_the_html_says_its_version(built: Path) -> None:
+    pages = sorted(built.rglob("*.html"))
+    assert len(pages) > 20
+    for page in pages:
+        assert f"ev3proto {VERSION}" in page.read_text(encoding="utf-8"), page
+
+
+@pytest.mark.parametrize("name", ["index.md", "tutorial.md", "reference/index.md", "reference/sound.md"])
+def test_pages_say_their_version_where_nobody_built_them(name: str) -> None:
+    assert re.findall(r"for ev3proto ([0-9.]+\d)", (DOCS / name).read_text(encoding="utf-8")) == [VERSION]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_links_anchors_and_images_lead_somewhere(page: Path) -> None:
+    for target in LINK.findall(without_code(page.read_text(encoding="utf-8"))):
+        if re.match(r"https?:", target):
+            continue
+        name, _, place = target.partition("#")
+        file = (page.parent / name).resolve() if name else page
+        assert file.exists(), target
+        if place:
+            assert place in map(anchor, headings(file)), target
+
+
+EXAMPLES = [(each, dialect) for each in declarations(OPCODES) if (dialect := dialect_of(each)) is not None]
+
+
+def test_every_example_builds_and_the_brick_takes_it() -> None:
+    assert len(EXAMPLES) > 450
+    refused = set()
+    for declaration, dialect in EXAMPLES:
+        example = example_of(declaration, dialect)
+        lines = [line.split("  ")[0] for line in explained(example.frame, dialect)]
+        assert bytes.fromhex(" ".join(lines)) == example.frame, declaration.name
+        if not check(example.frame, dialect=dialect).accepted:
+            refused.add(declaration)
+    assert all(each.is_newer or Effect.NEVER_RUNS in each.effects for each in refused)
+    assert len(refused) < 10
+
+
+def test_the_calls_of_the_examples_give_their_frames() -> None:
+    from ev3proto import LV, Global, ops, system
+    from ev3proto.ops import compat, xtended
+
+    names: dict[str, Any] = {"ev3proto": ev3proto, "ops": ops, "system": system, "compat": compat, "xtended": xtended}
+    names |= {"LV": LV, "Global": Global}
+    for declaration, dialect in EXAMPLES:
+        example = example_of(declaration, dialect)
+        assert eval(example.call, dict(names)).build() == example.frame
+    for entry in SYSTEM:
+        example = system_example(entry)
+        assert eval(example.call, dict(names)).build() == example.frame
+        lines = [line.split("  ")[0] for line in explained(example.frame)]
+        assert bytes.fromhex(" ".join(lines)) == example.frame
+
+
+def test_every_name_of_filters_is_on_their_page() -> None:
+    text = (DOCS / "reference" / "filters.md").read_text(encoding="utf-8")
+    every_frame = text.partition("## Of every frame\n")[2].partition("\n## ")[0]
+    assert re.findall(r"^\| `(\w+)` \|", every_frame, re.MULTILINE) == [*NAMES]
+    listed = re.findall(r"^\| `(\w+)` \|", text.partition("## All parameters and fields\n")[2], re.MULTILINE)
+    assert listed == parameter_names()
+
+
+def test_no_page_says_where_something_is_in_memory() -> None:
+    for page in (DOCS / "reference").glob("*.md"):
+        assert not re.search(r"\bat 0x[0-9a-f]{6,}", page.read_text(encoding="utf-8")), page
+
+
+def entries(page: str) -> dict[str, str]:
+    """What stands under each heading of a page of the reference."""
+    text = (DOCS / "reference" / f"{page}.md").read_text(encoding="utf-8")
+    parts = re.split(r"^#{2,3} (.+)$", text, flags=re.MULTILINE)
+    return dict(zip(parts[1::2], parts[2::2], strict=True))
+
+
+@pytest.mark.parametrize("area", AREAS)
+def test_every_operation_has_all_that_the_tables_know(area: str) -> None:
+    found = entries(area)
+    for each in declarations(AREAS[area]):
+        entry = found[each.name]
+        # Marks of Markdown are no part of what it says.
+        said = re.sub(r"\\(.)", r"\1", entry).lower()
+        assert f"0x{each.opcode.number:02x}" in said, each.name
+        assert each.text.lower() in said
+        assert all(f"it {effect.value.lower()}." in said for effect in each.effects), each.name
+        assert each.note is None or each.note.lower() in said
+        rows = {row.split("`")[1]: row for row in re.findall(r"^\| `.*$", entry, re.MULTILINE)}
+        assert list(rows) == [it.name for it in each.parameters]
+        for it in each.parameters:
+            row = re.sub(r"\\(.)", r"\1", rows[it.name])
+            assert it.text.lower() in row.lower(), (each.name, it.name)
+            assert it.unit is None or it.unit in row, (each.name, it.name)
+            assert it.note is None or it.note.lower() in row.lower(), (each.name, it.name)
+            assert it.enum is None or f"(enumerations.md#{anchor(it.enum.name)})" in row, (each.name, it.name)
+            assert all(str(limit) in row for limit in it.range or ()), (each.name, it.name)
+            assert all(f"{number}: {meaning}" in row for number, meaning in it.special.items()), (each.name, it.name)
+        if each.dialects:
+            assert "```python\nev3proto.command(" in entry
+            assert re.search(r"```text\n(?:[0-9A-F]{2} )+ +length: ", entry), each.name
+        assert "- In Wireshark: `ev3." in entry
+
+
+def test_every_system_command_has_all_that_the_tables_know() -> None:
+    found = entries("system-commands")
+    for each in SYSTEM:
+        entry = re.sub(r"\\(.)", r"\1", found[f"{each.name} (bootloader)" if each.bootloader else each.name])
+        assert f"0x{each.number:02X}" in entry
+        assert each.text.lower() in entry.lower()
+        assert all(f"it {effect.value.lower()}." in entry.lower() for effect in each.effects), each.name
+        for field in (*each.request, *each.reply):
+            assert f"`{field.name}`" in entry
+            assert field.text.lower() in entry.lower()
+        assert "```python\nsystem." in entry
+        assert "```text" in entry
+
+
+def test_an_entry_in_full() -> None:
+    text = (DOCS / "reference" / "sound.md").read_text(encoding="utf-8")
+    entry = text.partition("### SOUND.TONE\n")[2].partition("\n### ")[0]
+    assert "- Opcode `0x94`, CMD 1: it starts with `94 01`." in entry
+    assert "| `FREQUENCY` | in | DATA16 | Pitch; the driver moves others into the range (250 to 10000 Hz). |" in entry
+    assert "ev3proto.command(ops.sound.tone(volume=50, frequency=440, duration=1000), counter=1)" in entry
+    assert "82 B8 01  FREQUENCY = 440 Hz  LC2" in entry
+    assert "`ev3.sound.tone.frequency`" in entry
+
+
+def test_the_fields_are_those_of_the_dissector(tshark: Tshark) -> None:
+    command = [str(tshark.path), "-G", "fields", *tshark.words]
+    listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    known = {line.split("\t")[2] for line in listed.splitlines() if line.startswith("F\t") and "\tev3." in line}
+    named = {filter_name(each, it) for each in declarations(OPCODES) if each.dialects for it in each.parameters}
+    assert named - known == set()
+    text = (DOCS / "reference" / "system-commands.md").read_text(encoding="utf-8")
+    assert set(re.findall(r"`(ev3\.\w+)`", text)) - known == set()

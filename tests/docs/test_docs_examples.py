@@ -1,0 +1,219 @@
+"""What the documentation shows works: console blocks are run, programs are run and type-checked, C is compiled."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from support.cli import run_ev3proto_text
+from support.wireshark import Tshark
+
+ROOT = Path(__file__).parents[2]
+PAGES = sorted([ROOT / "README.md", *(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "howto").glob("*.md")])
+NAMES = [page.relative_to(ROOT).as_posix() for page in PAGES]
+PORT = 5555
+"""Where a brick listens in the texts; the tests take a free port."""
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+
+
+def has(language: str) -> list[Path]:
+    return [page for page in PAGES if blocks(page, language)]
+
+
+@pytest.fixture
+def clone(tmp_path: Path) -> Path:
+    """A folder that looks like a clone, in which commands may write."""
+    for name in ("bin", "captures", "dissector", "exports", "tests"):
+        (tmp_path / name).symlink_to(ROOT / name)
+    return tmp_path
+
+
+class Session:
+    """Commands one after the other, as in a terminal. A virtual brick goes on until the end, at a free port."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._port = PORT
+        self._bricks: list[subprocess.Popen[str]] = []
+        path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+        self._environment = {**os.environ, "PATH": path}
+
+    def run(self, command: str) -> str:
+        """What a command prints on standard output."""
+        command = re.sub(r"127\.0\.0\.1(?!:)", f"127.0.0.1:{self._port}", command.replace("bin/ev3proto", "ev3proto"))
+        if command.startswith("ev3proto brick"):
+            return self._brick(command)
+        if command.startswith("ev3proto ") and not re.search(r"[|;<>&$*]", re.sub(r"'[^']*'|\"[^\"]*\"", "", command)):
+            # No shell is needed, and no process.
+            done = run_ev3proto_text(*shlex.split(command)[1:], cwd=self._folder)
+        else:
+            done = subprocess.run(
+                ["bash", "-c", command],
+                cwd=self._folder,
+                env=self._environment,
+                capture_output=True,
+                text=True,
+                check=False,
+                timeout=120,
+            )
+        return done.stdout.replace(f"127.0.0.1:{self._port}", f"127.0.0.1:{PORT}")
+
+    def _brick(self, command: str) -> str:
+        words = [*command.split(), "--port", "0", "--no-beacon", "--root", str(self._folder / "root")]
+        brick = subprocess.Popen(words, env=self._environment, stdout=subprocess.PIPE, text=True)
+        self._bricks.append(brick)
+        assert brick.stdout is not None
+        line = brick.stdout.readline()
+        self._port = int(line.rpartition(":")[2])
+        return line.replace(str(self._port), str(PORT))
+
+    def end(self) -> None:
+        """Switches the bricks off."""
+        for brick in self._bricks:
+            brick.terminate()
+            brick.communicate(timeout=30)
+
+
+@pytest.fixture
+def session(clone: Path) -> Iterator[Session]:
+    found = Session(clone)
+    yield found
+    found.end()
+
+
+@pytest.mark.parametrize("page", has("console"), ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_the_commands_print_what_is_shown(page: Path, session: Session) -> None:
+    for block in blocks(page, "console"):
+        command, _, output = block.removeprefix("$ ").partition("\n")
+        assert session.run(command) == output, command
+
+
+@pytest.mark.parametrize("page", has("python"), ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_the_programs_run_one_after_the_other(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    names: dict[str, object] = {}
+    for program in blocks(page, "python"):
+        exec(compile(program, page.name, "exec"), names)
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the programs of each page in one file."""
+    folder = tmp_path_factory.mktemp("programs")
+    for page, name in zip(PAGES, NAMES, strict=True):
+        if blocks(page, "python"):
+            file = folder / f"{re.sub(r'[^a-z]', '_', name.lower())}.py"
+            file.write_text("\n".join(blocks(page, "python")))
+    return folder
+
+
+def test_mypy_finds_nothing_in_the_programs(programs: Path) -> None:
+    command = [sys.executable, "-m", "mypy", "--strict", "--config-file", str(ROOT / "pyproject.toml")]
+    done = subprocess.run(
+        [*command, *map(str, sorted(programs.glob("*.py")))], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout
+
+
+def test_pyright_finds_nothing_in_the_programs(programs: Path) -> None:
+    settings = {"extraPaths": [str(ROOT)], "include": ["*.py"], "reportMissingModuleSource": False}
+    (programs / "pyrightconfig.json").write_text(json.dumps(settings))
+    command = [sys.executable, "-m", "pyright", "--pythonpath", sys.executable, "--project", str(programs)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+
+
+def test_the_c_programs_print_what_is_shown(tmp_path: Path) -> None:
+    page = ROOT / "docs" / "howto" / "c.md"
+    for program, shown in zip(blocks(page, "c"), blocks(page, "text"), strict=True):
+        source = tmp_path / "program.c"
+        source.write_text(program)
+        made = tmp_path / "program"
+        words = ["cc", "-std=c99", "-Wall", "-Werror", f"-I{ROOT / 'exports'}", str(source), "-o", str(made)]
+        subprocess.run(words, check=True)
+        assert subprocess.run([str(made)], capture_output=True, text=True, check=True).stdout == shown
+
+
+def test_the_javascript_program_reads_the_frame(tmp_path: Path) -> None:
+    page = ROOT / "docs" / "howto" / "javascript.md"
+    compiling, reading = blocks(page, "javascript")
+    (shown,) = blocks(page, "text")
+    (tmp_path / "ev3.ksy").symlink_to(ROOT / "exports" / "ev3.ksy")
+    # Where tests/run has installed what the page tells its readers to install.
+    compiler = os.environ.get("EV3PROTO_KSC")
+    assert compiler is not None, "run tests/run once"
+    environment = {**os.environ, "NODE_PATH": str(Path(compiler).parent)}
+    for name, program in (("compile.js", compiling), ("read.js", reading)):
+        (tmp_path / name).write_text(program)
+        done = subprocess.run(
+            ["node", name], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False, timeout=60
+        )
+        assert (done.returncode, done.stderr) == (0, ""), "run tests/run once"
+    assert done.stdout == shown
+
+
+CLIENT = """\
+#!/usr/bin/env python3
+import sys
+import ev3proto
+
+with ev3proto.EV3(target=f"wifi:{sys.argv[2]}") as brick:
+    print(brick.battery.voltage > 6)
+    brick.send_direct_cmd(bytes.fromhex("9401 0a 82 0000 82 e803".replace(" ", "")))
+"""
+"""The tests of somebody's library: they ask, and send a tone of a pitch that there is not."""
+
+
+def test_the_lines_for_ci_run(tmp_path: Path) -> None:
+    (script,) = blocks(ROOT / "docs" / "howto" / "test-your-library.md", "sh")
+    (tmp_path / "your-tests").write_text(CLIENT)
+    (tmp_path / "your-tests").chmod(0o755)
+    path = f"{tmp_path}{os.pathsep}{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(
+        ["bash", "-e", "-c", script],
+        cwd=tmp_path,
+        env={**os.environ, "PATH": path},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert (done.returncode, done.stdout.splitlines()[0]) == (0, "True"), done.stderr
+    assert "FREQUENCY" in done.stdout, "the report names what check finds"
+
+
+def test_the_program_for_pyshark_prints_what_is_in_packets(tshark: Tshark) -> None:
+    (program,) = blocks(ROOT / "docs" / "howto" / "pyshark.md", "py")
+    capture = tshark.place(ROOT / "captures" / "usb-plugged.pcap")
+    assert program.count('"robot.pcapng"') == 1
+    program = program.replace('"robot.pcapng"', f'"{capture}", tshark_path="{tshark.path}"')
+    program = program.replace("parameters()", f'parameters(tshark="{tshark.path}")')
+    # A tshark with a root of its own sees the dissector in its work folder only.
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**os.environ, "TMPDIR": str(tshark.folder)},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    lines = done.stdout.splitlines()
+    assert lines[0].startswith("1 DirectCommand(DIRECT_COMMAND_REPLY, counter=1000")
+    assert lines[1].startswith("3 DirectReply(DIRECT_REPLY, counter=1000")
+    assert lines[2].startswith("answers DirectCommand(DIRECT_COMMAND_REPLY, counter=1000")
+
+
+def test_there_are_commands_and_programs() -> None:
+    assert sum(len(blocks(page, "console")) for page in PAGES) > 20
+    assert sum(len(blocks(page, "python")) for page in PAGES) > 12

@@ -1,0 +1,180 @@
+"""`ev3proto export` as a user types it, and the files in exports/."""
+
+from __future__ import annotations
+
+import subprocess
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from support.cli import run_ev3proto
+
+from ev3proto import capture
+from ev3proto.capture import Record
+from ev3proto.generate.cheader.build import build as header
+from ev3proto.generate.kaitai.build import build as description
+from ev3proto.generate.output_schemas import build as output_schemas
+from ev3proto.generate.tables_json.build import build_schema, build_tables
+from ev3proto.tables.carriers import CARRIERS
+
+ROOT = Path(__file__).parents[2]
+TONE = "0e002a0080000094010182b80182e803"
+
+FILES = {
+    "ev3proto.h": ("c-header", header()),
+    "ev3.ksy": ("kaitai", description()),
+    "ev3-tables.json": ("json", build_tables()),
+    "ev3-tables.schema.json": ("json-schema", build_schema()),
+    "ev3-output.schema.json": ("output-schema", output_schemas()),
+}
+
+# The group by itself, whatever stands around it.
+
+
+def run(*words: str, stdin: bytes = b"") -> subprocess.CompletedProcess[bytes]:
+    return run_ev3proto("export", *words, stdin=stdin)
+
+
+def frames(path: Path) -> list[str]:
+    return [event.frame.hex() for event in capture.read(path).events() if isinstance(event, Record)]
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_every_file_to_standard_output_and_to_a_file(name: str, tmp_path: Path) -> None:
+    command, text = FILES[name]
+    done = run(command)
+    assert (done.returncode, done.stdout, done.stderr) == (0, text.encode(), b"")
+    path = tmp_path / name
+    assert run(command, "-o", str(path)).returncode == 0
+    assert path.read_bytes() == text.encode()
+    done = run(command, "-o", str(path), "--check")
+    assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
+    path.write_text("old\n")
+    done = run(command, "-o", str(path), "--check")
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert done.stderr.decode() == f"{path} is out of date: write it anew, without --check\n"
+    assert path.read_text() == "old\n"
+
+
+def test_all_files_at_once(tmp_path: Path) -> None:
+    folder = tmp_path / "new" / "exports"
+    assert run("all", str(folder)).returncode == 0
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == {
+        name: text.encode() for name, (_, text) in FILES.items()
+    }
+    (folder / "ev3.ksy").unlink()
+    (folder / "ev3proto.h").write_text("old\n")
+    done = run("all", str(folder), "--check")
+    assert done.returncode == 1
+    assert done.stderr.decode().splitlines() == [
+        f"{folder}/ev3proto.h is out of date: write it anew, without --check",
+        f"{folder}/ev3.ksy: cannot be read: No such file or directory",
+    ]
+
+
+def test_the_dialect_of_a_description() -> None:
+    assert run("kaitai", "--dialect", "compat").stdout == description("compat").encode()
+    assert description("compat") != description("official")
+
+
+def test_calls_that_are_wrong(tmp_path: Path) -> None:
+    done = run("json", "--check")
+    assert done.returncode == 2
+    assert "--check needs -o: the file to check" in done.stderr.decode()
+    done = run("json", "-o", str(tmp_path / "none" / "tables.json"))
+    assert done.returncode == 1
+    assert done.stderr.decode().endswith("tables.json: cannot be written: No such file or directory\n")
+    (tmp_path / "file").write_text("")
+    done = run("all", str(tmp_path / "file" / "exports"))
+    assert (done.returncode, b"Traceback" in done.stderr) == (1, False)
+
+
+# Captures
+
+
+@pytest.mark.parametrize("carrier", CARRIERS)
+def test_a_frame_becomes_a_capture(carrier: str, tmp_path: Path) -> None:
+    path = tmp_path / "tone.pcapng"
+    done = run("pcapng", "--carrier", carrier, TONE, "-o", str(path))
+    assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
+    (record,) = [event for event in capture.read(path).events() if isinstance(event, Record)]
+    assert (record.frame.hex(), record.carrier.value, record.direction) == (TONE, carrier, "sent")
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_frames_of_a_log_and_of_standard_input(tmp_path: Path) -> None:
+    path = tmp_path / "lesson.pcapng"
+    assert run("pcapng", "captures/lesson-02.log", "--interval", "2.5", "-o", str(path)).returncode == 0
+    found = [event for event in capture.read(path).events() if isinstance(event, Record)]
+    assert len(found) == 20
+    assert {later.time_ns - sooner.time_ns for sooner, later in pairwise(found)} == {2_500_000}
+    done = run("pcapng", stdin=f"{TONE}\n{TONE}\n".encode())
+    assert (done.returncode, done.stderr) == (0, b"")
+    path.write_bytes(done.stdout)
+    assert frames(path) == [TONE, TONE]
+
+
+def test_a_capture_on_another_carrier(tmp_path: Path) -> None:
+    path = tmp_path / "other.pcapng"
+    assert run("pcapng", "captures/bluetooth.pcapng", "--carrier", "usb", "-o", str(path)).returncode == 0
+    assert frames(path) == frames(ROOT / "captures" / "bluetooth.pcapng")
+    times = [
+        [event.time_ns for event in capture.read(one).events() if isinstance(event, Record)]
+        for one in (path, ROOT / "captures" / "bluetooth.pcapng")
+    ]
+    assert times[0] == times[1]
+
+
+def test_the_file_that_is_read_can_be_written(tmp_path: Path) -> None:
+    path = tmp_path / "same.pcapng"
+    path.write_bytes((ROOT / "captures" / "wifi.pcapng").read_bytes())
+    before = frames(path)
+    assert run("pcapng", str(path), "--carrier", "bluetooth", "-o", str(path)).returncode == 0
+    assert frames(path) == before
+
+
+def test_filtered(tmp_path: Path) -> None:
+    path = tmp_path / "tones.pcapng"
+    done = run("pcapng", "captures/wifi.pcapng", "--filter", "op == SOUND.TONE", "-o", str(path))
+    assert (done.returncode, len(frames(path))) == (0, 1)
+    done = run("pcapng", TONE, "--filter", "op == SOUND.TONE", "-o", str(path))
+    assert (done.returncode, len(frames(path))) == (0, 1)
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ("hello", "'hello' is no file and no frame: column 1: 'hello' is no hex"),
+        (TONE[:-2], f"'{TONE[:-2]}': it cannot be carried: its length field says that 14 bytes follow, 13 do"),
+        (TONE + "00 01", f"'{TONE}00 01': it cannot be carried: its length field says that 14 bytes follow, 16 do"),
+    ],
+)
+def test_what_cannot_be_carried(given: str, sentence: str, tmp_path: Path) -> None:
+    path = tmp_path / "none.pcapng"
+    done = run("pcapng", given, "-o", str(path))
+    assert (done.returncode, done.stderr.decode()) == (1, f"{sentence}\n")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_can_be_carried_is_written_all_the_same(tmp_path: Path) -> None:
+    path = tmp_path / "some.pcapng"
+    done = run("pcapng", TONE, TONE[:-2], TONE, "-o", str(path))
+    assert done.returncode == 1
+    assert frames(path) == [TONE, TONE]
+
+
+def test_no_frame_at_all(tmp_path: Path) -> None:
+    path = tmp_path / "kept.pcapng"
+    path.write_bytes(b"kept")
+    done = run("pcapng", "-o", str(path), stdin=b"nothing but prose\n")
+    assert done.returncode == 1
+    assert done.stderr.decode().startswith("there is no frame in the input: frames are written in hex")
+    assert path.read_bytes() == b"kept"
+    done = run("pcapng", stdin=b"")
+    assert (done.returncode, done.stdout) == (1, b"")
+
+
+def test_where_nothing_can_be_written(tmp_path: Path) -> None:
+    done = run("pcapng", TONE, "-o", str(tmp_path / "none" / "tone.pcapng"))
+    assert done.returncode == 1
+    assert done.stderr.decode().endswith("tone.pcapng: cannot be written: No such file or directory\n")

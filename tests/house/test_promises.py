@@ -1,0 +1,155 @@
+"""What SECURITY.md promises and docs/limits.md says: each line has a test, here or where it names one."""
+
+from __future__ import annotations
+
+import math
+import re
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from ev3proto import bounded
+from ev3proto.capture import conversation, files, packets, record, series, statistics
+from ev3proto.capture.carriers.bluetooth import adapters
+from ev3proto.capture.carriers.usb import reports
+from ev3proto.capture.carriers.wifi import connections, fragments, tcp
+from ev3proto.capture.filter import grammar
+from ev3proto.capture.finding import MOST_TRIALS
+from ev3proto.capture.formats import pcapng
+from ev3proto.capture.timeline import collecting
+from ev3proto.cli import live, texts, values
+from ev3proto.cli.annotations import MOST_COMPLAINTS
+from ev3proto.generate.dissector.build import build
+from ev3proto.link import file_moves
+from ev3proto.program.image import MAX_IMAGE
+from ev3proto.semantics import pairing, transfers
+from ev3proto.tables.claims import STRANGE_PACKETS
+from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.text.paste.pieces import MAX_COLLECTED, MAX_LINE
+
+ROOT = Path(__file__).parents[2]
+MIB, KIB = 1 << 20, 1 << 10
+
+LIMITS = {
+    "Commands of one connection that wait for a reply": f"{conversation.MOST_PENDING}",
+    "Commands with one counter": f"{pairing.MOST_PER_KEY}",
+    "Files of one connection that wait for the reply to their first command": f"{transfers.MOST_BEGUN}",
+    "Segments of one direction of TCP": f"{tcp.MOST_AHEAD // MIB} MiB, {tcp.MOST_SEGMENTS_AHEAD} segments",
+    "IP packets of which parts wait": f"{fragments.MOST_PACKETS}, each {fragments.MOST_SECONDS} seconds",
+    "TCP connections": f"{connections.MOST_CONNECTIONS}",
+    "Packets of a TCP connection before it is known to be a brick's": f"{STRANGE_PACKETS}",
+    "Bytes of each side of a serial port before it is known to be a brick's": f"{MAX_FRAME:,}",
+    "Bricks whose beacons are remembered": f"{connections.MOST_BRICKS} addresses and ports",
+    "USB devices": f"{reports.MOST_DEVICES}, about 12 MiB",
+    "Bluetooth connections, of all adapters": f"{adapters.MOST_CONNECTIONS}, about 12 MiB",
+    "Channels of one Bluetooth connection": f"{adapters.MOST_CHANNELS}",
+    "Adapters whose own address is remembered": f"{adapters.MOST_ADAPTERS}",
+    "Interfaces of a section of a pcapng file": f"{pcapng.MOST_INTERFACES}, names of {pcapng.MOST_NAME:,} bytes",
+    "One packet": f"{packets.MOST_PACKET // MIB} MiB",
+    "Messages of records that are kept after they were read": (
+        f"{record.MOST_READ // KIB} KiB of frames, up to {200 * record.MOST_READ // MIB} MiB"
+    ),
+    "A line of text": f"{MAX_LINE // MIB} MiB",
+    "An array or a dump over several lines": f"{MAX_COLLECTED // KIB} KiB",
+    "A file of nothing but frames": f"{texts.MOST_RAW // MIB} MiB",
+    "A program image": f"{MAX_IMAGE // MIB} MiB",
+    "A file that `copy` moves, a listing of a folder": f"{file_moves.MOST_FILE // MIB} MiB",
+    "Files in a capture": f"{files.MOST_FILES:,}, of which {files.MOST_OPEN} are open at a time",
+    "`stats`: bricks, files, and unanswered commands, faults, skipped pieces one by one": (
+        f"{statistics.MOST_PEERS}, {statistics.MOST_TRANSFERS}, {statistics.MOST_LISTED}"
+    ),
+    "`timeline`: marks one by one": (
+        f"{collecting.MOST_MARKS:,}, about 150 MiB with the library that draws them, "
+        "400 where all their texts are as long as texts may be"
+    ),
+    "`check --format sarif`: places that cannot be read, one by one": f"{MOST_COMPLAINTS:,}",
+    "`values`: rows and values together": f"{series.MOST_CELLS:,}, about 160 MiB",
+    "`values`: columns of a table, and with `--csv`": f"{values.MOST_SHOWN}, {values.MOST_COLUMNS['csv']:,}",
+    "`values`: cells of a table": f"{values.MOST_PRINTED:,}, about 100 MiB",
+    "`live`: beacons that are shown only once": f"{live.MOST_BEACONS}",
+    "To show, check or fix a frame": (
+        "10 ms of CPU time; the slowest frame that a search has found takes 9 ms to fix and 7 ms to check"
+    ),
+    "A frame": f"{MAX_FRAME:,} bytes; a longer one is refused and not looked into",
+    "Places in one piece of a stream where a frame is tried": (
+        f"{MOST_TRIALS}, as many as in the dissector; then the piece is given up, and reported"
+    ),
+    "A filter": f"{grammar.MAX_LENGTH:,} characters, {grammar.MAX_DEPTH} levels deep",
+}
+
+
+def test_the_limits_are_those_of_the_code() -> None:
+    rows = re.findall(r"^\| (.+?) \| (.+?) \|", (ROOT / "docs" / "limits.md").read_text(), re.MULTILINE)
+    said = {what: limit for what, limit in rows if what != "What" and not what.startswith("---")}
+    assert said == LIMITS
+    assert f"{bounded.DEFAULT_MEMORY // MIB} MiB (`--memory`)" in (ROOT / "docs" / "limits.md").read_text()
+
+
+def test_the_limits_of_the_dissector_are_those_of_its_code() -> None:
+    script = build()
+
+    def limit(name: str) -> int:
+        """The number that a constant has, also where several are set in one line."""
+        found = re.search(rf"local ((?:MOST_\w+, )*{name}(?:, MOST_\w+)*) = ([\d, *]+)$", script, re.MULTILINE)
+        assert found, name
+        value = found[2].split(",")[found[1].split(", ").index(name)]
+        return math.prod(map(int, value.split("*")))
+
+    waiting, files, size = limit("MOST_WAITING"), limit("MOST_FILES"), limit("MOST_BYTES") // MIB
+    said = (ROOT / "dissector" / "README.md").read_text().split("## Limits", 1)[1].split("## ", 1)[0]
+    assert re.findall(r"^\| [^|]+ \| (.*\d.*?) \|", said, re.MULTILINE) == [
+        f"{waiting:,} to {2 * waiting:,}",
+        f"{limit('MOST_PER_COUNTER')}",
+        f"{limit('MOST_INFO'):,} bytes",
+        f"{limit('MOST_NAMED')}",
+        f"{limit('MOST_ROWS'):,} each",
+        f"{files}, and {size} MiB of all",
+    ]
+
+
+WATCHED = """
+import sys
+seen = []
+def watch(event, words):
+    if event in ("subprocess.Popen", "os.system", "os.exec", "socket.connect", "socket.sendto", "socket.bind"):
+        seen.append(f"{event} {words}")
+sys.addaudithook(watch)
+sys.argv[0] = "ev3proto"
+from ev3proto.cli.main import main
+try:
+    main()
+finally:
+    print(*seen, sep="\\n", file=sys.stderr)
+"""
+"""Runs a subcommand, and says last which programs it started and whom it sent something."""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("decode", "captures/wifi.pcapng"),
+        ("check", "captures/wifi.pcapng"),
+        ("stats", "captures/wifi.pcapng"),
+        ("files", "captures/usb.pcapng", "-o", "{out}"),
+        ("decode", "--programs", "captures/usb.pcapng"),
+        ("encode", "DATA32 r SYSTEM('echo hello', r)"),
+        ("check", "0b002a0000040060846563686f00"),
+    ],
+    ids=" ".join,
+)
+def test_nothing_that_is_read_is_run_and_nothing_is_sent(words: Sequence[str], tmp_path: Path) -> None:
+    call = [sys.executable, "-c", WATCHED, *(word.format(out=tmp_path) for word in words)]
+    done = subprocess.run(call, capture_output=True, text=True, check=False, cwd=ROOT)
+    assert done.returncode in (0, 1), done.stderr
+    assert not re.search(r"^(subprocess|os|socket)\.", done.stderr, re.MULTILINE), done.stderr
+
+
+def test_every_promise_names_where_it_is_tested() -> None:
+    promised = (ROOT / "SECURITY.md").read_text().partition("## What is promised")[2].partition("\n## ")[0]
+    for promise in re.split(r"^- ", promised, flags=re.MULTILINE)[1:]:
+        named = re.findall(r"tests/(\w+/\w+\.py)", promise)
+        assert named, promise
+        assert all((ROOT / "tests" / name).exists() for name in named), promise

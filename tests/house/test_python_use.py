@@ -1,0 +1,131 @@
+"""Python as its users meet it: sentences for wrong types, what is printed, what can be pickled, what checkers know."""
+
+from __future__ import annotations
+
+import pickle
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import ev3proto
+from ev3proto import GV, LV, BuildError, DecodeError, DirectCommand, DirectReply, Message, SystemReply, ops, program
+from ev3proto.brick import Brick
+from ev3proto.capture import read
+
+ROOT = Path(__file__).parents[2]
+TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
+VOLTAGE = bytes.fromhex("0700e80302a470fd40")
+
+
+def test_what_is_expected_is_returned() -> None:
+    command = ev3proto.parse(TONE, expect=DirectCommand)
+    assert [operation.full_name for operation in command.operations] == ["SOUND.TONE"]
+    assert ev3proto.parse(VOLTAGE, expect=Message) == ev3proto.parse(VOLTAGE)
+
+
+def test_another_message_than_expected_raises() -> None:
+    with pytest.raises(DecodeError) as caught:
+        ev3proto.parse(VOLTAGE, expect=SystemReply)
+    assert str(caught.value) == "offset 4: this is a DirectReply, and a SystemReply is expected"
+    with pytest.raises(DecodeError, match="offset 4: this is a Message, and a DirectReply is expected"):
+        ev3proto.parse(b"\x00", expect=DirectReply, strict=False)
+
+
+def wrong(call: Callable[[Any], object], value: object) -> str:
+    with pytest.raises((TypeError, BuildError)) as caught:
+        call(value)
+    return str(caught.value)
+
+
+def test_wrong_types_get_a_sentence() -> None:
+    assert wrong(ev3proto.parse, "0e002a00") == (
+        "a frame is bytes, not text: bytes.fromhex('0e002a00') makes bytes of hex"
+    )
+    assert wrong(ev3proto.parse, TONE.hex()) == (
+        "a frame is bytes, not text: bytes.fromhex('0e002a0080000094...') makes bytes of hex"
+    )
+    assert wrong(ev3proto.parse, 14) == "a frame is bytes, not int"
+    for call in (ev3proto.check, ev3proto.fix, Brick().receive):
+        assert wrong(call, "0e002a00") == "a frame is bytes, not text: bytes.fromhex('0e002a00') makes bytes of hex"
+        assert wrong(call, 14) == "a frame is bytes, not int"
+    for image_call in (program.parse, program.check_program):
+        assert (
+            wrong(image_call, "4c45474f") == "an image is bytes, not text: bytes.fromhex('4c45474f') makes bytes of hex"
+        )
+    assert wrong(ev3proto.Decoder().feed, "0e") == (
+        "a chunk of a stream is bytes, not text: bytes.fromhex('0e') makes bytes of hex"
+    )
+    assert wrong(ev3proto.Dialogue().feed, TONE) == (
+        "a dialogue takes messages, not bytes: ev3proto.parse(frame) makes one"
+    )
+
+
+@pytest.mark.parametrize("index", ["a", 1.5, None, True])
+def test_the_index_of_a_variable_is_a_number(index: Any) -> None:
+    for variable in (GV, LV):
+        assert wrong(variable, index) == f"the index of a variable must be a whole number, 0 or more, not {index!r}"
+
+
+@pytest.mark.parametrize("index", [1 << 70, -1])
+def test_a_variable_is_shown_whatever_it_is_made_of(index: int) -> None:
+    assert repr(GV(index, handle=True)) == f"GV({index}, handle=True)"
+    assert repr(GV(0, address=index)) == "GV(0, address=True)"  # type: ignore[arg-type]
+    assert repr(GV(0, handle="x")) == "GV(0, handle=True)"  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("name", [None, 1.5, b"SOUND.TONE"])
+def test_a_name_is_a_text(name: Any) -> None:
+    for make in (ev3proto.operation, ev3proto.system_command, ev3proto.system_reply):
+        with pytest.raises(BuildError, match=r"is a text, such as [A-Z_.]+, not (None|1\.5|b'SOUND\.TONE')$"):
+            make(name)
+    for look in (ev3proto.program.assemble, ev3proto.names.constant):
+        if not isinstance(name, bytes):
+            with pytest.raises(TypeError, match=f"is a text.*, not {name}$"):
+                look(name)
+
+
+def test_nobody_makes_a_command_of_nothing() -> None:
+    sentence = "a command needs an operation: the brick refuses an empty one"
+    for make in (ev3proto.command, ev3proto.direct_command):
+        with pytest.raises(BuildError, match=sentence):
+            make()
+
+
+def test_what_is_printed() -> None:
+    assert repr(GV(0)) == "GV(0)"
+    assert repr(LV(4, handle=True)) == "LV(4, handle=True)"
+    command = ev3proto.command(ops.ui_read.get_vbatt(), counter=1)
+    assert repr(command) == (
+        "DirectCommand(DIRECT_COMMAND_REPLY, counter=1, global_size=4,"
+        " operations=(<UI_READ.GET_VBATT(VALUE=GV(0)) at 7>,))"
+    )
+    assert repr(command.operations[0].arguments) == "(Argument(VALUE=GV(0), GV0, offset=9),)"
+    assert repr(ev3proto.parse(VOLTAGE)) == r"DirectReply(DIRECT_REPLY, counter=1000, memory=b'\xa4p\xfd@')"
+    assert repr(ev3proto.parse(TONE[:3], strict=False)) == (
+        "Message(flaw=Flaw(fault=Fault(offset=3, reason='a frame has at least 5 bytes (length, counter, type), here are"
+        r" 3', truncated=True), rest=b'\x0e\x00*'))"
+    )
+
+
+@pytest.mark.parametrize("name", ["wifi.pcapng", "usb-plugged.pcap", "bluetooth.pcapng"])
+def test_records_can_be_pickled(name: str) -> None:
+    for record in read(ROOT / "captures" / name):
+        again = pickle.loads(pickle.dumps(record))
+        assert (again.frame, again.numbers, again.time_ns, again.route) == (
+            record.frame,
+            record.numbers,
+            record.time_ns,
+            record.route,
+        )
+        assert (again.message, again.latency, again.transfer) == (record.message, record.latency, record.transfer)
+        assert repr(again.values) == repr(record.values)
+        assert repr(pickle.loads(pickle.dumps(record)).message) == repr(record.message)
+
+
+def test_the_sentence_about_hex_is_itself_right() -> None:
+    sentence = wrong(ev3proto.parse, "0e002a00")
+    (call,) = re.findall(r"bytes\.fromhex\('\w+'\)", sentence)
+    assert eval(call) == bytes.fromhex("0e002a00")

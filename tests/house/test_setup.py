@@ -1,0 +1,280 @@
+"""bin/setup survives: interrupted, twice at once, in a checkout that was moved. And the lock of the tests' packages.
+
+A program stands for Python and pip here, which makes an environment that looks like one, in no time.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import time
+import tomllib
+from collections.abc import Mapping
+from importlib.metadata import PackageNotFoundError, requires
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+ROOT = Path(__file__).parents[2]
+LOCK = ROOT / "tests" / "requirements.lock"
+
+PYTHON = r"""#!/bin/bash
+here=$(cd "$(dirname "$0")" && pwd)
+case "$*" in
+"-m venv "*) mkdir -p "$3/bin"; cp "$0" "$3/bin/python"; echo "command = $PWD/$3" >"$3/pyvenv.cfg" ;;
+"-m pip install "*)
+    echo "$*" >>"$CALLS"
+    env | grep -E '^(PYTHON|PIP_)' | sort >"$CALLS.env"
+    [ -z "$NO_NETWORK" ] || exit 1
+    case "$*" in *--constraint*) [ -z "$NOT_TO_BE_HAD" ] || exit 1 ;; esac
+    for _ in $(seq "$TAKES"); do [ -e "$CALLS.enough" ] || sleep 0.1; done
+    case "$here" in
+    *" "*) printf '#!/bin/sh\nexec "%s/python" "$0" "$@"\n' "$here" ;;  # as pip does it
+    *) printf '#!%s/python\n' "$here" ;;
+    esac >"$here/ev3proto"
+    chmod +x "$here/ev3proto" ;;
+esac
+"""
+"""Writes down what it installs. It takes some tenths of a second, but no longer than until there is `calls.enough`."""
+
+
+NOTHING: Mapping[str, str] = {}
+
+
+class Checkout:
+    """A copy of what bin/setup needs, with a Python that only pretends."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder / "checkout"
+        (self.folder / "bin").mkdir(parents=True)
+        (self.folder / "tests").mkdir()
+        for name in ("bin/setup", "pyproject.toml", "tests/requirements.lock"):
+            shutil.copy2(ROOT / name, self.folder / name)
+            os.utime(self.folder / name, (1, 1))
+        (folder / "python3").write_text(PYTHON)
+        (folder / "python3").chmod(0o755)
+        self.calls = folder / "calls"
+        self.calls.touch()
+        self.env = {"PATH": f"{folder}:{os.environ['PATH']}", "CALLS": str(self.calls)}
+
+    def start(
+        self, *words: str, takes: int = 0, not_to_be_had: bool = False, env: Mapping[str, str] = NOTHING
+    ) -> subprocess.Popen[str]:
+        return subprocess.Popen(
+            [self.folder / "bin" / "setup", *words],
+            env={**self.env, **env, "TAKES": str(takes), "NOT_TO_BE_HAD": "x" if not_to_be_had else ""},
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        )
+
+    def run(self, *words: str, not_to_be_had: bool = False, env: Mapping[str, str] = NOTHING) -> str:
+        process = self.start(*words, not_to_be_had=not_to_be_had, env=env)
+        _, said = process.communicate(timeout=30)
+        assert process.returncode == 0, said
+        assert self.works()
+        return said
+
+    def works(self) -> bool:
+        script = self.folder / ".venv" / "bin" / "ev3proto"
+        return subprocess.run([script, "--version"], check=False).returncode == 0
+
+    @property
+    def installed(self) -> list[str]:
+        return self.calls.read_text().splitlines()
+
+    def wait_for_pip(self) -> None:
+        until = time.monotonic() + 30
+        while not self.installed:
+            assert time.monotonic() < until
+            time.sleep(0.01)
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Checkout:
+    return Checkout(tmp_path)
+
+
+def test_the_second_time_there_is_nothing_to_do(checkout: Checkout) -> None:
+    assert "making .venv" in checkout.run()
+    assert checkout.run() == ""
+    assert len(checkout.installed) == 1
+    assert "up to date" in checkout.run("test")
+    assert len(checkout.installed) == 2
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_interrupted_in_the_middle(checkout: Checkout, number: signal.Signals) -> None:
+    process = checkout.start(takes=600)
+    checkout.wait_for_pip()
+    os.killpg(process.pid, number)
+    process.communicate(timeout=30)
+    assert process.returncode
+    assert not (checkout.folder / ".venv").exists()
+    assert "making .venv" in checkout.run()
+    assert not (checkout.folder / ".venv.new").exists()
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_interrupted_while_it_is_brought_up_to_date(checkout: Checkout, number: signal.Signals) -> None:
+    """The packages of the environment that was there may be half removed by then."""
+    checkout.run()
+    checkout.calls.write_text("")
+    process = checkout.start("test", takes=600)
+    checkout.wait_for_pip()
+    os.killpg(process.pid, number)
+    process.communicate(timeout=30)
+    assert process.returncode
+    assert "making .venv" in checkout.run()
+    assert checkout.run() == ""
+
+
+AS_OTHERS = ("setpriv", "--bounding-set=-dac_override", "--inh-caps=-dac_override")
+"""Before a command: root, too, may only write where the permissions let its owner write."""
+
+
+def test_a_folder_that_cannot_be_written(checkout: Checkout) -> None:
+    words: list[str | Path] = [*AS_OTHERS * (os.geteuid() == 0), checkout.folder / "bin" / "setup"]
+    checkout.folder.chmod(0o555)
+    done = subprocess.run(words, env=checkout.env, stderr=subprocess.PIPE, text=True, check=False)
+    assert (done.returncode, done.stderr) == (
+        1,
+        f"bin/setup: nothing can be written to {checkout.folder}, where .venv belongs: copy that folder to a place of"
+        " your own, and run bin/setup there\n",
+    )
+    checkout.folder.chmod(0o755)
+    checkout.run()
+    checkout.folder.chmod(0o555)
+    done = subprocess.run(words, env=checkout.env, stderr=subprocess.PIPE, text=True, check=False)
+    checkout.folder.chmod(0o755)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_without_a_network_what_is_there_goes_on_working(checkout: Checkout) -> None:
+    checkout.run()
+    process = checkout.start("test", env={"NO_NETWORK": "x"})
+    process.communicate(timeout=30)
+    assert process.returncode == 1
+    assert checkout.works()
+    assert checkout.run() == ""
+
+
+def test_twice_at_once(checkout: Checkout) -> None:
+    first = checkout.start(takes=600)
+    checkout.wait_for_pip()
+    second = checkout.start()
+    assert second.stderr is not None
+    assert "another one is at work here" in second.stderr.readline()
+    checkout.calls.with_suffix(".enough").touch()
+    for process in (first, second):
+        process.communicate(timeout=30)
+        assert process.returncode == 0
+    assert checkout.works()
+    assert len(checkout.installed) == 1
+
+
+def test_a_checkout_that_was_moved(checkout: Checkout) -> None:
+    checkout.run()
+    checkout.folder = checkout.folder.rename(checkout.folder.with_name("elsewhere with spaces"))
+    assert "making .venv" in checkout.run()
+    assert checkout.run() == ""
+    assert str(checkout.folder) in (checkout.folder / ".venv" / "bin" / "ev3proto").read_text()
+
+
+@pytest.mark.parametrize("name", ["with spaces", "b & c", "issue #1", "[old] a.*", "Übung"])
+def test_any_name_of_a_folder(checkout: Checkout, name: str) -> None:
+    checkout.folder = checkout.folder.rename(checkout.folder.with_name(name))
+    checkout.run()
+    for place in ("bin/ev3proto", "pyvenv.cfg"):
+        text = (checkout.folder / ".venv" / place).read_text()
+        assert f"{checkout.folder}/.venv" in text
+        assert ".venv.new" not in text
+    assert checkout.run() == ""
+
+
+def test_settings_of_python_and_pip_that_lead_elsewhere(checkout: Checkout) -> None:
+    names = ("PYTHONHOME", "PYTHONPATH", "PIP_TARGET", "PIP_PREFIX", "PIP_NO_DEPS")
+    checkout.run(env={**dict.fromkeys(names, "1"), "PIP_USER": "1", "PIP_INDEX_URL": "https://example.org/simple"})
+    assert checkout.calls.with_suffix(".env").read_text().splitlines() == [
+        "PIP_INDEX_URL=https://example.org/simple",
+        "PIP_USER=0",
+    ]
+
+
+def test_the_tests_get_the_versions_of_the_lock(checkout: Checkout) -> None:
+    checkout.run("test")
+    assert checkout.installed[-1].endswith("--editable .[test] --constraint tests/requirements.lock")
+    os.utime(checkout.folder / "tests" / "requirements.lock")
+    checkout.run("test")
+    assert len(checkout.installed) == 2
+    checkout.run()
+    assert "--constraint" not in checkout.installed[-1]
+
+
+def test_versions_that_are_not_to_be_had(checkout: Checkout) -> None:
+    said = checkout.run("test", not_to_be_had=True)
+    assert "the versions of tests/requirements.lock cannot all be installed: taking the newest ones" in said
+    assert ["--constraint" in call for call in checkout.installed] == [True, False]
+
+
+# The lock
+
+
+def wanted() -> dict[str, list[Requirement]]:
+    """What the tests need, and what that needs, with the versions that will do."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"]
+    left = [(Requirement(text), "") for text in [*project["dependencies"], "ev3proto[test]"]]
+    found: dict[str, list[Requirement]] = {}
+    seen = set()
+    while left:
+        need, extra = left.pop()
+        name = canonicalize_name(need.name)
+        if (need.marker is not None and not need.marker.evaluate({"extra": extra})) or (str(need), extra) in seen:
+            continue
+        seen.add((str(need), extra))
+        if name == "ev3proto":
+            left += [(Requirement(text), "") for one in need.extras for text in extras[one]]
+            continue
+        found.setdefault(name, []).append(need)
+        try:
+            texts = requires(name) or []
+        except PackageNotFoundError:
+            continue  # the lock is asked for it by name
+        left += [(Requirement(text), one) for text in texts for one in ("", *need.extras)]
+    return found
+
+
+def locked() -> dict[str, str]:
+    lines = [line for line in LOCK.read_text().splitlines() if not line.startswith("#")]
+    assert all(re.fullmatch(r"[A-Za-z0-9._-]+==[A-Za-z0-9.+!]+", line) for line in lines), lines
+    return {canonicalize_name(name): version for name, version in (line.split("==") for line in lines)}
+
+
+def test_the_lock_has_what_the_tests_need() -> None:
+    found, needs = locked(), wanted()
+    stale = [
+        f"{need} is not met by {name} {found.get(name, 'at all')}"
+        for name, several in needs.items()
+        for need in several
+        if name not in found or not need.specifier.contains(found[name], prereleases=True)
+    ]
+    stale += [f"{name} is not needed any more" for name in sorted(found.keys() - needs.keys())]
+    assert not stale, f"tests/requirements.lock is out of date, and tests/lock writes it anew: {stale}"
+
+
+def test_no_dependency_may_be_of_a_major_version_that_nobody_tried() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    texts = [*project["dependencies"], *(text for extra in project["optional-dependencies"].values() for text in extra)]
+    open_ended = [
+        text
+        for text in texts
+        if not any(one.operator in ("<", "==") for one in Requirement(text).specifier)
+        and Requirement(text).name != project["name"]
+    ]
+    assert open_ended == []

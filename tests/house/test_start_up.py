@@ -1,0 +1,104 @@
+"""What a short command loads: the time that `ev3proto decode FRAME` takes is that of the modules it imports."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+TONE = "0e002a0080000094010182b80182e803"
+
+PARTS_NOT_NEEDED = (
+    "brick",
+    "capture",
+    "checking",
+    "compose",
+    "generate",
+    "link",
+    "names",
+    "ops",
+    "program",
+    "sampling",
+    "scapy",
+    "testing",
+    "text.diagnostics",
+    "text.assembly",
+    "text.dialogues",
+    "text.json_format",
+    "text.paste.fitting",
+    "text.paste.forms",
+    "text.paste.reader",
+    "text.paste.scanner",
+    "text.table",
+    "whole_files",
+)
+OTHERS_NOT_NEEDED = ("asyncio", "hypothesis", "json", "pyshark", "rich", "scapy", "secrets", "tempfile")
+
+PROGRAM = """
+import sys
+from ev3proto.cli.main import main
+sys.argv = ["ev3proto", *sys.argv[1:]]
+try:
+    main()
+finally:
+    print(*sys.modules, file=sys.stderr)
+"""
+
+
+def _loaded(*words: str) -> set[str]:
+    """The names of all modules that are loaded when a command ends."""
+    command = [sys.executable, "-c", PROGRAM, *words]
+    return set(subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT).stderr.split())
+
+
+def test_decode_loads_nothing_that_it_has_no_use_for() -> None:
+    names = _loaded("decode", TONE)
+    assert "ev3proto.text.tree" in names
+    assert [part for part in PARTS_NOT_NEEDED if f"ev3proto.{part}" in names] == []
+    assert [name for name in OTHERS_NOT_NEEDED if name in names] == []
+
+
+def test_reading_the_messages_of_a_capture_loads_nothing_that_reads_replies() -> None:
+    program = (
+        "import sys, ev3proto; [record.message for record in ev3proto.capture.read('captures/ev3_dc.pcap')];"
+        "print(*sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT)
+    names = done.stdout.split()
+    assert "ev3proto.capture.conversation" in names
+    assert [name for name in names if name in ("ev3proto.dialogue", "ev3proto.semantics.replies")] == []
+
+
+def test_the_instruction_sets_of_other_dialects_are_not_made() -> None:
+    program = (
+        "import ev3proto; from ev3proto.schema import instructions;"
+        f"ev3proto.parse(bytes.fromhex('{TONE}')); print(instructions._made.cache_info().currsize)"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert done.stdout == "1\n"
+
+
+def test_the_schemas_of_other_opcodes_are_not_made() -> None:
+    program = (
+        "import ev3proto; from ev3proto.schema import operation;"
+        f"ev3proto.parse(bytes.fromhex('{TONE}')).operations;"
+        "print(*{schema.declaration.opcode.name for schema in operation._SCHEMAS.values()})"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert done.stdout == "SOUND\n"
+
+
+@pytest.mark.parametrize(
+    ("module", "name"), [("ev3proto.text.paste.reader", "_DENSE"), ("ev3proto.text.visible", "_HARMFUL")]
+)
+def test_expressions_are_compiled_when_they_are_first_used(module: str, name: str) -> None:
+    program = (
+        "import importlib, sys\n"
+        f"pattern = vars(importlib.import_module({module!r}))[{name!r}]\n"
+        "print('match' in vars(pattern), pattern.match('x') is None, 'match' in vars(pattern))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert done.stdout == "False True True\n"

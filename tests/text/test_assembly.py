@@ -1,0 +1,566 @@
+"""Assembly: both notations to frames, every frame to assembly and back, and what is said of bad text."""
+
+from __future__ import annotations
+
+import pickle
+import random
+import re
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from ev3proto import DirectCommand, Operation, parse
+from ev3proto.capture import Record, read
+from ev3proto.checking.checking import check
+from ev3proto.dialogue import Dialogue
+from ev3proto.tables.declaration import DIALECTS
+from ev3proto.testing import frames, mutated_frames, operations
+from ev3proto.text.assembly import AssemblyError, assemble, assembly
+from ev3proto.text.assembly.recognising import is_assembly
+from ev3proto.text.paste import read_text
+from ev3proto.text.phrases import quoted
+
+ROOT = Path(__file__).parents[2]
+CAPTURES = sorted((ROOT / "captures").glob("*.pcap*"))
+
+TONE = "0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03"
+
+
+def assembled(text: str, *, counter: int = 0, reply: bool | None = None) -> list[str]:
+    """The frames of a text, in hex."""
+    return [message.build().hex(" ").upper() for message in assemble(text, counter=counter, reply=reply)]
+
+
+def code(text: str) -> str:
+    """The byte code of the one direct command in a text, in hex."""
+    (message,) = assemble(text)
+    return message.build()[7:].hex(" ").upper()
+
+
+def written(data: list[bytes], dialect: str = "official") -> str:
+    """Frames as assembly."""
+    dialogue = Dialogue()
+    messages = [parse(frame, strict=False, dialect=dialect) for frame in data]
+    return "\n".join(line for message in messages for line in assembly(dialogue.follow(message), "what it is"))
+
+
+def wrong(text: str) -> AssemblyError:
+    """What is wrong with a text."""
+    with pytest.raises(AssemblyError) as caught:
+        assemble(text)
+    return caught.value
+
+
+# Both notations
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "SOUND(TONE,1,440,1000)",
+        "SOUND.TONE(1, 440, 1000)",
+        "opSOUND,LC0(TONE),LC0(1),LC2(440),LC2(1000)",
+        "opSound, LC0(TONE), LC0(1),\n    LC2(440), LC2(1000),  // the rest of it\n",
+        "opSOUND(TONE, 1, 440, 1000);",
+        "SOUND(TONE, VOLUME=1, DURATION=1000, FREQUENCY=440)",
+        "SOUND(1, 0x01, 4 * 110, (LCD_WIDTH + 822))",
+        "define A 440 /* Hz */\n#define SECOND 1000\nSOUND(TONE,1,A,SECOND)",
+        "vmthread  MAIN\n{\n  SOUND(TONE,1,440,1000)  //  as LEGO writes it\n}",
+    ],
+)
+def test_the_same_tone_in_every_way(text: str) -> None:
+    assert assembled(text, counter=42) == [TONE]
+
+
+def test_legos_line_and_a_light() -> None:
+    assert code("UI_DRAW(LINE,1,2,125,88,2)\nUI_WRITE(LED,LED_RED_FLASH)") == "84 03 01 02 81 7D 81 58 02 82 1B 05"
+
+
+def test_two_operations_of_legos_document_in_a_line() -> None:
+    text = "opOUTPUT_POWER,LC0(0),LC0(0x01),LC0(20), opOUTPUT_START,LC0(0),LC0(0x01)"
+    assert assembled(text) == ["0C 00 00 00 80 00 00 A4 00 01 14 A6 00 01"]
+
+
+def test_encodings_are_those_that_are_named() -> None:
+    texts = {
+        "opSOUND, LC1(TONE), LC1(1), LC4(440), LCX(1000)": "94 81 01 81 01 83 B8 01 00 00 82 E8 03",
+        "opMOVE8_8, LC0(-1), LV1(4)": "30 3F C1 04",
+        "opMOVE8_8, LC1(0xFF), GV2(300)": "30 81 FF E2 2C 01",
+        "opMOVEF_F, LCF(1.5), LV4(4)": "3F 83 00 00 C0 3F C3 04 00 00 00",
+        "opMOVEF_F, LC4(0x7FC00001), GV0(31)": "3F 83 01 00 C0 7F 7F",
+        "opMOVEF_F, LCF(-inf), LV(40)": "3F 83 00 00 80 FF C1 28",
+        "opFILE, LC0(CLOSE), HND(LV1(4))": "C0 07 D1 04",
+        "opFILE, LC0(CLOSE), ADR(HND(GV1(4)))": "C0 07 F9 04",
+        "opJR, LAB1(-5)": "40 A0 FB",
+        "opJR, bytes(A3 05)": "40 A3 05",
+        "opCOM_SET, LC0(SET_BRICKNAME), LCS_OLD('myEV3')": "D4 08 80 6D 79 45 56 33 00",
+        "opMOVE8_8, LC1('L'), LV0(1)": "30 81 4C 41",
+    }
+    for text, expected in texts.items():
+        assert code(text) == expected, text
+
+
+def test_c_spells_texts_letter_by_letter() -> None:
+    assert code("opSTRINGS,LC0(DUPLICATE),LCS,'L','E','G','O',0,LV0(4),\nopNOP") == "7D 05 84 4C 45 47 4F 00 44 01"
+
+
+def test_numbers_take_their_shortest_encoding() -> None:
+    assert code("MOVE8_8(31, LV0(0))") == "30 1F 40"
+    assert code("MOVE8_8(-33, LV0(0))") == "30 81 DF 40"
+    assert code("MOVE8_8(0xFF, LV0(0))") == "30 3F 40"
+    assert code("MOVE8_8(DATA8_NAN, LV0(0))") == "30 81 80 40"
+    assert code("MOVE32_32(0x80, LV0(0))") == "3A 82 80 00 40"
+    assert code("MOVEF_F(3.14F, LV0(0))") == "3F 83 C3 F5 48 40 40"
+    assert code("MOVEF_F(DATAF_NAN, LV0(0))") == "3F 83 00 00 C0 7F 40"
+    assert code("MOVE8_8(7 / 2 - -7 / 2 | 8, LV0(0))") == "30 0E 40"
+
+
+def test_texts_and_their_escapes() -> None:
+    assert code(r"COM_SET(SET_BRICKNAME, 'a\r\n\t\q\x41\\')") == "D4 08 84 61 0D 0A 09 27 41 5C 00"
+    assert code('COM_SET(SET_BRICKNAME, "Ä\'")') == "D4 08 84 C4 27 00"
+    assert code("define NAME 'EV3'\nCOM_SET(SET_BRICKNAME, NAME)") == "D4 08 84 45 56 33 00"
+
+
+# Memory
+
+
+def test_outputs_in_global_variables_ask_for_a_reply() -> None:
+    text = "DATA8 percent\nDATAF volts\nUI_READ(GET_LBATT, percent)\nUI_READ(GET_VBATT, volts)"
+    (command,) = assemble(text, counter=42)
+    assert command.build().hex(" ").upper() == "0B 00 2A 00 00 08 00 81 12 60 81 01 64"
+    dialogue = Dialogue()
+    dialogue.feed(command)
+    values = dialogue.feed(parse(bytes.fromhex("0B 00 2A 00 02 5F 00 00 00 A4 70 FD 40")))
+    assert [(value.name, value.value) for value in values] == [("PCT", 95), ("VALUE", pytest.approx(7.92))]
+
+
+def test_variables_in_a_thread_are_local() -> None:
+    text = """
+        define STEPS (INPUTS - 1)
+        vmthread MAIN
+        {
+          DATA8   i
+          DATA32  Timer
+        Loop:
+          TIMER_WAIT(500,Timer)
+          TIMER_READY(Timer)
+          ADD8(i,1,i)
+          JR_LT8(i,STEPS,Loop)
+        }
+    """
+    # Timer is at 4, the first multiple of its size after i; the jump goes back over 4 operations of 15 bytes.
+    assert assembled(text) == ["14 00 00 00 80 00 20 85 82 F4 01 44 86 44 10 40 01 40 64 40 03 31"]
+
+
+def test_scopes_and_elements() -> None:
+    text = "local DATA16 a[3]\nglobal ARRAY8 b 4\nHANDLE h\nMOVE16_16(a[2], a)\nMOVE8_8(1, b[3])\nARRAY(DELETE, h)"
+    (command,) = assemble(text)
+    assert isinstance(command, DirectCommand)
+    assert (command.global_size, command.local_size) == (6, 6)
+    assert command.build()[7:].hex(" ").upper() == "35 44 40 30 01 63 C1 00 64"
+
+
+def test_a_handle_stands_for_what_it_points_to() -> None:
+    assert code("local DATA16 text\nSTRINGS(STRIP, 'a b', @text)") == "7D 08 84 61 20 62 00 D1 00"
+    assert code("local DATA32 place\nMOVE8_8(&place, LV0(8))") == "30 C9 00 48"
+
+
+def test_variables_by_number_are_counted_too() -> None:
+    (command,) = assemble("UI_READ(GET_FW_VERS, 8, GV0(13))\nMOVE32_32(1, LV0(4))")
+    assert isinstance(command, DirectCommand)
+    assert (command.global_size, command.local_size, command.wants_reply) == (21, 8, True)
+
+
+def test_what_is_given_by_hand_stays() -> None:
+    text = "message DIRECT_COMMAND_NO_REPLY counter 7 globals 10 locals 2\nUI_READ(GET_VBATT, GV0(0))"
+    assert assembled(text) == ["08 00 07 00 80 0A 08 81 01 60"]
+    assert assembled("UI_READ(GET_VBATT, GV0(0))", reply=False) == ["08 00 00 00 80 04 00 81 01 60"]
+
+
+# Jumps
+
+
+def test_jumps_both_ways() -> None:
+    assert code("Start: JR(End)\nNOP\nEnd:\nJR(Start)") == "40 01 01 40 3B"
+
+
+def test_a_jump_is_as_long_as_it_needs() -> None:
+    for count, expected in ((31, "40 1F"), (32, "40 81 20"), (127, "40 81 7F"), (128, "40 82 80 00")):
+        assert code("JR(End)\n" + "NOP\n" * count + "End:").startswith(f"{expected} 01")
+    assert code("Start:\n" + "NOP\n" * 30 + "JR(Start)").endswith("01 40 20")
+    assert code("Start:\n" + "NOP\n" * 31 + "JR(Start)").endswith("01 40 81 DE")
+
+
+def test_a_jump_in_an_encoding_that_is_named() -> None:
+    assert code("Start: opJR, LC2(Start), opJR, LAB1(Start)") == "40 82 FC FF 40 A0 F9"
+    error = wrong("JR_FALSE(0, End)\nopJR, LC0(End)\n" + "NOP\n" * 40 + "End:")
+    assert (error.line, error.column) == (2, 11)
+    assert error.reason == "End is 40 bytes away: LC0 cannot hold 40: it reaches from -32 to 31"
+
+
+# Lists
+
+
+def test_lists_of_values() -> None:
+    assert code("INIT_BYTES(LV0(0), 3, 1, 'b', 0x43)") == "2F 40 03 01 81 62 81 43"
+    assert code("INPUT_READEXT(0, 0, 0, 0, DATA_F, 2, GV0(0), GV0(4))") == "9E 00 00 00 00 03 02 60 64"
+    assert code("ARRAY(INITF, LV0(0), 0, 1, 1.5)") == "C1 0B 40 00 01 83 00 00 C0 3F"
+
+
+# Messages
+
+
+def test_several_messages_in_a_text() -> None:
+    text = """
+        message counter 42
+        SOUND(BREAK)
+        message DIRECT_REPLY counter 9
+        bytes A4 70 FD 40
+        message DIRECT_REPLY_ERROR
+        LIST_FILES(max_bytes=1000, path="/home")
+        WRITEMAILBOX("abc", "hello\\0")
+        BOOTLOADER.BEGIN_DOWNLOAD(address=0, image_size=2500)
+        message SYSTEM_REPLY counter 43
+        LIST_FILES(status=END_OF_FILE, list_size=5, handle=1, list="a.rbf")
+        message DAISY_COMMAND_REPLY counter 1 command DOWNSTREAM layer_to 1
+        OUTPUT_START(0, 15)
+    """
+    assert assembled(text) == [
+        "07 00 2A 00 80 00 00 94 00",
+        "07 00 09 00 02 A4 70 FD 40",
+        "03 00 0A 00 04",
+        "0C 00 0B 00 01 99 E8 03 2F 68 6F 6D 65 00",
+        "11 00 0C 00 81 9E 04 61 62 63 00 06 00 68 65 6C 6C 6F 00",
+        "0C 00 0D 00 01 F1 00 00 00 00 C4 09 00 00",
+        "0F 00 2B 00 03 99 08 05 00 00 00 01 61 2E 72 62 66",
+        "09 00 01 00 0A A0 00 01 A6 00 0F",
+    ]
+
+
+def test_what_is_faulty_can_be_said() -> None:
+    assert assembled(
+        "message DIRECT_COMMAND_REPLY length 55 globals 0 locals 0\nopSOUND, LC0(TONE), ...\nbytes 82"
+    ) == ["37 00 00 00 00 00 00 94 01 82"]
+    assert assembled("frame\nbytes 03:00|01:00\nbytes 02FF") == ["03 00 01 00 02 FF"]
+
+
+def test_counters_go_on() -> None:
+    text = "message\nNOP\nmessage counter 65535\nNOP\nmessage\nNOP"
+    assert [message.counter for message in assemble(text, counter=3)] == [3, 65535, 0]
+
+
+def test_an_empty_text_has_no_messages() -> None:
+    assert assemble("") == []
+    assert assemble("// nothing\n\n/* at\nall */ define A 1") == []
+
+
+def test_dialects_have_their_operations() -> None:
+    text = "DYNLOAD_ENTRY_0(1, 2, GV0(0), GV0(2))"
+    assert wrong(text).reason == "the official firmware has no operation DYNLOAD_ENTRY_0; xtended has"
+    (message,) = assemble(text, dialect="xtended")
+    assert message.fault is None
+
+
+# What is wrong
+
+ERRORS = [
+    ("SOUND(TOEN,1,440,1000)", 1, 7, "SOUND has no CMD TOEN: did you mean TONE?"),
+    ("opSOUND, LC0(TOEN)", 1, 14, "SOUND has no CMD TOEN: did you mean TONE?"),
+    ("NOP\n  SUOND(TONE)", 2, 3, "there is no operation SUOND: did you mean SOUND?"),
+    ("sound(TONE,1,440,1000)", 1, 1, "there is no operation sound: did you mean SOUND?"),
+    ("SOUND(9)", 1, 7, "SOUND has no CMD 9: it has BREAK, TONE, PLAY, REPEAT, SERVICE"),
+    ("SOUND()", 1, 7, "the CMD of SOUND is missing: it has BREAK, TONE, PLAY, REPEAT, SERVICE"),
+    (
+        "SOUND(PLAY, 1)",
+        1,
+        14,
+        "SOUND.PLAY takes 2 values (VOLUME, NAME), and here are 1: NAME is missing"
+        " (sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys)",
+    ),
+    ("SOUND(BREAK, 1)", 1, 14, "SOUND.BREAK takes 0 values, and here are 1"),
+    ("SOUND(TONE 1)", 1, 12, "1 stands where , or ) should"),
+    ("SOUND TONE", 1, 7, "TONE stands where ( should: SOUND(...)"),
+    ("opSOUND LC0(TONE)", 1, 9, "LC0 stands where a comma should"),
+    ("SOUND(TONE,1,440,", 1, 18, "the text ends where a value should stand"),
+    ("SOUND(TONE,1,99999,1)", 1, 14, "FREQUENCY cannot be 99999: a DATA16 is a whole number from -32767 to 32767"),
+    ("SOUND(TONE,1.5,440,1)", 1, 12, "VOLUME cannot be 1.5: a DATA8 is a whole number from -127 to 127"),
+    ("SOUND(TONE,'abc',440,1)", 1, 12, "VOLUME takes a number or a variable, not 'abc'"),
+    ("SOUND(TONE,VOLUM=1,FREQUENCY=2,DURATION=3)", 1, 12, "SOUND.TONE has no parameter VOLUM: did you mean VOLUME?"),
+    ("opSOUND, LC0(TONE), LC0(32), LC0(1), LC0(1)", 1, 21, "LC0 cannot hold 32: it reaches from -32 to 31"),
+    ("opNOP, LC3(1)", 1, 8, "LC3 is no macro: there are LC0, LC1, "),
+    ("UI_WRITE(LED,LED_GREN)", 1, 14, "there is no LED_GREN in LEDPATTERN, the values of PATTERN: did you mean LED_"),
+    ("UI_WRITE(LED,RED)", 1, 14, "there is no RED in LEDPATTERN, the values of PATTERN"),
+    (
+        "MOVE8_8(Speeed, LV0(0))",
+        1,
+        9,
+        "there is no variable or constant Speeed: `DATA8 Speeed` in front of it declares",
+    ),
+    (
+        "message SYSTEM_COMMAND_REPLY\nSOUND(BREAK)",
+        2,
+        1,
+        "SOUND is an operation, which cannot stand in a system-command",
+    ),
+    ("DATA8 a", 1, 7, "there is no operation in this message: the brick refuses an empty one"),
+    (
+        "UI_READ(GET_VBATT, volts)",
+        1,
+        20,
+        "there is no variable volts: `DATAF volts` in front of it declares a variable",
+    ),
+    ("UI_READ(GET_VBATT, 4)", 1, 20, "VALUE is an output, so 4 cannot stand there: it takes GV(0) or LV(0)"),
+    (
+        "DATA8 small\nUI_READ(GET_VBATT, small)",
+        2,
+        20,
+        "small has 1 byte here and would be overwritten by VALUE, a DATAF",
+    ),
+    ("DATA8 a 3\nMOVE8_8(a[3], a)", 2, 11, "an index of a cannot be 3: it is a whole number from 0 to 2"),
+    ("DATAS text\nNOP", 1, 11, "the line ends where the number of elements of text should stand"),
+    ("local DATA32 many 16", 1, 14, "many would end 64 bytes into local memory, which has 63"),
+    ("DATA8 a\nDATA8 a", 2, 7, "a is declared already, as a variable"),
+    ("Loop:\nLoop:", 2, 1, "Loop is declared already, as a label"),
+    ("Loop: JR(Lop)", 1, 10, "there is no label Lop: did you mean Loop?"),
+    ("Loop: MOVE8_8(Loop, LV0(0))", 1, 15, "Loop is a label, which cannot stand for SOURCE"),
+    ("define A 1\ndefine A 2", 2, 8, "A is defined already"),
+    ("define A", 1, 9, "the line ends where what A stands for should stand"),
+    ("MOVE8_8(1 / 0, LV0(0))", 1, 11, "a division by zero has no value"),
+    ("MOVE8_8(010, LV0(0))", 1, 9, "010 is octal in C and decimal to most readers: write it as 0x.."),
+    ("INIT_BYTES(LV0(0), 3, 1)", 1, 20, "LENGTH says 3, but 1 values follow"),
+    ('COM_SET(SET_BRICKNAME, "a', 1, 24, 'the text that starts here has no " at its end'),
+    (r"COM_SET(SET_BRICKNAME, 'a\d')", 1, 26, r"\d is no escape: there are \n \r "),
+    ("NOP /* and so on", 1, 5, "the comment that starts here has no */"),
+    ("NOP\n§", 2, 1, "'§' cannot stand here"),
+    (
+        "message DIRECT_COMAND_REPLY",
+        1,
+        9,
+        "there is no message type DIRECT_COMAND_REPLY: did you mean DIRECT_COMMAND_RE",
+    ),
+    ("message countr 4", 1, 9, "the header of a direct-command has no countr: did you mean counter?"),
+    ("message counter 65536", 1, 17, "counter cannot be 65536: it is a whole number from 0 to 65535"),
+    ("message counter\nNOP", 1, 16, "the line ends where the value of counter should stand"),
+    ("message DIRECT_REPLY\nNOP", 2, 1, "an operation cannot stand in a direct-reply, which has no operations"),
+    ("LIST_FILES(path='/')", 1, 20, "LIST_FILES needs max_bytes too: most bytes of contents that the reply may carry"),
+    ("LIST_FILES(5, '/', pth='/')", 1, 20, "LIST_FILES has no field pth: did you mean path?"),
+    ("message SYSTEM_REPLY\nDELETE_FILE(status=SUCESS)", 2, 20, "there is no status SUCESS: did you mean SUCCESS?"),
+    ("NOP\nbytes 0", 2, 7, "0 stands where bytes in hex, two digits each, should"),
+    ("vmthread MAIN { NOP", 1, 1, "the thread that begins here has no } at its end"),
+    ("subcall A { }", 1, 1, "a direct command has no subroutines: it is one piece, as a vmthread is"),
+    ("NOP\n" * 1018, 1, 1, "the frame would have 1025 bytes; the brick takes at most 1024 in one frame"),
+    (
+        "MOVE8_8(1, GV2(2000))",
+        1,
+        1,
+        "the operations use 2001 bytes of global memory; there are 1019 (`message globals 1019`",
+    ),
+    ("SOUND(" + "(" * 60 + "1", 1, 57, "the values stand in each other more than 50 deep"),
+    ("NOP(" + "9" * 50 + ")", 1, 5, "a number has at most 40 characters"),
+    ("x" * 300, 1, 1, "a name has at most 200 characters"),
+]
+
+
+@pytest.mark.parametrize(("text", "line", "column", "reason"), ERRORS, ids=[reason[:40] for *_, reason in ERRORS])
+def test_errors_say_where_and_what(text: str, line: int, column: int, reason: str) -> None:
+    error = wrong(text)
+    assert (error.line, error.column) == (line, column)
+    assert error.reason.startswith(reason)
+    assert error.text == text.split("\n")[line - 1]
+    assert str(error).startswith(f"line {line}, column {column}: {reason}")
+
+
+def test_all_that_is_wrong_is_told_at_once() -> None:
+    error = wrong("SOUND(TOEN)\nNOP\n\tUI_WRITE(LED, LED_GREN)\nJR(\nopNOP LC0(1)")
+    assert [(one.line, one.column) for one in (error, *error.others)] == [(1, 7), (3, 16), (5, 7)]
+    assert error.others[0].excerpt == "\tUI_WRITE(LED, LED_GREN)\n\t              ^"
+    assert pickle.loads(pickle.dumps(error)).others[0].reason == error.others[0].reason
+
+
+def test_nothing_is_unbounded() -> None:
+    assert wrong("NOP(" + "-" * 100_000).reason == "the values stand in each other more than 50 deep"
+    assert len(wrong("?\n" * 100_000).others) == 19
+    assert len(wrong("MOVE8_8('" + "x" * 100_000 + "', LV0(0))").reason) < 600
+    assert "10000 names" in wrong("".join(f"define a{number} 1\n" for number in range(10_001))).reason
+    assert wrong(f"bytes {'00' * 60_000}\n" * 20).reason.startswith("the message has more than 524288 bytes")
+    assert wrong("x" * ((1 << 24) + 1)).reason.startswith("the text has 16777217 characters")
+
+
+SAMPLE = """define N 'x'  #define M LV1(4)
+DATA8 a 3  ARRAY16 b[4]  local DATAF f
+vmthread MAIN { DATA8 i
+Loop: ADD8(i, 1, i) JR_LT8(i, (INPUTS*2), Loop) UI_DRAW(TEXT,FG_COLOR,1,2,N)
+STRINGS(DUPLICATE,'hi\\n',@b) MOVEF_F(1.5F, f) INPUT_READEXT(0,0,TYPE_TOUCH,0,DATA_8,2,a,a[1]) }
+message SYSTEM_REPLY counter 4 length 9
+LIST_FILES(status=SUCCESS, list_size=3, handle=0, list="..", ...)
+bytes 01 02
+message DAISY_COMMAND_REPLY command DOWNSTREAM layer_from 0
+opOUTPUT_START,LC0(0),HND(LC1(15)), opJR,LC2(X), X: opSTRINGS,LC0(DUPLICATE),LCS,'a','b',0,M,
+frame
+bytes 01
+WRITEMAILBOX(name="a", payload=bytes(01 02)) /* c */ // d
+"""
+TOKENS = re.findall(r"\w+|\W", SAMPLE)
+
+
+@given(st.randoms(use_true_random=False), st.text(max_size=20))
+def test_bad_text_gives_an_error_and_nothing_else(chance: random.Random, noise: str) -> None:
+    words = list(TOKENS)
+    for _ in range(chance.randint(1, 8)):
+        at = chance.randrange(len(words))
+        words[at : at + chance.randint(0, 3)] = [chance.choice([*TOKENS, noise])]
+    text = "".join(words)
+    try:
+        for message in assemble(text):
+            message.build()
+    except AssemblyError as error:
+        for one in (error, *error.others):
+            assert one.text == text.split("\n")[one.line - 1].rstrip("\r")
+            assert 1 <= one.column <= len(one.text) + 2
+            assert one.excerpt.count("\n") == 1
+
+
+# There and back
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_every_frame_comes_back(dialect: str) -> None:
+    @given(st.lists(frames(dialect), max_size=3))
+    def comes_back(data: list[bytes]) -> None:
+        messages = assemble(written(data, dialect), dialect=dialect)
+        assert [message.build() for message in messages] == data
+        assert messages == [parse(frame, dialect=dialect) for frame in data]
+
+    comes_back()
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_every_faulty_frame_comes_back(dialect: str) -> None:
+    @given(st.lists(mutated_frames(dialect) | st.binary(max_size=40), max_size=3))
+    def comes_back(data: list[bytes]) -> None:
+        text = written(data, dialect)
+        assert [message.build() for message in assemble(text, dialect=dialect)] == data
+
+    comes_back()
+
+
+@pytest.mark.parametrize("size", [1025, 65537, 70_000])
+def test_a_frame_that_is_much_too_long_comes_back(size: int) -> None:
+    frame = min(size - 2, 0xFFFF).to_bytes(2, "little") + bytes.fromhex("2A 00 80 00 00") + b"\1" * (size - 7)
+    (message,) = assemble(written([frame]))
+    assert message.build() == frame
+
+
+@pytest.mark.parametrize("path", CAPTURES, ids=[path.name for path in CAPTURES])
+def test_every_capture_comes_back(path: Path) -> None:
+    with read(path) as capture:
+        data = [event.frame for event in capture.events() if isinstance(event, Record)]
+    assert data
+    assert [message.build() for message in assemble(written(data))] == data
+
+
+def test_the_lesson_comes_back() -> None:
+    with (ROOT / "captures" / "lesson-02.log").open() as log:
+        data = [pasted.data for pasted in read_text(log)]
+    assert len(data) == 20
+    assert [message.build() for message in assemble(written(data))] == data
+
+
+def lego(operation: Operation) -> str:
+    """An operation in LEGO's notation, with nothing said of encodings but for variables that are marked."""
+    values = [] if operation.command is None else [operation.command]
+    for argument in operation.arguments:
+        if argument.form.handle or argument.form.address:
+            values.append(f"bytes({argument.raw.hex()})")
+        elif argument.is_variable:
+            values.append(f"{argument.kind[0].upper()}V({argument.value})")
+        else:
+            values.append(quoted(argument.value) if isinstance(argument.value, str) else repr(argument.value))
+    return f"{operation.name}({', '.join(values)})"
+
+
+@given(operations())
+def test_every_operation_in_legos_notation(operation: Operation) -> None:
+    text = f"message globals 1023 locals 63\n{lego(operation)}"
+    (message,) = assemble(text)
+    assert isinstance(message, DirectCommand)
+    assert message.fault is None
+    assert [one.raw for one in message.operations] == [operation.raw]
+
+
+PROGRAMS = [
+    "SOUND(TONE, 1, 440, 1000)",
+    "UI_DRAW(FILLWINDOW, 0x00, 0, 0)\nUI_DRAW(TEXT, FG_COLOR, 10, 50, 'hello world')\nUI_DRAW(UPDATE)",
+    "DATA8 percent\nDATAF volts\nDATAS version 16\nUI_READ(GET_LBATT, percent)\nUI_READ(GET_VBATT, volts)\n"
+    "UI_READ(GET_FW_VERS, 16, version)",
+    "vmthread MAIN {\nDATA32 Timer\nDATA8 Run\nMOVE8_8(1, Run)\nLoop:\nTIMER_WAIT(500, Timer)\nTIMER_READY(Timer)\n"
+    "MOVE8_8(0, Run)\nJR_TRUE(Run, Loop)\n}",
+    "opOUTPUT_POWER,LC0(0),LC0(0x01),LC0(20), opOUTPUT_START,LC0(0),LC0(0x01)",
+    "LIST_FILES(max_bytes=1000, path='/home/root/lms2012/prjs/')",
+    "WRITEMAILBOX(name='abc', payload='hello\\0')",
+]
+
+
+@pytest.mark.parametrize("text", PROGRAMS, ids=[text[:20] for text in PROGRAMS])
+def test_the_brick_takes_what_people_write(text: str) -> None:
+    for message in assemble(text):
+        assert check(message.build()).errors == ()
+
+
+# Written
+
+
+def test_what_is_written_can_be_read_by_people() -> None:
+    texts = {
+        "0E 00 01 00 00 04 00 82 1B 04 82 1B 81 05 01 FE": [
+            "message DIRECT_COMMAND_REPLY counter 1 globals 4 locals 0",
+            "opUI_WRITE, LC0(LED), LC0(LED_GREEN_FLASH)",
+            "opUI_WRITE, LC0(LED), LC1(LED_RED_FLASH)",
+            "opNOP",
+            "bytes FE",
+            "// fault at offset 15: 0xFE is no opcode of the official firmware",
+        ],
+        "07 00 09 00 02 A4 70 FD 40": ["message DIRECT_REPLY counter 9", "bytes A4 70 FD 40"],
+        "0B 00 02 00 01 98 05 01 02 03 04 05 06": [
+            "message SYSTEM_COMMAND_REPLY counter 2",
+            "CLOSE_FILEHANDLE(handle=5, hash=bytes(01 02 03 04 05 06))",
+        ],
+        "03 00 02": [
+            "frame",
+            "bytes 03 00 02",
+            "// fault at offset 3: a frame has at least 5 bytes (length, counter, type), here are 3",
+        ],
+    }
+    for frame, expected in texts.items():
+        assert written([bytes.fromhex(frame)]).split("\n") == ["// what it is", *expected]
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("SOUND(TONE,1,440,1000)", True),
+        ("  SUOND(TONE)  // nearly", True),
+        ("opNOP", True),
+        ("Sound(TONE)", True),
+        ("message counter 42", True),
+        ("bytes 01 02", True),
+        ("frame", True),
+        ("Loop:", True),
+        ("DATA8 x", True),
+        ("SOUND_READY", True),
+        ("vmthread MAIN", True),
+        ("Sent 0x|0E:00|2A:00|", False),
+        ("Recv: 0E 00", False),
+        ("0E002A00", False),
+        ("AABBCCDD", False),
+        ("frame = b'\\x0e\\x00'", False),
+        ("static const unsigned char TONE[] = { 0x0E, 0x00 };", False),
+        ("bytes.fromhex('0e00')", False),
+        ('{"kind": "direct-command"}', False),
+        ("printf(1)", False),
+    ],
+)
+def test_what_looks_like_assembly(line: str, expected: bool) -> None:
+    assert is_assembly(line) is expected

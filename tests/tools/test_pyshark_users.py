@@ -1,0 +1,58 @@
+"""Programs with pyshark: they give it our parameters, and get the messages of each packet, in XML and in EK."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from support.wireshark import Tshark
+
+CAPTURES = Path(__file__).parents[2] / "captures"
+PROGRAM = """\
+import asyncio, sys
+import pyshark
+import ev3proto.pyshark
+from ev3proto.capture import read
+
+tshark, *names = sys.argv[1:]
+asyncio.set_event_loop(asyncio.new_event_loop())
+for use_ek in (False, True):
+    parameters = ev3proto.pyshark.parameters(tshark=tshark, use_ek=use_ek)
+    for name in names:
+        packets = pyshark.FileCapture(name, tshark_path=tshark, custom_parameters=parameters, use_ek=use_ek)
+        found = [record for packet in packets for record in ev3proto.pyshark.messages(packet)]
+        packets.close()
+        expected = list(read(name))
+        assert [record.frame for record in found] == [record.frame for record in expected], (use_ek, name)
+        assert [record.time_ns for record in found] == [record.time_ns for record in expected], (use_ek, name)
+        assert [record.number for record in found] == [record.number for record in expected], (use_ek, name)
+        linked = [record.request and record.request.number for record in found]
+        assert linked == [record.request and record.request.number for record in expected], (use_ek, name)
+        assert [str(record.values) for record in found] == [str(record.values) for record in expected]
+        print(name.rpartition("/")[2], use_ek, len(found), sum(number is not None for number in linked))
+"""
+
+
+def test_the_messages_of_each_packet(tshark: Tshark) -> None:
+    names = [str(tshark.place(CAPTURES / name)) for name in ("wifi.pcapng", "usb-plugged.pcap", "bluetooth.pcapng")]
+    plain = str(tshark.path)
+    command = [sys.executable, "-c", PROGRAM, plain, *names]
+    # A tshark with a root of its own sees the dissector in its work folder only.
+    places = {**os.environ, "TMPDIR": str(tshark.folder)}
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, env=places)
+    assert done.returncode == 0, done.stderr
+    counts = [line.split() for line in done.stdout.splitlines()]
+    assert [line[:2] for line in counts] == [
+        [name, mode] for mode in ("False", "True") for name in ("wifi.pcapng", "usb-plugged.pcap", "bluetooth.pcapng")
+    ]
+    assert counts[0][2:] == counts[3][2:] == ["42", "18"]
+
+
+def test_a_dialect_that_there_is_not() -> None:
+    import ev3proto.pyshark
+
+    with pytest.raises(ValueError, match="dialect must be one of"):
+        ev3proto.pyshark.Messages(dialect="nxt")

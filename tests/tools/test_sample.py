@@ -1,0 +1,260 @@
+"""Samples: what is asked for is what comes, the same for the same seed, on any machine."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from itertools import islice
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+from hypothesis import strategies as st
+from support.cli import run_ev3proto_text
+
+import ev3proto
+from ev3proto import DaisyCommand, DirectCommand, MessageType, SystemCommand, SystemReply
+from ev3proto.cli.sample import sample
+from ev3proto.extras import install_command
+from ev3proto.sampling import samples
+from ev3proto.tables import OPCODES, area_of
+from ev3proto.testing import choice, frames
+
+ROOT = Path(__file__).parents[2]
+AREA = {opcode.name: area_of(opcode) for opcode in OPCODES}
+
+
+@pytest.fixture(autouse=True)
+def folder_of_hypothesis(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The other tests of this process keep theirs."""
+    monkeypatch.setenv("HYPOTHESIS_STORAGE_DIRECTORY", ".hypothesis")
+
+
+def run(*words: str) -> Result:
+    return CliRunner().invoke(sample, words)
+
+
+def frame_of(line: str) -> bytes:
+    """The bytes of `0x|06:00|2A:00|80|00:00|01|`."""
+    assert line.startswith("0x|")
+    return bytes.fromhex(line[2:].replace("|", "").replace(":", ""))
+
+
+def drawn(*words: str) -> list[ev3proto.Message]:
+    """The messages of a sample in hex, each of which has to be right."""
+    done = run(*words)
+    assert done.exit_code == 0
+    return [ev3proto.parse(frame_of(line)) for line in done.stdout.splitlines()]
+
+
+def test_frames_of_every_kind() -> None:
+    messages = drawn("--count", "300")
+    assert len(messages) == 300
+    assert {message.type for message in messages} == set(MessageType)
+    assert len({message.build() for message in messages}) > 290
+
+
+def test_the_same_seed_gives_the_same_examples_everywhere() -> None:
+    """Written out, because that is the promise: not what another run in this process gives."""
+    strategy = st.tuples(st.integers(0, 255), st.booleans(), st.text("abc", max_size=4), st.sampled_from("xyz"))
+    assert list(islice(samples(strategy, 7), 4)) == [
+        (56, True, "cbc", "y"),
+        (168, True, "baac", "x"),
+        (223, False, "acb", "y"),
+        (39, False, "cbab", "y"),
+    ]
+    assert list(islice(samples(strategy, 8), 1)) == [(51, False, "", "z")]
+    numbers = st.floats(width=32) | st.integers(-(2**31), 2**31) | st.binary(max_size=3)
+    assert list(islice(samples(numbers, 1), 6)) == [
+        -1338089011,
+        -3.353839244463309e16,
+        5.501497770939232e-42,
+        -1022774389,
+        b"\xc5",
+        -1313649174,
+    ]
+
+
+def test_a_strategy_that_has_no_example() -> None:
+    assert list(samples(st.integers().filter(lambda _: False), 1)) == []
+
+
+def test_another_program_around_it_changes_nothing(tmp_path: Path) -> None:
+    """Hypothesis by itself would draw numbers and texts that it finds in the modules of the program."""
+    (tmp_path / "program.py").write_text(
+        "numbers = [77777, 88888]\nfrom ev3proto.cli.sample import sample\nsample(['-n', '150', '--seed', '7'])\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "program.py"],
+        cwd=tmp_path,
+        env={"PATH": os.defpath, "PYTHONPATH": str(ROOT), "PYTHONHASHSEED": "5"},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == run("-n", "150", "--seed", "7").stdout
+    # And nothing is left behind.
+    assert [path.name for path in tmp_path.iterdir()] == ["program.py"]
+
+
+def test_more_frames_begin_with_those_of_fewer() -> None:
+    few, many = (run("-n", count, "--seed", "3").stdout.splitlines() for count in ("20", "220"))
+    assert many[:20] == few
+
+
+# What is asked for
+
+
+def test_one_operation() -> None:
+    for message in drawn("-n", "50", "--op", "sound.tone"):
+        assert isinstance(message, DirectCommand)
+        assert {operation.full_name for operation in message.operations} == {"SOUND.TONE"}
+
+
+def test_several_operations_and_a_family() -> None:
+    names = {
+        operation.full_name
+        for message in drawn("-n", "100", "--op", "SOUND", "--op", "UI_FLUSH")
+        if isinstance(message, DirectCommand)
+        for operation in message.operations
+    }
+    assert names == {"SOUND.BREAK", "SOUND.TONE", "SOUND.PLAY", "SOUND.REPEAT", "SOUND.SERVICE", "UI_FLUSH"}
+
+
+def test_an_area() -> None:
+    operations = [
+        operation.name
+        for message in drawn("-n", "50", "--area", "timer", "--area", "output")
+        if isinstance(message, DirectCommand)
+        for operation in message.operations
+    ]
+    assert {AREA[name] for name in operations} == {"timer", "output"}
+
+
+def test_what_is_named_and_of_the_area_too() -> None:
+    names = {
+        operation.full_name
+        for message in drawn("-n", "100", "--op", "SOUND.TONE", "--op", "UI_FLUSH", "--area", "sound")
+        if isinstance(message, DirectCommand)
+        for operation in message.operations
+    }
+    assert names == {"SOUND.TONE"}
+    messages = drawn("-n", "30", "--op", "LIST_FILES", "--op", "SOUND", "--area", "system")
+    assert {type(message) for message in messages} == {SystemCommand, SystemReply}
+
+
+def test_system_commands_and_their_replies() -> None:
+    messages = drawn("-n", "60", "--op", "LIST_FILES")
+    assert {type(message) for message in messages} == {SystemCommand, SystemReply}
+    assert {message.command for message in messages if isinstance(message, SystemCommand | SystemReply)} == {
+        "LIST_FILES"
+    }
+    assert len({message.type for message in drawn("-n", "60", "--area", "system")}) == 4
+
+
+def test_types_of_messages() -> None:
+    assert {message.type for message in drawn("-n", "30", "--type", "SYSTEM_REPLY_ERROR")} == {
+        MessageType.SYSTEM_REPLY_ERROR
+    }
+    assert {message.kind for message in drawn("-n", "60", "--type", "direct-reply", "--type", "daisy-reply")} == {
+        "direct-reply",
+        "daisy-reply",
+    }
+    for message in drawn("-n", "30", "--op", "SOUND", "--type", "daisy_command_reply"):
+        assert isinstance(message, DaisyCommand)
+        assert {operation.name for operation in message.operations} <= {"SOUND"}
+
+
+def test_frames_that_are_no_longer_right() -> None:
+    done = run("-n", "200", "--mutate", "--op", "UI_DRAW")
+    faults = 0
+    for line in done.stdout.splitlines():
+        frame = frame_of(line)
+        message = ev3proto.parse(frame, strict=False)
+        assert message.build() == frame
+        faults += message.fault is not None
+    assert 100 < faults < 200
+
+
+def test_other_dialects() -> None:
+    done = run("-n", "5", "--op", "UI_DRAW.RECTANGLE", "--dialect", "xtended", "--format", "asm")
+    assert done.exit_code == 0
+    assert "RECTANGLE" in done.stdout
+
+
+# Forms
+
+
+def test_every_form_is_the_same_frames() -> None:
+    words = ("-n", "40", "--seed", "5", "--op", "SOUND")
+    found = [frame_of(line) for line in run(*words).stdout.splitlines()]
+    assert run(*words, "--format", "raw").stdout_bytes == b"".join(found)
+    told = [json.loads(line) for line in run(*words, "--format", "json").stdout.splitlines()]
+    assert [bytes.fromhex(entry["hex"]) for entry in told] == found
+    assert "opSOUND" in run(*words, "--format", "asm").stdout
+    assert "Plays one tone" in run(*words, "--format", "tree").stdout
+
+
+def test_decode_reads_them() -> None:
+    text = run("-n", "50", "--seed", "9").stdout
+    done = run_ev3proto_text("decode", "--json", stdin=text)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert [json.loads(line)["hex"] for line in done.stdout.splitlines()] == [
+        frame_of(line).hex() for line in text.splitlines()
+    ]
+
+
+# What is wrong
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--op", "SOND"), "the official firmware has no operation or system command SOND: did you mean SOUND or"),
+        (("--op", "SOUND.TOEN"), "did you mean SOUND.TONE"),
+        (("--type", "foo"), "there is no type of message foo: kinds are direct-command, system-command, direct-reply"),
+        (("--type", "DIRECT_REPLAY"), "there is no type of message DIRECT_REPLAY: did you mean DIRECT_REPLY"),
+        (
+            ("--op", "SOUND", "--type", "system-reply"),
+            "no SYSTEM_REPLY or SYSTEM_REPLY_ERROR is about what was chosen: there are DIRECT_COMMAND_REPLY",
+        ),
+        (
+            ("--op", "SOUND", "--op", "LIST_FILES", "--area", "timer", "--area", "output"),
+            "nothing that was named is in the area timer or output: SOUND and LIST_FILES are of sound, system",
+        ),
+        (("--area", "none"), "'none' is not one of"),
+        (("--count", "0"), "0 is not in the range x>=1"),
+        (("--seed", "-1"), "-1 is not in the range"),
+    ],
+)
+def test_calls_that_are_wrong(words: tuple[str, ...], sentence: str) -> None:
+    done = run(*words)
+    assert done.exit_code == 2
+    assert sentence in done.output
+
+
+def test_without_hypothesis() -> None:
+    program = (
+        "import sys\nsys.modules['hypothesis'] = None\nfrom ev3proto.cli.sample import sample\nsample(['-n', '1'])\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=ROOT)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == (
+        f"samples are drawn with hypothesis, which is not installed or too old: {install_command('sample')}\n"
+    )
+
+
+def test_strategies_take_a_choice() -> None:
+    """The same for people's own tests."""
+    chosen = choice(areas=["sound"], types=["DIRECT_COMMAND_REPLY"])
+    for frame in islice(samples(frames("official", chosen), 1), 30):
+        message = ev3proto.parse(frame)
+        assert isinstance(message, DirectCommand)
+        assert message.wants_reply
+        assert {AREA[operation.name] for operation in message.operations} == {"sound"}
+    with pytest.raises(ValueError, match=r"^there is no area sond: it is one of vm, math"):
+        choice(areas=["sond"])

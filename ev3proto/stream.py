@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from ev3proto.errors import DecodeError, Fault, as_bytes, counted
 from ev3proto.messages import Message
 from ev3proto.schema.frame import frame_schema
-from ev3proto.schema.header import frame_size, impossible_length, is_frame_size
-from ev3proto.tables.frame import LENGTH_FIELD
+from ev3proto.schema.header import frame_size, impossible_length, is_frame_size, may_be_long
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
 
 class StreamError(DecodeError):
@@ -18,7 +18,8 @@ class StreamError(DecodeError):
 class Decoder:
     """Cuts a stream into frames and yields their messages.
 
-    It keeps at most one unfinished frame beside the chunk that it was last given.
+    It keeps at most one unfinished frame beside the chunk that it was last given. A frame has at most 1024 bytes, those
+    of BEGIN_DOWNLOAD and CONTINUE_DOWNLOAD at most 65537. Two zeros between frames are a poll and are passed over.
     """
 
     def __init__(self, *, strict: bool = True, dialect: str = "official") -> None:
@@ -72,7 +73,14 @@ class Decoder:
         buffer = self._buffer
         while len(buffer) >= LENGTH_FIELD:
             size = frame_size(buffer)
-            if not is_frame_size(size):
+            if size == LENGTH_FIELD:  # a poll, which the firmware passes over
+                del buffer[:size]
+                self._position += size
+                continue
+            if size > MAX_FRAME and (is_long := may_be_long(buffer)) is not False:
+                if is_long is None:
+                    return
+            elif not is_frame_size(size):
                 self._lost = StreamError(self._position, impossible_length(size - LENGTH_FIELD))
                 raise self._lost
             if len(buffer) < size:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from contextlib import suppress
 
 import ev3proto
 from ev3proto.checking.checking import check
@@ -34,14 +35,16 @@ def one_input(data: bytes) -> None:
 
 
 def _stream(data: bytes) -> None:
-    """The bytes in chunks: every frame of them is there, up to where no frame can start."""
+    """The bytes in chunks: every frame is there, and only zeros between them, up to where no frame can start."""
     decoder = ev3proto.Decoder(strict=False)
-    found = b""
-    try:
-        for at in range(0, len(data), _MOST_CHUNK):
-            for message in decoder.feed(data[at : at + _MOST_CHUNK]):
-                found += message.build()
-    except StreamError:
-        assert data.startswith(found)
-    else:
-        assert found + decoder.pending == data
+    at = 0
+    with suppress(StreamError):
+        for start in range(0, len(data), _MOST_CHUNK):
+            for message in decoder.feed(data[start : start + _MOST_CHUNK]):
+                frame = message.build()
+                begin = decoder.position - len(frame)
+                assert not any(data[at:begin])
+                assert data[begin : decoder.position] == frame
+                at = decoder.position
+    assert not any(data[at : decoder.position])
+    assert data[decoder.position :].startswith(decoder.pending)

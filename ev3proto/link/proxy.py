@@ -19,7 +19,7 @@ from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Record
 from ev3proto.link.carriers import Wire
 from ev3proto.link.errors import ConnectionLostError, PortInUseError
-from ev3proto.link.harm import Harm, harms_of
+from ev3proto.link.harm import harms_of
 from ev3proto.link.masking import masked
 from ev3proto.link.recording import Recording
 from ev3proto.link.records import Records
@@ -29,8 +29,9 @@ from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.header import build_frame
 from ev3proto.semantics.pairing import Pairing
 from ev3proto.stream import Decoder, StreamError
+from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import ACCEPT, UNLOCK_REQUEST
-from ev3proto.tables.frame import MessageType
+from ev3proto.tables.frame import MAX_FRAME, MessageType
 from ev3proto.tables.system import SystemStatus
 
 _UNLOCK = UNLOCK_REQUEST[1:].encode()
@@ -202,7 +203,16 @@ class Proxy:
     def _to_brick(self, message: Message) -> None:
         frame = message.build()
         if self._options.is_read_only and (harms := harms_of(message)):
-            self._refuse(message, frame, harms)
+            reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
+            self._say(f"not let through (--read-only): {reasons}")
+            self._refuse(message, frame, SystemStatus.NO_PERMISSION)
+            return
+        if len(frame) > MAX_FRAME and self._wire.carrier is Carrier.USB:
+            self._say(
+                f"a frame of {len(frame)} bytes was not sent: USB carries at most {MAX_FRAME} bytes in a frame, so send"
+                " the file in pieces"
+            )
+            self._refuse(message, frame, SystemStatus.SIZE_ERROR)
             return
         with self._lock:
             command = self._seen_command(frame, message.wants_reply)
@@ -210,9 +220,8 @@ class Proxy:
                 self._show(RequestReply(command, None))
         self._wire.send(frame)
 
-    def _refuse(self, message: Message, frame: bytes, harms: dict[Harm, str]) -> None:
-        reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
-        self._say(f"not let through (--read-only): {reasons}")
+    def _refuse(self, message: Message, frame: bytes, status: SystemStatus) -> None:
+        """Answers a command in the brick's place; only system commands are told the status."""
         with self._lock:
             command = self._seen_command(frame, message.wants_reply)
             if not message.wants_reply:
@@ -220,7 +229,7 @@ class Proxy:
                 return
         if isinstance(message, SystemCommand):
             kind = MessageType.SYSTEM_REPLY_ERROR
-            body = bytes((message.number, SystemStatus.NO_PERMISSION))
+            body = bytes((message.number, status))
         else:
             kind, body = MessageType.DIRECT_REPLY_ERROR, b""
         self._to_client(build_frame(kind, message.counter, body))

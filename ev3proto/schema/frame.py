@@ -31,6 +31,7 @@ from ev3proto.schema.header import (
     COMMAND_HEADER_SIZE,
     HEADER_SIZE,
     frame_size,
+    may_be_long,
     unpack_command_header,
     unpack_header,
     unpack_memory,
@@ -205,7 +206,7 @@ class FrameSchema(Bytewise):
 
         """
         size = len(frame)
-        if HEADER_SIZE <= size <= MAX_FRAME:
+        if HEADER_SIZE <= size <= MAX_FRAME or may_be_long(frame):
             length, counter, code = unpack_header(frame)
             known = self._types.get(code)
             if known is not None and length + LENGTH_FIELD == size:
@@ -311,8 +312,9 @@ class FrameSchema(Bytewise):
         length, counter, code = unpack_header(frame)
         stated = None if length == size - LENGTH_FIELD else length
         envelope = None
-        if stated is not None or size > MAX_FRAME or code not in self._types:
-            envelope = self._envelope_error(frame) if size <= MAX_FRAME or stated is not None else _too_long(size)
+        is_too_long = size > MAX_FRAME and not may_be_long(frame)
+        if stated is not None or is_too_long or code not in self._types:
+            envelope = _too_long(size) if is_too_long and stated is None else self._envelope_error(frame)
         if code not in self._types:
             assert envelope is not None
             return Message(counter=counter, flaw=Flaw(envelope.fault, frame, stated))

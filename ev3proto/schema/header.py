@@ -22,8 +22,11 @@ from ev3proto.tables.frame import (
     MAX_GLOBALS,
     MAX_LENGTH,
     MAX_LOCALS,
+    MAX_LONG_FRAME,
     MIN_LENGTH,
+    SYSTEM_COMMAND_TYPES,
 )
+from ev3proto.tables.system import LONG_COMMANDS
 
 HEADER = Struct("length" / Int16ul, "counter" / Int16ul, "type" / Int8ul)
 """What every frame starts with."""
@@ -50,6 +53,8 @@ unpack_command_header = _command.unpack_from
 unpack_memory = _memory.unpack_from
 """The number in `(data, offset)` that asks for memory. Its lower `GLOBAL_BITS` bits are for global memory."""
 
+
+_SYSTEM_COMMANDS = frozenset(map(int, SYSTEM_COMMAND_TYPES.values()))
 
 unpack_length = _length.unpack_from
 """The length field alone."""
@@ -110,6 +115,28 @@ def impossible_length(length: int) -> str:
 def is_frame_size(size: int) -> bool:
     """Says whether a frame can have so many bytes, its length field included."""
     return MIN_LENGTH <= size - LENGTH_FIELD <= MAX_LENGTH
+
+
+def may_be_long(data: bytes | bytearray, at: int = 0) -> bool | None:
+    """Returns whether the frame at an offset may have more than `MAX_FRAME` bytes, as downloads may.
+
+    Args:
+        data: The bytes that the frame is in.
+        at: The offset of its length field.
+
+    Returns:
+        None while the byte that decides it has not come.
+
+    """
+    code = data[at + HEADER_SIZE - 1 : at + HEADER_SIZE]
+    number = data[at + HEADER_SIZE : at + HEADER_SIZE + 1]
+    if not code or (code[0] in _SYSTEM_COMMANDS and not number):
+        return None
+    return _is_long(code[0], number)
+
+
+def _is_long(code: int, number: bytes | bytearray) -> bool:
+    return code in _SYSTEM_COMMANDS and bool(number) and number[0] in LONG_COMMANDS
 
 
 def read_memory(data: bytes | bytearray, at: int = HEADER_SIZE) -> tuple[int, int]:
@@ -179,9 +206,10 @@ def build_frame(code: int, counter: int, body: bytes, length: int | None = None)
     """
     if length is None:
         length = HEADER_SIZE - LENGTH_FIELD + len(body)
-        if length > MAX_LENGTH:
+        most = MAX_LONG_FRAME if _is_long(code, body[:1]) else MAX_FRAME
+        if length + LENGTH_FIELD > most:
             raise BuildError(
-                f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {MAX_FRAME} in one frame"
+                f"the frame would have {length + LENGTH_FIELD} bytes; the brick takes at most {most} in one frame"
             )
     try:
         return _header.pack(length, counter, code) + body

@@ -18,6 +18,9 @@ COUNTER_SIZE = 2
 MIN_LENGTH = 3
 """Smallest length field a frame can have: message counter and type."""
 
+MAX_LONG_FRAME = LENGTH_FIELD + 0xFFFF
+"""Bytes of the largest frame of the few system commands that may be longer: all that the length field can count."""
+
 MAX_LENGTH = MAX_FRAME - LENGTH_FIELD
 """Largest length field a frame can have."""
 

@@ -48,6 +48,7 @@ class SystemCommand(NamedTuple):
     transfer    the part it plays in moving a file: `begin`, `continue` or `close`; None for the others
     usb_only    True for those that the firmware takes by USB only
     effects     what it does to the brick that outlasts it
+    is_long     True for those whose frame may be longer than MAX_FRAME: the firmware takes the rest in pieces
     """
 
     number: int
@@ -60,6 +61,7 @@ class SystemCommand(NamedTuple):
     transfer: str | None = None
     usb_only: bool = False
     effects: tuple[Effect, ...] = ()
+    is_long: bool = False
 
 
 class SystemStatus(IntEnum):
@@ -110,6 +112,7 @@ SYSTEM = (
         (_REPLY_HANDLE,),
         transfer="begin",
         effects=(Effect.WRITES_FILES,),
+        is_long=True,
     ),
     SystemCommand(
         0x93,
@@ -119,6 +122,7 @@ SYSTEM = (
         (_REPLY_HANDLE,),
         transfer="continue",
         effects=(Effect.WRITES_FILES,),
+        is_long=True,
     ),
     SystemCommand(
         0x94,
@@ -283,3 +287,6 @@ SYSTEM = (
 
 SYSTEM_BY_NUMBER = {entry.number: entry for entry in SYSTEM}
 """The same by number; names are not unique, BEGIN_DOWNLOAD is the bootloader's too."""
+
+LONG_COMMANDS = frozenset(entry.number for entry in SYSTEM if entry.is_long)
+"""Numbers of those whose frame may be longer than MAX_FRAME."""

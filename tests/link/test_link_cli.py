@@ -20,7 +20,7 @@ from typing import Any
 
 import pytest
 from support.cli import ROOT, run_ev3proto_text
-from support.server import Client, command, free_port, served
+from support.server import Client, command, free_port, served, system
 
 import ev3proto
 from ev3proto import EV3
@@ -36,6 +36,8 @@ from ev3proto.link.proxy import Proxy, ProxyOptions
 from ev3proto.link.recording import Recording
 from ev3proto.link.targets import Target
 from ev3proto.schema.discovery import Beacon
+from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.system import SystemStatus
 from ev3proto.text.dialogues import dialogue_line
 from ev3proto.text.spans import plain_text
 
@@ -238,6 +240,82 @@ def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
             "not let through (--read-only): COM_SET.SET_BRICKNAME changes settings",
             "not let through (--read-only): CREATE_DIR creates or changes files",
             "not let through (--read-only): the frame does what is not known, because not all of it can be read",
+        ]
+
+
+PROGRAM = Random(1).randbytes(1187)
+"""A program of 1187 bytes, as one that a foreign client sent in a single CONTINUE_DOWNLOAD."""
+
+
+def upload(client: Client, data: bytes, path: bytes = b"../prjs/x/x.rbf") -> bytes:
+    """Sends a file in two frames, however long it is; returns the last reply."""
+    begun = client.ask(system(0x92, len(data).to_bytes(4, "little") + path + b"\0"))
+    return client.ask(system(0x93, begun[7:8] + data))
+
+
+@pytest.mark.parametrize("size", [1017, 1018, 1187, 65_530])
+def test_a_download_of_any_length_goes_through(tmp_path: Path, size: int) -> None:
+    data = Random(1).randbytes(size)
+    stream = io.BytesIO()
+    with (
+        served(tmp_path) as brick,
+        standing(f"wifi:127.0.0.1:{brick.port}", Recording(stream)) as found,
+        Client(found.proxy.port) as client,
+    ):
+        assert upload(client, data)[6] == 8  # END_OF_FILE
+        assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
+        assert (tmp_path / "prjs/x/x.rbf").read_bytes() == data
+        assert found.said == []
+        assert "fault" not in "".join(found.shown)
+        assert found.shown[1].endswith(" -> END_OF_FILE handle=0")
+    assert (stream.getvalue().count(data[:400]), stream.getvalue().count(data[-50:])) == (1, 1)
+
+
+def test_a_download_byte_by_byte_goes_through(tmp_path: Path) -> None:
+    with standing(f"virtual:{tmp_path}") as found, Client(found.proxy.port) as client:
+        handle = client.ask(system(0x92, len(PROGRAM).to_bytes(4, "little") + b"../prjs/x.rbf\0"))[7:8]
+        for byte in system(0x93, handle + PROGRAM):
+            client.send(bytes((byte,)))
+        assert client.reply()[6] == 8
+    assert (tmp_path / "prjs/x.rbf").read_bytes() == PROGRAM
+
+
+def test_read_only_lets_no_long_download_through(tmp_path: Path) -> None:
+    with standing(f"virtual:{tmp_path}", is_read_only=True) as found, Client(found.proxy.port) as client:
+        refused = client.ask(system(0x93, b"\0" + PROGRAM))
+        assert (refused[4], refused[6]) == (0x05, SystemStatus.NO_PERMISSION)
+        assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
+        assert found.said == ["not let through (--read-only): CONTINUE_DOWNLOAD creates or changes files"]
+
+
+def test_a_long_frame_that_is_not_a_download_ends_the_connection() -> None:
+    with standing("virtual") as found, Client(found.proxy.port) as client:
+        client.send(system(0x99, bytes(1100)))
+        with pytest.raises(ConnectionError):
+            client.reply()
+        assert "its length field would say 1104" in found.said[0]
+
+
+def test_a_poll_between_frames_is_passed_over(tmp_path: Path) -> None:
+    stream = io.BytesIO()
+    with standing("virtual", Recording(stream)) as found, Client(found.proxy.port) as client:
+        for poll in (b"\0\0", b"\0", b"\0", b"\0\0" * 600):
+            client.send(poll)
+        assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
+        assert client.ask(b"\0\0" + command("NOP()", 8) + b"\0\0") == bytes.fromhex("0300080002")
+        assert found.said == []
+    (tmp_path / "talk.pcapng").write_bytes(stream.getvalue())
+    records = [event for event in read(tmp_path / "talk.pcapng").events() if isinstance(event, Record)]
+    assert [record.message.kind for record in records] == ["direct-command", "direct-reply"] * 2
+
+
+def test_a_frame_that_is_longer_than_a_report_does_not_go_to_usb(tmp_path: Path) -> None:
+    with standing(f"virtual:{tmp_path}") as found, Client(found.proxy.port) as client:
+        found.wire.carrier = Carrier.USB
+        refused = upload(client, PROGRAM)
+        assert (refused[4], refused[6]) == (0x05, SystemStatus.SIZE_ERROR)
+        assert found.said == [
+            "a frame of 1194 bytes was not sent: USB carries at most 1024 bytes in a frame, so send the file in pieces"
         ]
 
 

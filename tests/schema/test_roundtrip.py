@@ -346,20 +346,23 @@ def test_one_byte_at_a_time(sent: list[bytes]) -> None:
 def test_a_stream_of_garbage_raises_decode_errors_only(chunks: list[bytes], strict: bool) -> None:
     decoder = Decoder(strict=strict)
     stream = b"".join(chunks)
-    got: list[Message] = []
+    got: list[bytes] = []
     errors: list[DecodeError] = []
     for chunk in chunks:
         try:
             # One by one: a list would lose those in front of an error.
             for message in decoder.feed(chunk):
-                got.append(message)
+                got.append(message.build())
+                assert stream[: decoder.position].endswith(got[-1])
         except DecodeError as error:
             errors.append(error)
     assert strict or all(isinstance(error, StreamError) for error in errors)
     assert all(error.reason and 0 <= error.offset <= len(stream) for error in errors)
     assert stream[decoder.position :].startswith(decoder.pending)
     if not strict:
-        assert b"".join(message.build() for message in got) == stream[: decoder.position]
+        polls = decoder.position - sum(map(len, got))
+        assert polls % 2 == 0
+        assert stream[: decoder.position].count(0) >= polls + b"".join(got).count(0)
 
 
 @many

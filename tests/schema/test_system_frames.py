@@ -115,7 +115,8 @@ def test_the_help_of_a_function() -> None:
         ("list_files", ("a\0b",), {}, BuildError, "a zero ends a text, so none can stand in it"),
         ("list_files", ("a",), {"counter": -1}, BuildError, "counter cannot be -1"),
         ("setbundleid", ("a" * 24,), {}, BuildError, "id would have 25 bytes; the firmware takes at most 24"),
-        ("continue_download", (0, bytes(1018)), {}, BuildError, "the brick takes at most 1024 in one frame"),
+        ("writemailbox", ("a", bytes(1014)), {}, BuildError, "the brick takes at most 1024 in one frame"),
+        ("continue_download", (0, bytes(65_531)), {}, BuildError, "the brick takes at most 65537 in one frame"),
         ("writemailbox", ("a", b"x"), {"payload_length": 2}, BuildError, "payload_length says 2 bytes, but 1 follow"),
     ],
 )

@@ -108,14 +108,14 @@ class Budget:
             drop(number)
 
 
-class Forgetful(Protocol):
+class Evictable(Protocol):
     """What has things that wait, each with a number."""
 
     def forget(self, number: int) -> None:
         """Keeps the thing of a number no longer, if it still does."""
 
 
-def dropper(owner: Forgetful) -> Callable[[int], None]:
+def dropper(owner: Evictable) -> Callable[[int], None]:
     """What a budget calls. It does not keep the owner, whose things no longer count once nobody refers to it."""
     found = weakref.ref(owner)
 

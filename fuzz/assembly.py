@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ev3proto.dialogue import Exchange
 from ev3proto.text.assembly import AssemblyError, assemble
-from ev3proto.text.assembly.writing import assembly
+from ev3proto.text.assembly.disassembly import assembly
 
 
 def one_input(data: bytes) -> None:

@@ -12,7 +12,7 @@ from ev3proto.dialogue import Exchange
 from ev3proto.stream import StreamError
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.text.heading import Seen
-from ev3proto.text.json_format.writing import record
+from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
 

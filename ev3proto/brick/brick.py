@@ -16,7 +16,7 @@ from random import Random
 from time import thread_time
 from typing import NamedTuple
 
-from ev3proto.brick.buttons import Buttons
+from ev3proto.brick.boxes import Mailboxes
 from ev3proto.brick.clock import (
     FIRST_STRETCH,
     LONG_STRETCH,
@@ -30,21 +30,31 @@ from ev3proto.brick.clock import (
     OPERATIONS_PER_TURN,
     TICK,
 )
-from ev3proto.brick.display import Display
-from ev3proto.brick.display.dialogue import Dialogue
-from ev3proto.brick.files import RecentFiles
-from ev3proto.brick.inputs import Inputs
+from ev3proto.brick.devices.buttons import Buttons
+from ev3proto.brick.devices.display import Display
+from ev3proto.brick.devices.display.screen_dialog import ScreenDialog
+from ev3proto.brick.devices.motors import Outputs
+from ev3proto.brick.devices.panel import Panel
+from ev3proto.brick.devices.sensors import Inputs
+from ev3proto.brick.devices.speaker import Sound
+from ev3proto.brick.devices.terminal import Terminal
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.mailboxes import Mailboxes
-from ev3proto.brick.outputs import Outputs
-from ev3proto.brick.panel import Panel
+from ev3proto.brick.open_files import RecentFiles
 from ev3proto.brick.parts import Part
-from ev3proto.brick.programs import CMD_SLOT, FAIL, OK, RUNNING, STOP, STOPPED, USER_SLOT, Program, ProgramObject
+from ev3proto.brick.running_programs import (
+    CMD_SLOT,
+    FAIL,
+    OK,
+    RUNNING,
+    STOP,
+    STOPPED,
+    USER_SLOT,
+    Program,
+    ProgramObject,
+)
 from ev3proto.brick.settings import Settings
-from ev3proto.brick.sound import Sound
 from ev3proto.brick.storage import Storage
 from ev3proto.brick.system_commands import SystemCommands
-from ev3proto.brick.terminal import Terminal
 from ev3proto.checking.verdict import Reason, verdict
 from ev3proto.errors import as_bytes
 from ev3proto.schema.header import (
@@ -117,7 +127,7 @@ class Brick:
         self.machine = Machine(self, self.dialect)
         self.panel = Panel()
         self.display = Display(self.settings, self.panel.battery)
-        self.dialogue: Dialogue | None = None
+        self.dialog: ScreenDialog | None = None
         self.buttons = Buttons(self._stop_user_program)
         self.console = Terminal()
         self.sound = Sound()

@@ -45,7 +45,7 @@ Dispatch = tuple[Entry | Family | None, ...]
 @cache
 def dispatch_table(dialect: str) -> Dispatch:
     """The table of a dialect. ValueError for an unknown dialect, or for a handler that cannot be called as declared."""
-    import ev3proto.brick.areas  # noqa: F401 - registers the handlers
+    import ev3proto.brick.operations  # noqa: F401 - registers the handlers
 
     plain: dict[int, Entry] = {}
     families: dict[int, dict[int, Entry]] = {}

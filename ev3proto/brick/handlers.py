@@ -1,6 +1,6 @@
 """The register of handlers: which function does which operation. Handlers are registered by name, never by number.
 
-How to add one. Write a function in a file of `ev3proto.brick.areas` (and import a new file in that package's
+How to add one. Write a function in a file of `ev3proto.brick.operations` (and import a new file in that package's
 `__init__`):
 
     @handles("STRINGS.ADD")
@@ -89,7 +89,7 @@ def handles_unknown(*opcodes: str) -> Callable[[Function], Function]:
 
 def coverage(dialect: str = "official") -> Iterator[tuple[str, bool]]:
     """Every operation of a dialect by name, and whether it has a handler. ValueError for an unknown dialect."""
-    import ev3proto.brick.areas  # noqa: F401 - registers the handlers
+    import ev3proto.brick.operations  # noqa: F401 - registers the handlers
 
     for name in operations(dialect):
         yield name, name in HANDLERS

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from ev3proto.bounded import Bounded
 from ev3proto.brick.handles import ROOM
-from ev3proto.brick.programs import RUNNING, Program, ProgramObject
+from ev3proto.brick.running_programs import RUNNING, Program, ProgramObject
 from ev3proto.checking.verdict import Reason, code_verdict
 from ev3proto.errors import DecodeError
 from ev3proto.program import CodeObject, parse

@@ -14,9 +14,9 @@ from ev3proto.brick.conversions import wrap8, wrap16
 from ev3proto.brick.dispatch import Family, dispatch_table
 from ev3proto.brick.handles import ROOM, Array, Closable
 from ev3proto.brick.images import Image, Images, load
-from ev3proto.brick.memory import Place
-from ev3proto.brick.outcomes import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
-from ev3proto.brick.programs import CMD_SLOT, FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
+from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
+from ev3proto.brick.places import Place
+from ev3proto.brick.running_programs import CMD_SLOT, FAIL, OK, SLOTS, STOPPED, Program, ProgramObject
 from ev3proto.schema.argument import SIZES, STRINGS
 from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables.declaration import Type

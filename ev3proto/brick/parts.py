@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ev3proto.brick.programs import Program
+from ev3proto.brick.running_programs import Program
 
 
 class Part:

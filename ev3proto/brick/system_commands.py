@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ev3proto.brick.filenames import is_allowed
-from ev3proto.brick.files import OpenFile
-from ev3proto.brick.programs import USER_SLOT
+from ev3proto.brick.open_files import OpenFile
+from ev3proto.brick.path_names import is_allowed
+from ev3proto.brick.running_programs import USER_SLOT
 from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.constants import CONSTANTS

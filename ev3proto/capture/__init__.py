@@ -2,7 +2,7 @@
 
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.reading import Capture, from_pyshark, read
-from ev3proto.capture.record import Announcement, CaptureError, Direction, Event, Record, Route, Said, Skipped
+from ev3proto.capture.record import Announcement, CaptureError, Direction, Event, Record, Route, Skipped, TextKind
 from ev3proto.tables.carriers import Carrier
 
 __all__ = [
@@ -15,8 +15,8 @@ __all__ = [
     "Event",
     "Record",
     "Route",
-    "Said",
     "Skipped",
+    "TextKind",
     "from_pyshark",
     "read",
 ]

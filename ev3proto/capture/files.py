@@ -42,7 +42,7 @@ LISTING = "listing.txt"
 """What the listing of a folder is called, inside that folder."""
 
 
-class Outcome(StrEnum):
+class FileState(StrEnum):
     """What became of a file."""
 
     COMPLETE = "complete"
@@ -72,7 +72,7 @@ class RecoveredFile:
     peer: str
     bytes: int
     size: int | None
-    outcome: Outcome
+    outcome: FileState
     trouble: str | None
     packets: tuple[int, int]
     file: Path | None = None
@@ -142,7 +142,7 @@ def recover(
 
 
 def _written(moving: _Moving, pieces: _Pieces, shelf: Shelf, *, several: bool) -> Path | None:
-    is_whole = moving.outcome is Outcome.COMPLETE
+    is_whole = moving.outcome is FileState.COMPLETE
     if not is_whole and not moving.bytes:
         return None
     parts = (safe_name(moving.peer), *moving.parts) if several else moving.parts
@@ -192,18 +192,18 @@ class _Moving:
         return self.stated if self.transfer is None else self.transfer.size
 
     @property
-    def outcome(self) -> Outcome:
+    def outcome(self) -> FileState:
         if self.failure is not None:
-            return Outcome.INCOMPLETE if self.bytes else Outcome.REFUSED
-        return Outcome.COMPLETE if self.bytes == self.size else Outcome.INCOMPLETE
+            return FileState.INCOMPLETE if self.bytes else FileState.REFUSED
+        return FileState.COMPLETE if self.bytes == self.size else FileState.INCOMPLETE
 
     @property
     def trouble(self) -> str | None:
         if self.unwritten is not None:
             return f"it cannot be written: {self.unwritten}"
-        if self.outcome is Outcome.COMPLETE:
+        if self.outcome is FileState.COMPLETE:
             return None
-        if self.outcome is Outcome.REFUSED:
+        if self.outcome is FileState.REFUSED:
             return f"the brick refused it: {self.failure}"
         counted = f"{self.bytes} of {self.size} bytes" if self.size is not None else f"{self.bytes} bytes of it"
         if self.failure is not None:

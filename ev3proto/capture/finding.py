@@ -131,7 +131,7 @@ class Finder:
             return True
         return makes_sense(self._schema.read_for_later(buffer[at:end]))
 
-    def tells_itself(self, buffer: bytes, at: int) -> bool:
+    def is_self_evident(self, buffer: bytes, at: int) -> bool:
         """Whether a frame without a fault is one whatever follows it, as few bytes are operations by chance."""
         member = _TYPES.get(buffer[at + HEADER_SIZE - 1])
         return member is not None and member.is_command and member.carries == "direct"

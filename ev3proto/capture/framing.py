@@ -333,7 +333,7 @@ class Cutter:
         if end > len(buffer):
             return (PartKind.LOST if self._misleads(buffer, at, is_last) else PartKind.FRAME), end
         follows, stands = finder.follow(buffer, end), finder.stands(buffer, at, end)
-        if stands and (follows or finder.tells_itself(buffer, at) or self._is_newest_packet(at, end)):
+        if stands and (follows or finder.is_self_evident(buffer, at) or self._is_newest_packet(at, end)):
             return PartKind.FRAME, end
         if follows is None:
             return PartKind.LOST, end
@@ -378,7 +378,7 @@ class Cutter:
             self._next_try = (len(buffer) - place) * 5 // 4 + 1
             return place, True
         self._in_step = True
-        self._trials = 1 if found is Found.CHAIN or self._finder.tells_itself(buffer, place) else 2
+        self._trials = 1 if found is Found.CHAIN or self._finder.is_self_evident(buffer, place) else 2
         return place, False
 
     def _begins(self) -> set[int]:

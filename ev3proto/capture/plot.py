@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from ev3proto.capture.series import Series
+from ev3proto.capture.timeline.chart_files import MOST_TITLE, PNG_SCALE, require_library
 from ev3proto.capture.timeline.wording import clean
-from ev3proto.capture.timeline.writing import MOST_TITLE, PNG_SCALE, require_library
 
 WIDTH, HEIGHT = 760, 160
 SUFFIXES = (".svg", ".png")

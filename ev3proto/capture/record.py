@@ -241,7 +241,7 @@ def _let_go() -> None:
     _read, _read_before, _bytes_read = [], _read, 0
 
 
-class Said(StrEnum):
+class TextKind(StrEnum):
     """What stands around frames on WiFi."""
 
     BEACON = "beacon"
@@ -262,7 +262,7 @@ class Announcement:
     route    from where to where; an answer's peer is the brick
     """
 
-    said: Said
+    said: TextKind
     data: bytes
     text: Beacon | Unlock | None
     numbers: tuple[int, ...]

@@ -18,7 +18,7 @@ Accepts = Callable[[MessageType], bool]
 """Says which types go the way of a packet."""
 
 
-class Verdict(Enum):
+class Likeness(Enum):
     """What some bytes tell.
 
     NOTHING  they are none of ours
@@ -41,7 +41,7 @@ class Weight(NamedTuple):
     at       the offset where frames begin
     """
 
-    verdict: Verdict
+    verdict: Likeness
     telling: int = 0
     at: int = 0
 
@@ -83,12 +83,12 @@ class Weigher:
             if end > len(text):
                 is_part = self.may_become(text, at, accepts)
                 if at == start:
-                    return Weight(Verdict.PART if is_part else Verdict.NOTHING)
+                    return Weight(Likeness.PART if is_part else Likeness.NOTHING)
                 is_clean &= is_part
                 break
             message = self._read(text[at:end], accepts)
             if at == start and message is None:
-                return Weight(Verdict.NOTHING)
+                return Weight(Likeness.NOTHING)
             is_clean &= message is not None
             if is_clean and message is not None:
                 telling += count_telling(message)
@@ -109,13 +109,13 @@ class Weigher:
 
         """
         weight = self.weigh(text, 0, accepts)
-        if weight.verdict is Verdict.NOTHING and joint:
+        if weight.verdict is Likeness.NOTHING and joint:
             weight = self.weigh(text, joint, accepts)
-        if weight.verdict is not Verdict.NOTHING:
+        if weight.verdict is not Likeness.NOTHING:
             return weight
         place = self._finder.first_place(text, 1, accepts)
         found = weight if place is None else self.weigh(text, place, accepts, is_inside=not is_claimed)
-        return found if found.verdict is Verdict.OURS else Weight(Verdict.NOTHING)
+        return found if found.verdict is Likeness.OURS else Weight(Likeness.NOTHING)
 
     def weigh_cut(self, text: bytes, missing: int, *, is_claimed: bool = False) -> Weight:
         """Says what a packet tells that may be the beginning of a flawless frame, where the rest was not captured.
@@ -134,7 +134,7 @@ class Weigher:
         is_ours = is_frame and (
             is_claimed or (is_telling and makes_sense(self._schema.read_for_later(text, strict=False)))
         )
-        return Weight(Verdict.PERHAPS if is_ours else Verdict.NOTHING)
+        return Weight(Likeness.PERHAPS if is_ours else Likeness.NOTHING)
 
     def may_become(self, text: bytes, at: int, accepts: Accepts) -> bool:
         """Whether the frame of which only the start is here may be a flawless one that goes this way."""
@@ -145,7 +145,7 @@ class Weigher:
         is_whole = len(text) >= LENGTH_FIELD and frame_size(text) <= len(text)
         return not is_whole and self.may_become(text, 0, accepts)
 
-    def hold_frames(self, text: bytes) -> Verdict:
+    def hold_frames(self, text: bytes) -> Likeness:
         """Says whether there are frames and nothing else, whatever is wrong with them.
 
         Args:
@@ -158,9 +158,9 @@ class Weigher:
         at = 0
         while at < len(text):
             if len(text) - at < HEADER_SIZE or not self._finder.may_start(text, at):
-                return Verdict.NOTHING
+                return Likeness.NOTHING
             at += frame_size(text, at)
-        return Verdict.OURS if at == len(text) else Verdict.PART
+        return Likeness.OURS if at == len(text) else Likeness.PART
 
     def _read(self, frame: bytes, accepts: Accepts) -> Message | None:
         """What a frame says; None where it has a fault, goes the wrong way, makes no sense, or may be the NXT's."""
@@ -177,8 +177,8 @@ class Weigher:
 
 def _weight(telling: int, start: int, *, is_clean: bool) -> Weight:
     if telling:
-        return Weight(Verdict.OURS, telling, start)
-    return Weight(Verdict.PERHAPS, 0, start) if is_clean else Weight(Verdict.NOTHING)
+        return Weight(Likeness.OURS, telling, start)
+    return Weight(Likeness.PERHAPS, 0, start) if is_clean else Weight(Likeness.NOTHING)
 
 
 def _is_accepted(text: bytes, at: int, accepts: Accepts) -> bool:

@@ -15,7 +15,7 @@ import click
 from click.core import ParameterSource
 
 from ev3proto.cli.ending import stopped_by_signals
-from ev3proto.cli.numbers import Between
+from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import Printer, complain, flush, say
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.discovery import TCP_PORT
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from ev3proto.brick.servers.script import Script
     from ev3proto.brick.servers.server import Options
 
-_SHARE = Between(0, 1)
+_SHARE = FiniteRange(0, 1)
 _PORT = click.IntRange(0, 65535)
 _MOST_DELAY = 60
 
@@ -101,7 +101,9 @@ class _WithDifferences(click.Command):
     metavar="FILE",
     help="Picture (PNG) of the display at the end.",
 )
-@click.option("--delay", type=Between(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold every reply back.")
+@click.option(
+    "--delay", type=FiniteRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold every reply back."
+)
 @click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies that are lost, 0 to 1.")
 @click.option(
     "--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte, 0 to 1."

@@ -103,7 +103,7 @@ def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> N
       ev3proto dissector uninstall
       ev3proto dissector uninstall --dir ~/.local/lib/wireshark/plugins
     """  # noqa: D301
-    from ev3proto.generate.dissector.install import Folders, InstallError, Outcome, Tshark, uninstall
+    from ev3proto.generate.dissector.install import Folders, InstallError, InstallResult, Tshark, uninstall
 
     try:
         if folder is not None:
@@ -121,7 +121,7 @@ def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> N
         sys.exit(1)
     for path, outcome in outcomes:
         say(f"{path}: {outcome.value}")
-    if any(outcome is Outcome.KEPT for _, outcome in outcomes):
+    if any(outcome is InstallResult.KEPT for _, outcome in outcomes):
         say("To remove what was changed, add --force.")
 
 
@@ -130,8 +130,8 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     from ev3proto.generate.dissector.install import (
         Folders,
         InstallError,
+        InstallResult,
         NoTsharkError,
-        Outcome,
         Tshark,
         install_dissector,
     )
@@ -146,7 +146,7 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     folders = named or (asked.folders() if asked else Folders.documented())
     plugin = folders.plugins / FILE_NAME
     outcome = install_dissector(folders.plugins, force=force)
-    if outcome is Outcome.KEPT:
+    if outcome is InstallResult.KEPT:
         raise InstallError(f"{plugin} is another program's: move it away, or overwrite it with --force")
     say(f"{plugin}: {outcome.value}")
     if with_profile:
@@ -166,10 +166,10 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
 
 
 def _install_profile(folder: Path, *, force: bool) -> None:
-    from ev3proto.generate.dissector.install import Outcome, install_profile
+    from ev3proto.generate.dissector.install import InstallResult, install_profile
 
     outcomes = list(install_profile(folder, force=force))
     for path, outcome in outcomes:
         say(f"{path}: {outcome.value}")
-    if any(outcome is Outcome.KEPT for _, outcome in outcomes):
+    if any(outcome is InstallResult.KEPT for _, outcome in outcomes):
         say("To overwrite what was changed, add --force.")

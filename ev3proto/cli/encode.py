@@ -102,7 +102,7 @@ def _python(message: Message, number: int, _dialogue: Dialogue) -> str:
 
 
 def _json(message: Message, _number: int, dialogue: Dialogue) -> str:
-    from ev3proto.text.json_format.writing import record
+    from ev3proto.text.json_format.from_messages import record
 
     return json.dumps(record(dialogue.follow(message), Seen()), ensure_ascii=False)
 
@@ -116,7 +116,7 @@ def _lego(message: Message, _number: int, dialogue: Dialogue) -> str:
 
 
 def _assembly(message: Message, dialogue: Dialogue, notation: str) -> str:
-    from ev3proto.text.assembly.writing import assembly
+    from ev3proto.text.assembly.disassembly import assembly
 
     exchange = dialogue.follow(message)
     return "\n".join(assembly(exchange, plain_text(heading(exchange, Seen())), notation))
@@ -217,7 +217,7 @@ class Encoding(SourceReader):
             self._frames(source, whole)
 
     def _records(self, source: Source, lines: Iterable[str]) -> None:
-        from ev3proto.text.json_format.reading import RecordError, frames_in, read_records
+        from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
 
         dialect = self.reading.dialect
         try:

@@ -11,7 +11,7 @@ import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.groups import Group
-from ev3proto.cli.numbers import Between
+from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import binary_output, complain, is_terminal
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
@@ -246,7 +246,7 @@ class _Carrying(SourceReader):
 )
 @click.option(
     "--interval",
-    type=Between(0, _MOST_INTERVAL),
+    type=FiniteRange(0, _MOST_INTERVAL),
     default=1.0,
     show_default=True,
     metavar="MS",

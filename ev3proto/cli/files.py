@@ -46,7 +46,7 @@ def files(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if force and folder is None:
         raise click.UsageError("--force needs -o: the folder to write into")
-    from ev3proto.capture.files import Outcome, recover, survey
+    from ev3proto.capture.files import FileState, recover, survey
 
     rows: list[tuple[str, ...]] = []
     units = set()
@@ -69,7 +69,7 @@ def files(
             if folder is not None and recovered.trouble is not None:
                 place = f"{source.label}, {source.unit} {recovered.packets[0]}"
                 complain(f"{place}: {visible(recovered.path)}: {recovered.trouble}")
-                source.status |= recovered.outcome is not Outcome.REFUSED
+                source.status |= recovered.outcome is not FileState.REFUSED
         units.add(source.unit)
         source.expect_frames()
         if is_empty and not source.status:

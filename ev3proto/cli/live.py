@@ -114,9 +114,9 @@ class _Watching:
         return chosen is None or chosen.of_dialogue(pair)
 
     def _is_new(self, announcement: Announcement) -> bool:
-        from ev3proto.capture import Said
+        from ev3proto.capture import TextKind
 
-        if announcement.said is not Said.BEACON:
+        if announcement.said is not TextKind.BEACON:
             return True
         is_new = announcement.data not in self._beacons
         if len(self._beacons) < MOST_BEACONS:

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 
-class Between(click.FloatRange):
+class FiniteRange(click.FloatRange):
     """A finite number in a range."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, BinaryIO, cast
 import click
 
 from ev3proto.cli.ending import stopped_by_signals
-from ev3proto.cli.numbers import Between
+from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import OutputError, complain, flush, is_terminal, say
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 _LOOPBACK = "127.0.0.1"
 _UNKNOWN_SERIAL = "0" * 12
-_SHARE = Between(0, 1)
+_SHARE = FiniteRange(0, 1)
 _MOST_DELAY = 60
 
 
@@ -45,7 +45,7 @@ _MOST_DELAY = 60
 @click.option("--read-only", is_flag=True, help="Let nothing through that changes the brick.")
 @click.option("--hide", is_flag=True, help="Write over names, addresses and PINs in what is recorded and shown.")
 @click.option("--from", "only_from", metavar="ADDRESS", help="Serve only clients with this address.")
-@click.option("--delay", type=Between(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold replies back.")
+@click.option("--delay", type=FiniteRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold replies back.")
 @click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies that are lost, 0 to 1.")
 @click.option(
     "--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte, 0 to 1."

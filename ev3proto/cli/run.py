@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.cli.brick import folder, interrupted, read_script_file
-from ev3proto.cli.numbers import Between
+from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import complain, flush, is_terminal, say
 from ev3proto.cli.programs import complain_of, is_image
 from ev3proto.text.visible import visible
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ev3proto.brick import Brick
-    from ev3proto.brick.programs import Program
+    from ev3proto.brick.running_programs import Program
     from ev3proto.brick.servers.server import Options, Running
 
 _PERIOD = 0.05
@@ -69,7 +69,7 @@ _MOST_NAME = 20
     metavar="PNG",
     help="Picture of the display at the end.",
 )
-@click.option("--limit", type=Between(0), metavar="SECONDS", help="End the program after so long.")
+@click.option("--limit", type=FiniteRange(0), metavar="SECONDS", help="End the program after so long.")
 def run(
     file: Path,
     page: int | None,
@@ -154,7 +154,7 @@ async def _first(*events: asyncio.Event) -> None:
 def _start(brick: Brick, image: bytes, name: str) -> Program | None:
     """Starts the program as PROGRAM_START would; None, and a sentence, for an image that the brick refuses."""
     from ev3proto.brick.images import Image
-    from ev3proto.brick.programs import USER_SLOT
+    from ev3proto.brick.running_programs import USER_SLOT
     from ev3proto.errors import DecodeError
     from ev3proto.program import parse
 
@@ -172,7 +172,7 @@ def _start(brick: Brick, image: bytes, name: str) -> Program | None:
 
 def _ending(brick: Brick, program: Program) -> int:
     """Says how the program ended; the exit status."""
-    from ev3proto.brick.programs import FAIL, RUNNING
+    from ev3proto.brick.running_programs import FAIL, RUNNING
     from ev3proto.tables.errors import ERRORS
 
     if program.status == RUNNING:
@@ -187,7 +187,7 @@ def _ending(brick: Brick, program: Program) -> int:
 
 async def _show(now: Running, program: Program, ended: asyncio.Event, limit: float | None) -> None:
     """Shows the display until the program ends: all the time on a terminal, else at the end."""
-    from ev3proto.brick.programs import RUNNING
+    from ev3proto.brick.running_programs import RUNNING
 
     loop = asyncio.get_running_loop()
     until = None if limit is None else loop.time() + limit
@@ -202,8 +202,8 @@ async def _show(now: Running, program: Program, ended: asyncio.Event, limit: flo
 
 
 def _lines(brick: Brick) -> list[str]:
-    from ev3proto.brick.display.braille import braille
-    from ev3proto.brick.display.canvas import WIDTH
+    from ev3proto.brick.devices.display.braille import braille
+    from ev3proto.brick.devices.display.canvas import WIDTH
 
     return braille(brick.display.rows, WIDTH)
 

@@ -52,11 +52,11 @@ class Show:
         """A message, and how many bytes of padding followed it."""
         self._count()
         if self._style == "json":
-            from ev3proto.text.json_format.writing import record_text
+            from ev3proto.text.json_format.from_messages import record_text
 
             self._printer.text(record_text(exchange, seen))
         elif self._style in NOTATIONS:
-            from ev3proto.text.assembly.writing import assembly
+            from ev3proto.text.assembly.disassembly import assembly
 
             self._printer.texts(list(assembly(exchange, plain_text(heading(exchange, seen)), self._style)))
         else:
@@ -99,7 +99,7 @@ class Show:
 
     def _record(self, record: Record, start_ns: int) -> None:
         if self._style == "json":
-            from ev3proto.text.json_format.writing import record_text
+            from ev3proto.text.json_format.from_messages import record_text
 
             self._count()
             seen = Seen(direction=record.direction, frame=record.frame)
@@ -203,7 +203,7 @@ def _json_text(entry: dict[str, Any]) -> str:
 
 
 def _json(record: Record) -> dict[str, Any]:
-    from ev3proto.text.json_format.writing import record as json_record
+    from ev3proto.text.json_format.from_messages import record as json_record
 
     return json_record(record.exchange, Seen(direction=record.direction, frame=record.frame)) | _of_capture(record)
 

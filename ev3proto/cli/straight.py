@@ -68,7 +68,7 @@ class StraightJson(Straight):
 
     def texts(self, record: Record, _start_ns: int) -> list[str] | None:
         """The line of a frame in a capture, with the time of day."""
-        from ev3proto.text.json_format.writing import command_text
+        from ev3proto.text.json_format.from_messages import command_text
 
         route = record.route
         time = f'"time": "{utc(record.time_ns)}", ' if route.is_timed else ""

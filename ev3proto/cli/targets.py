@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ev3proto.cli.numbers import Between
+from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import complain
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ REPLY_TIMEOUT = 30.0
 
 timeout_option = click.option(
     "--timeout",
-    type=Between(0, min_open=True),
+    type=FiniteRange(0, min_open=True),
     default=REPLY_TIMEOUT,
     show_default=True,
     metavar="SECONDS",

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ev3proto.compose.allocation import Need
 from ev3proto.compose.labels import Label
-from ev3proto.compose.memory import Need
 from ev3proto.compose.placeholders import Placeholder
 from ev3proto.errors import BuildError
 from ev3proto.messages import GV, Operation, OperationReader, Variable

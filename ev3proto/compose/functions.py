@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
+from ev3proto.compose.allocation import Need
 from ev3proto.compose.drafts import OMITTED, STAND_IN, Draft, Open
-from ev3proto.compose.memory import Need
 from ev3proto.compose.values import check_constant, draft
 from ev3proto.errors import BuildError
 from ev3proto.schema.argument import ArgumentSchema

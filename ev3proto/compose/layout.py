@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import cache
 
+from ev3proto.compose.allocation import Allocator, Need, aligned, joined
 from ev3proto.compose.drafts import STAND_IN, Draft
-from ev3proto.compose.memory import Memory, Need, aligned, joined
 from ev3proto.compose.placeholders import Placeholder
 from ev3proto.errors import BuildError
 from ev3proto.messages import Variable
@@ -74,7 +74,7 @@ class _LayoutOfAll:
     def __init__(self, drafts: Sequence[Draft], omitted: str) -> None:
         self._drafts = [(draft, draft.footprints) for draft in drafts]
         self._omitted = omitted
-        self._memories = {scope: Memory(scope, limit) for scope, limit in LIMITS.items()}
+        self._memories = {scope: Allocator(scope, limit) for scope, limit in LIMITS.items()}
         self._places: dict[Placeholder, Variable] = {}
         self._writes_globals = False
         self._shared: dict[Placeholder, list[Footprint]] = {}

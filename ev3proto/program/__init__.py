@@ -26,15 +26,15 @@ from ev3proto.tables.program import DEFAULT_VERSION, ObjectKind
 
 if TYPE_CHECKING:
     from ev3proto.program.checking import check_program
+    from ev3proto.program.source.disassembly import source_of
     from ev3proto.program.source.source import Assembled, SourceDialect, assemble
-    from ev3proto.program.source.writing import source_of
 
 _LATER = {
     "Assembled": "source.source",
     "SourceDialect": "source.source",
     "assemble": "source.source",
     "check_program": "checking",
-    "source_of": "source.writing",
+    "source_of": "source.disassembly",
 }
 """What is imported when it is first asked for: who only reads images starts sooner without it."""
 

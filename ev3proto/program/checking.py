@@ -17,7 +17,7 @@ from ev3proto.program.objects import CodeObject, Program
 from ev3proto.program.parameters import table_bytes
 from ev3proto.program.report import ProgramReport
 from ev3proto.program.retyped import CALL
-from ev3proto.program.source.writing import goal_of
+from ev3proto.program.source.disassembly import goal_of
 from ev3proto.tables.declaration import Direction, Effect
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.program import ObjectKind

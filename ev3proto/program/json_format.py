@@ -7,8 +7,8 @@ from typing import Any
 from ev3proto.messages import Operation
 from ev3proto.program.listing import called_by
 from ev3proto.program.objects import CodeObject, Program
-from ev3proto.program.source.writing import goal_of
-from ev3proto.text.json_format.writing import operation_record
+from ev3proto.program.source.disassembly import goal_of
+from ev3proto.text.json_format.from_messages import operation_record
 
 
 def program_record(program: Program, size: int) -> dict[str, Any]:

@@ -127,7 +127,7 @@ def in_a_row(packet: Packet) -> list[Packet]:
     return found
 
 
-class Memory(NamedTuple):
+class MemorySizes(NamedTuple):
     """What operations use of a command's memory, in bytes, and whether they write to what the reply carries."""
 
     local_size: int
@@ -135,12 +135,12 @@ class Memory(NamedTuple):
     wants_reply: bool
 
 
-def memory_of(packets: Iterable[Packet]) -> Memory:
+def memory_of(packets: Iterable[Packet]) -> MemorySizes:
     """The memory that operations use; none where they cannot be read as they are."""
     data = b"".join(bytes(packet) for packet in packets)
     operations, fault = instruction_set(conf.contribs["ev3"]["dialect"]).scan(data, 0, len(data))
     try:
         made = command(*(operations if fault is None else ()))
     except BuildError:
-        return Memory(0, 0, False)
-    return Memory(made.local_size, made.global_size, made.wants_reply)
+        return MemorySizes(0, 0, False)
+    return MemorySizes(made.local_size, made.global_size, made.wants_reply)

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterable
 
 import pytest
 
-from ev3proto.brick.display import HEIGHT, WIDTH, Canvas, Display
-from ev3proto.brick.display.characters import braille, half_blocks
-from ev3proto.brick.display.fonts import FONTS
-from ev3proto.brick.display.graph import Graph, Scale
-from ev3proto.brick.display.icons import ICONS
-from ev3proto.brick.display.pictures import read_picture
-from ev3proto.brick.display.png import write_png
+from ev3proto.brick.devices.display import HEIGHT, WIDTH, Canvas, Display
+from ev3proto.brick.devices.display.characters import braille, half_blocks
+from ev3proto.brick.devices.display.fonts import FONTS
+from ev3proto.brick.devices.display.graph import Graph, Scale
+from ev3proto.brick.devices.display.icons import ICONS
+from ev3proto.brick.devices.display.pictures import read_picture
+from ev3proto.brick.devices.display.png import write_png
 
 Pixels = set[tuple[int, int]]
 

@@ -4,7 +4,7 @@ import pytest
 from support.brick import answer, ask
 
 from ev3proto.brick import Brick
-from ev3proto.brick.outputs import Motor
+from ev3proto.brick.devices.motors import Motor
 
 READ = "DATA32 tacho DATA8 speed OUTPUT_READ(0, 0, speed, tacho)"
 COUNT = "DATA32 count OUTPUT_GET_COUNT(0, 0, count)"

@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 from support.cli import run_ev3proto_text
 
-from ev3proto.brick.display.braille import braille
+from ev3proto.brick.devices.display.braille import braille
 from ev3proto.program import assemble
 
 PATIENCE = 30

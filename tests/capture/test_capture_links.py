@@ -15,7 +15,7 @@ from support.packets import ACK, BRICK, EVERYBODY, HOST, SYN, Device, SerialPort
 from support.packets import Capture as Packets
 
 import ev3proto
-from ev3proto.capture import Announcement, Capture, Direction, Event, Record, Said, read
+from ev3proto.capture import Announcement, Capture, Direction, Event, Record, TextKind, read
 
 COMMAND = struct.pack("<HHB", 8, 7, 0x00) + bytes.fromhex("0400 81 01 60")
 """UI_READ.GET_VBATT."""
@@ -269,13 +269,13 @@ def test_beacons_and_what_is_answered_to_them() -> None:
     events, capture = opened(pcap(101, timed(packets)))
     assert [type(event) for event in events] == [Announcement] * 3
     beacon, answer, cut = (event for event in events if isinstance(event, Announcement))
-    assert (beacon.said, beacon.data, beacon.numbers) == (Said.BEACON, BEACON, (2,))
+    assert (beacon.said, beacon.data, beacon.numbers) == (TextKind.BEACON, BEACON, (2,))
     assert beacon.facts == {"serial": "0016530f0f0f", "port": "5555", "name": "myEV3", "protocol": "EV3"}
     assert (beacon.route.source, beacon.route.target) == ("192.0.2.10:3016", "192.0.2.255:3015")
     assert (beacon.route.peer, beacon.route.direction) == ("192.0.2.10:3016", "received")
-    assert (answer.said, answer.data, answer.numbers) == (Said.ANSWER, b"x", (3,))
+    assert (answer.said, answer.data, answer.numbers) == (TextKind.ANSWER, b"x", (3,))
     assert (answer.route.peer, answer.route.direction) == ("192.0.2.10:3016", "sent")
-    assert (cut.said, cut.data, cut.text) == (Said.BEACON, BEACON[:40], None)
+    assert (cut.said, cut.data, cut.text) == (TextKind.BEACON, BEACON[:40], None)
     assert (capture.account.texts, capture.account.headers) == (len(BEACON) + 1 + 40, 3 * 28)
     assert capture.account.other == 28 + 17 + 28
     assert EVERYBODY != BRICK

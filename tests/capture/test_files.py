@@ -19,7 +19,7 @@ import ev3proto
 from ev3proto import SystemStatus
 from ev3proto.capture import Carrier, Event, Record, Route, read
 from ev3proto.capture import files as module
-from ev3proto.capture.files import Outcome, RecoveredFile, recover, survey
+from ev3proto.capture.files import FileState, RecoveredFile, recover, survey
 from ev3proto.capture.record import CaptureError
 from ev3proto.capture.safe_paths import MOST_BYTES, parts_of, safe_name
 from ev3proto.dialogue import Dialogue
@@ -109,7 +109,7 @@ def test_files_both_ways(tmp_path: Path) -> None:
         "1.7",
         6,
         6,
-        Outcome.COMPLETE,
+        FileState.COMPLETE,
         None,
         (1, 8),
         tmp_path / "prjs/hello/hello.rbf",
@@ -137,7 +137,7 @@ def test_a_survey_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     brick = Brick()
     brick.upload("a", b"1")
     (found,) = survey(brick.events)
-    assert (found.path, found.bytes, found.outcome, found.file) == ("a", 1, Outcome.COMPLETE, None)
+    assert (found.path, found.bytes, found.outcome, found.file) == ("a", 1, FileState.COMPLETE, None)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -209,7 +209,10 @@ def test_a_handle_that_stands_for_one_unknown_file_after_the_other(tmp_path: Pat
         # The replies alone: no command of them was captured.
         brick.says(ev3proto.system_reply("BEGIN_UPLOAD", size=3, handle=0, data=data[:1]))
         brick.says(ev3proto.system_reply("CONTINUE_UPLOAD", status=8, handle=0, data=data[1:]))
-    assert [file.outcome for file in recover(brick.events, tmp_path)] == [Outcome.COMPLETE, Outcome.COMPLETE]
+    assert [file.outcome for file in recover(brick.events, tmp_path)] == [
+        FileState.COMPLETE,
+        FileState.COMPLETE,
+    ]
     assert written(tmp_path) == {"handle-0": b"one", "handle-0 (2)": b"two"}
 
 

@@ -15,7 +15,7 @@ from support.cli import run_ev3proto_text
 
 import ev3proto
 from ev3proto import GV
-from ev3proto.capture import Announcement, Carrier, Direction, Event, Record, Route, Said, Skipped, read
+from ev3proto.capture import Announcement, Carrier, Direction, Event, Record, Route, Skipped, TextKind, read
 from ev3proto.capture import statistics as module
 from ev3proto.capture.latencies import ACCURACY, EXACT, Latencies
 from ev3proto.capture.statistics import MOST_LISTED, MOST_PEERS, MOST_PENDING, Noted, Statistics, Summary
@@ -136,8 +136,8 @@ def test_faults_texts_and_what_was_skipped() -> None:
         [
             seen(bytes.fromhex("0600010080000094"), 3),
             seen(b"\1\2", 4),
-            Announcement(Said.BEACON, b"Serial-Number: x", None, (1,), START, NO_TIME),
-            Announcement(Said.BEACON, b"Serial-Number: x", None, (2,), START, NO_TIME),
+            Announcement(TextKind.BEACON, b"Serial-Number: x", None, (1,), START, NO_TIME),
+            Announcement(TextKind.BEACON, b"Serial-Number: x", None, (2,), START, NO_TIME),
             Skipped(b"\0\0\0", 0, "no frame starts like this", 5, START, NO_TIME),
             Skipped(b"", 100, "a packet is not there", 6, START, NO_TIME),
         ]

@@ -27,14 +27,14 @@ from ev3proto import (
     system_reply,
 )
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.record import Announcement, Direction, Event, Record, Route, Said, Skipped
+from ev3proto.capture.record import Announcement, Direction, Event, Record, Route, Skipped, TextKind
 from ev3proto.capture.timeline import (
     Form,
     Lane,
     LaneKind,
     Mark,
+    MarkState,
     MissingLibraryError,
-    Outcome,
     Timeline,
     Window,
     collect,
@@ -128,7 +128,7 @@ def test_a_command_and_its_reply_are_one_mark() -> None:
     assert timeline.marks == [
         Mark(
             lane=Lane("USB 1.7", LaneKind.DIRECT, "UI_READ.GET_VBATT"),
-            outcome=Outcome.ANSWERED,
+            outcome=MarkState.ANSWERED,
             begin_ns=NOON,
             end_ns=NOON + 4_500_000,
             heading="UI_READ.GET_VBATT",
@@ -161,13 +161,13 @@ def test_how_it_went() -> None:
     ]
     marks = collected(events).marks
     assert [(mark.outcome, mark.lane.kind, mark.lane.subject, mark.latency_ns) for mark in marks] == [
-        (Outcome.ORPHAN, LaneKind.DIRECT, "command not seen", None),
-        (Outcome.SILENT, LaneKind.DIRECT, "SOUND.TONE", None),
-        (Outcome.ERROR, LaneKind.DIRECT, "UI_READ.GET_VBATT", 3_000_000),
-        (Outcome.UNANSWERED, LaneKind.DIRECT, "UI_READ.GET_VBATT", None),
-        (Outcome.FAULTY, LaneKind.TROUBLE, "faulty frames", None),
-        (Outcome.SILENT, LaneKind.DIRECT, "SOUND.TONE", None),
-        (Outcome.SKIPPED, LaneKind.TROUBLE, "skipped bytes", None),
+        (MarkState.ORPHAN, LaneKind.DIRECT, "command not seen", None),
+        (MarkState.SILENT, LaneKind.DIRECT, "SOUND.TONE", None),
+        (MarkState.ERROR, LaneKind.DIRECT, "UI_READ.GET_VBATT", 3_000_000),
+        (MarkState.UNANSWERED, LaneKind.DIRECT, "UI_READ.GET_VBATT", None),
+        (MarkState.FAULTY, LaneKind.TROUBLE, "faulty frames", None),
+        (MarkState.SILENT, LaneKind.DIRECT, "SOUND.TONE", None),
+        (MarkState.SKIPPED, LaneKind.TROUBLE, "skipped bytes", None),
     ]
     assert [mark.label for mark in marks][1:3] == ["5 %, 440 Hz, 250 ms", "error"]
     assert marks[4].details["fault"].startswith("at offset ")
@@ -183,7 +183,7 @@ def test_how_it_went() -> None:
 
 def test_what_is_no_message_is_a_faulty_frame() -> None:
     timeline = collected([Brick().tells(0, bytes.fromhex("04 00 01 00 77 00"))])
-    assert [(mark.outcome, mark.heading) for mark in timeline.marks] == [(Outcome.FAULTY, "faulty frame")]
+    assert [(mark.outcome, mark.heading) for mark in timeline.marks] == [(MarkState.FAULTY, "faulty frame")]
 
 
 def test_several_operations_share_a_name() -> None:
@@ -211,9 +211,9 @@ def test_files() -> None:
     ]
     timeline = collected(events)
     assert [(mark.outcome, mark.label, mark.begin_ns - NOON, (mark.end_ns or 0) - NOON) for mark in timeline.files] == [
-        (Outcome.MOVED, "../prjs/a/a.rbf", 0, 10 * MS),
-        (Outcome.CUT_SHORT, "../prjs/b/b.rbf", 20 * MS, 30 * MS),
-        (Outcome.ERROR, "/none/here.rtf", 40 * MS, 41 * MS),
+        (MarkState.MOVED, "../prjs/a/a.rbf", 0, 10 * MS),
+        (MarkState.CUT_SHORT, "../prjs/b/b.rbf", 20 * MS, 30 * MS),
+        (MarkState.ERROR, "/none/here.rtf", 40 * MS, 41 * MS),
     ]
     assert timeline.files[1].details == {
         "path": "../prjs/b/b.rbf",
@@ -223,11 +223,11 @@ def test_files() -> None:
     }
     assert timeline.files[2].details["error"].startswith("ILLEGAL_PATH")
     # The command that was refused is an error, the file that was not moved for it is none of its own.
-    assert timeline.outcomes[Outcome.ERROR] == 1
+    assert timeline.outcomes[MarkState.ERROR] == 1
     assert [mark.lane.subject for mark in timeline.marks][:2] == ["BEGIN_DOWNLOAD", "CONTINUE_DOWNLOAD"]
 
 
-def announcement(peer: str = "192.0.2.10:3015", said: Said = Said.BEACON) -> Announcement:
+def announcement(peer: str = "192.0.2.10:3015", said: TextKind = TextKind.BEACON) -> Announcement:
     beacon = Beacon("0016530f0f0f", name="myEV3")
     route = Route(Carrier.WIFI, peer, "192.0.2.255:3015", Direction.RECEIVED, None, peer)
     return Announcement(said, beacon.build(), beacon, (1,), NOON, route)
@@ -237,7 +237,7 @@ def test_announcements_are_drawn_with_their_brick() -> None:
     brick = Brick("192.0.2.10:5555", Carrier.WIFI)
     timeline = collected([announcement(), brick.tells(1, tone(1))])
     mark = timeline.marks[0]
-    assert (mark.outcome, mark.heading) == (Outcome.ANNOUNCED, "beacon")
+    assert (mark.outcome, mark.heading) == (MarkState.ANNOUNCED, "beacon")
     assert mark.details["says"] == "serial 0016530f0f0f, port 5555, name myEV3, protocol EV3"
     picture = lay_out(timeline, "robot.pcap")
     assert [panel.title for panel in picture.panels] == ["WiFi 192.0.2.10:5555"]
@@ -255,9 +255,9 @@ def test_a_filter_draws_whole_exchanges() -> None:
         ]
 
     commands = collected(events(), chosen=lambda record: record.direction is Direction.SENT)
-    assert [mark.outcome for mark in commands.marks] == [Outcome.ANSWERED, Outcome.SILENT, Outcome.UNANSWERED]
+    assert [mark.outcome for mark in commands.marks] == [MarkState.ANSWERED, MarkState.SILENT, MarkState.UNANSWERED]
     replies = collected(events(), chosen=lambda record: record.direction is Direction.RECEIVED)
-    assert [(mark.outcome, mark.latency_ns) for mark in replies.marks] == [(Outcome.ANSWERED, 4_000_000)]
+    assert [(mark.outcome, mark.latency_ns) for mark in replies.marks] == [(MarkState.ANSWERED, 4_000_000)]
     assert replies.messages == 1
     assert collect(events(), chosen=lambda _: False) is None
 
@@ -297,12 +297,12 @@ def test_beyond_the_limit_marks_are_counted() -> None:
     assert len(timeline.cells) == 200
     first = timeline.cells[lane, NOON]
     assert (first.count, first.answers, first.fastest_ns, first.slowest_ns, first.slowest) == (5, 4, 2 * MS, 5 * MS, 8)
-    assert dict(first.troubles) == {Outcome.UNANSWERED: 1}
+    assert dict(first.troubles) == {MarkState.UNANSWERED: 1}
     assert sum(cell.count for cell in timeline.cells.values()) == 1000
     # Only troubles are marks: 40 without a reply, and every 10th that is none of those.
-    assert timeline.outcomes == {Outcome.ANSWERED: 880, Outcome.ERROR: 80, Outcome.UNANSWERED: 40}
+    assert timeline.outcomes == {MarkState.ANSWERED: 880, MarkState.ERROR: 80, MarkState.UNANSWERED: 40}
     assert len(timeline.marks) == 120
-    assert {mark.outcome for mark in timeline.marks} == {Outcome.ERROR, Outcome.UNANSWERED}
+    assert {mark.outcome for mark in timeline.marks} == {MarkState.ERROR, MarkState.UNANSWERED}
     picture = lay_out(timeline, "robot.pcap")
     assert len(picture.cells) == 200
     assert "the darker, the more in 50 ms" in picture.lines[1]
@@ -328,7 +328,7 @@ def test_bins_never_are_more_than_the_limit() -> None:
     at = NOON
     for step in range(3000):
         at += 1 << (step % 50)  # from a nanosecond to thirteen days
-        bins.add(Mark(lane, Outcome.SILENT, at, None, "", "", {}, 1))
+        bins.add(Mark(lane, MarkState.SILENT, at, None, "", "", {}, 1))
         assert len(bins.cells) <= MOST_BINS + 1
     assert sum(cell.count for cell in bins.cells.values()) == 3000
     assert str(bins.width_ns).rstrip("0") in ("1", "5")
@@ -360,7 +360,7 @@ def test_commands_that_wait_are_limited() -> None:
     events: Iterator[Event] = (brick.tells(number, ask(number % 65536, VOLTAGE)) for number in range(MOST_WAITING + 9))
     timeline = collect(events, most_marks=10)
     assert timeline is not None
-    assert timeline.outcomes == {Outcome.UNANSWERED: MOST_WAITING + 9}
+    assert timeline.outcomes == {MarkState.UNANSWERED: MOST_WAITING + 9}
 
 
 # Layout
@@ -613,7 +613,7 @@ def test_files_are_written_whole(drawn: Timeline, tmp_path: Path) -> None:
 
 
 def test_without_the_library(drawn: Timeline, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ev3proto.capture.timeline.writing.LIBRARY", "no_such_library")
+    monkeypatch.setattr("ev3proto.capture.timeline.chart_files.LIBRARY", "no_such_library")
     with pytest.raises(MissingLibraryError, match=f"not installed: .*{re.escape(install_command('plot'))}"):
         render(drawn, Form.SVG, "x")
 
@@ -698,7 +698,7 @@ def test_a_file_that_cannot_be_written(tmp_path: Path) -> None:
 
 
 def test_the_command_without_the_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ev3proto.capture.timeline.writing.LIBRARY", "no_such_library")
+    monkeypatch.setattr("ev3proto.capture.timeline.chart_files.LIBRARY", "no_such_library")
     done = run(CAPTURES / "usb.pcapng", "-o", tmp_path / "x.svg")
     assert done.exit_code == 2
     assert f"vl-convert-python, which is not installed: {install_command('plot')}\n" in done.output

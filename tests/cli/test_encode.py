@@ -20,8 +20,8 @@ from ev3proto.testing import frames, mutated_frames
 from ev3proto.text.assembly import assemble
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.heading import Seen
-from ev3proto.text.json_format.reading import RecordError, frame_of, frames_in, read_records
-from ev3proto.text.json_format.writing import record
+from ev3proto.text.json_format.from_messages import record
+from ev3proto.text.json_format.to_messages import RecordError, frame_of, frames_in, read_records
 from ev3proto.text.paste import read_text
 
 ROOT = Path(__file__).parents[2]

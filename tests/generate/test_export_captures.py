@@ -14,7 +14,7 @@ from support.frames import drawn
 from support.wireshark import Tshark
 
 from ev3proto import GV, BuildError, capture, direct_command, direct_reply, operation, system_command, system_reply
-from ev3proto.capture import Announcement, Carrier, Record, Said
+from ev3proto.capture import Announcement, Carrier, Record, TextKind
 from ev3proto.generate.captures import CaptureWriter, TimedFrame, write_pcapng
 from ev3proto.generate.captures.wifi import Writer
 from ev3proto.messages import Message
@@ -76,7 +76,7 @@ def test_nothing_but_frames_is_left_over(carrier: str) -> None:
 def test_a_brick_on_wifi_is_found_and_unlocked_first() -> None:
     events = list(capture.read(io.BytesIO(made(DIALOGUE, "wifi"))).events())
     said = [event.said for event in events if isinstance(event, Announcement)]
-    assert said == [Said.BEACON, Said.ANSWER, Said.UNLOCK, Said.ACCEPT]
+    assert said == [TextKind.BEACON, TextKind.ANSWER, TextKind.UNLOCK, TextKind.ACCEPT]
     assert isinstance(events[4], Record)
 
 

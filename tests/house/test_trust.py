@@ -30,7 +30,7 @@ from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.pairing import Pairing
 from ev3proto.text.heading import Seen
-from ev3proto.text.json_format.writing import command_text, record, record_text
+from ev3proto.text.json_format.from_messages import command_text, record, record_text
 from ev3proto.text.spans import plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import command_texts, tree, tree_texts

@@ -15,7 +15,7 @@ from ev3proto.dialogue import Dialogue
 from ev3proto.tables.declaration import DIALECTS
 from ev3proto.testing import frames, mutated_frames, raw_operations
 from ev3proto.text.assembly import assemble
-from ev3proto.text.assembly.writing import assembly
+from ev3proto.text.assembly.disassembly import assembly
 
 CAPTURES = sorted((Path(__file__).parents[2] / "captures").glob("*.pcap*"))
 

@@ -6,7 +6,7 @@ import ev3proto
 from ev3proto import Dialogue, operation, parse
 from ev3proto.text.assembly import assembly, operation_line
 from ev3proto.text.heading import Seen, heading
-from ev3proto.text.json_format.writing import record
+from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import plain, short_float
 from ev3proto.text.spans import plain_text
 from ev3proto.text.split import split

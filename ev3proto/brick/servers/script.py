@@ -31,9 +31,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ev3proto.brick.buttons import BUTTONS
-from ev3proto.brick.inputs import PORTS
-from ev3proto.brick.outputs import PORTS as MOTOR_PORTS
+from ev3proto.brick.devices.buttons import BUTTONS
+from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
+from ev3proto.brick.devices.sensors import PORTS
 from ev3proto.errors import near_misses
 from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.enumerations import TYPE

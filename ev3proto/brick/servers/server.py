@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from ev3proto.brick.brick import Brick
-from ev3proto.brick.display.canvas import WIDTH
-from ev3proto.brick.display.png import write_png
+from ev3proto.brick.devices.display.canvas import WIDTH
+from ev3proto.brick.devices.display.png import write_png
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.host import Host, Say
 from ev3proto.brick.servers.limits import STRETCH

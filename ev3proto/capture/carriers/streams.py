@@ -9,7 +9,7 @@ from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter, PartKind, StreamPart
 from ev3proto.capture.packets import Packet
-from ev3proto.capture.record import Announcement, Event, Route, Said, Skipped
+from ev3proto.capture.record import Announcement, Event, Route, Skipped, TextKind
 from ev3proto.errors import counted
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import HEADER_SIZE, frame_size
@@ -144,7 +144,7 @@ class Stream:
                 if kind is PartKind.UNLOCK:
                     from ev3proto.schema.discovery import Unlock
 
-                    events.append(Announcement(Said.UNLOCK, data, Unlock.parse(data), numbers, time_ns, route))
+                    events.append(Announcement(TextKind.UNLOCK, data, Unlock.parse(data), numbers, time_ns, route))
                 elif kind is PartKind.ACCEPT:
-                    events.append(Announcement(Said.ACCEPT, data, None, numbers, time_ns, route))
+                    events.append(Announcement(TextKind.ACCEPT, data, None, numbers, time_ns, route))
         return events

@@ -9,9 +9,9 @@
 library that draws is imported when something is drawn.
 """
 
+from ev3proto.capture.timeline.chart_files import Form, MissingLibraryError, render, require_library, write
 from ev3proto.capture.timeline.collecting import Window, collect
-from ev3proto.capture.timeline.marks import Cell, Lane, LaneKind, Mark, Outcome, Tally, Timeline
-from ev3proto.capture.timeline.writing import Form, MissingLibraryError, render, require_library, write
+from ev3proto.capture.timeline.marks import Cell, Lane, LaneKind, Mark, MarkState, Tally, Timeline
 
 __all__ = [
     "Cell",
@@ -19,8 +19,8 @@ __all__ = [
     "Lane",
     "LaneKind",
     "Mark",
+    "MarkState",
     "MissingLibraryError",
-    "Outcome",
     "Tally",
     "Timeline",
     "Window",

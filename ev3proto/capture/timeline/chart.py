@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from ev3proto.capture.timeline.layout import KINDS_WIDTH, LATENCY_MARGIN, SHADES, WIDTH, Drawing
-from ev3proto.capture.timeline.marks import Outcome
+from ev3proto.capture.timeline.marks import MarkState
 
 VERSION = "6.1"
 """The version of Vega-Lite that it is written in."""
@@ -17,16 +17,16 @@ VERSION = "6.1"
 # Colours of Okabe and Ito, which everybody can distinguish, darker where they are thin lines on white. The
 # symbols differ, too.
 COLOURS = {
-    Outcome.ANSWERED: "#0072B2",
-    Outcome.SILENT: "#3A9BD9",
-    Outcome.ERROR: "#D00000",
-    Outcome.UNANSWERED: "#C77700",
-    Outcome.ORPHAN: "#B0578D",
-    Outcome.MOVED: "#009E73",
-    Outcome.CUT_SHORT: "#C77700",
-    Outcome.ANNOUNCED: "#777777",
-    Outcome.FAULTY: "#000000",
-    Outcome.SKIPPED: "#000000",
+    MarkState.ANSWERED: "#0072B2",
+    MarkState.SILENT: "#3A9BD9",
+    MarkState.ERROR: "#D00000",
+    MarkState.UNANSWERED: "#C77700",
+    MarkState.ORPHAN: "#B0578D",
+    MarkState.MOVED: "#009E73",
+    MarkState.CUT_SHORT: "#C77700",
+    MarkState.ANNOUNCED: "#777777",
+    MarkState.FAULTY: "#000000",
+    MarkState.SKIPPED: "#000000",
 }
 
 _RING = "M0,-1L1,0L0,1L-1,0ZM0,-.5L-.5,0L0,.5L.5,0Z"
@@ -35,16 +35,16 @@ _TICK = "M-.22,-1L.22,-1L.22,1L-.22,1Z"
 _FRAME = "M-1,-.7L1,-.7L1,.7L-1,.7ZM-.7,-.4L-.7,.4L.7,.4L.7,-.4Z"
 
 SYMBOLS = {
-    Outcome.ANSWERED: "circle",
-    Outcome.SILENT: _TICK,
-    Outcome.ERROR: _CROSS,
-    Outcome.UNANSWERED: _RING,
-    Outcome.ORPHAN: "triangle-left",
-    Outcome.MOVED: "square",
-    Outcome.CUT_SHORT: _FRAME,
-    Outcome.ANNOUNCED: "diamond",
-    Outcome.FAULTY: "triangle-up",
-    Outcome.SKIPPED: "cross",
+    MarkState.ANSWERED: "circle",
+    MarkState.SILENT: _TICK,
+    MarkState.ERROR: _CROSS,
+    MarkState.UNANSWERED: _RING,
+    MarkState.ORPHAN: "triangle-left",
+    MarkState.MOVED: "square",
+    MarkState.CUT_SHORT: _FRAME,
+    MarkState.ANNOUNCED: "diamond",
+    MarkState.FAULTY: "triangle-up",
+    MarkState.SKIPPED: "cross",
 }
 
 SHADE_COLOURS = ("#C6DBEF", "#9ECAE1", "#6BAED6", "#3182BD", "#08519C")
@@ -131,8 +131,8 @@ def _heading(text: str, aside: str) -> Json:
     return {"text": text, "subtitle": aside, **style}
 
 
-def _by_outcome(values: dict[Outcome, str]) -> Json:
-    scale = {"domain": [outcome.value for outcome in Outcome], "range": [values[outcome] for outcome in Outcome]}
+def _by_outcome(values: dict[MarkState, str]) -> Json:
+    scale = {"domain": [outcome.value for outcome in MarkState], "range": [values[outcome] for outcome in MarkState]}
     return {"field": "o", "type": "nominal", "scale": scale, "legend": None}
 
 

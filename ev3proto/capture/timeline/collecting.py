@@ -18,7 +18,7 @@ from ev3proto.capture.filter import Filter
 from ev3proto.capture.moving import begins
 from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Route, Skipped
 from ev3proto.capture.timeline.bins import Bins
-from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Lane, LaneKind, Mark, Outcome, Tally, Timeline
+from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Lane, LaneKind, Mark, MarkState, Tally, Timeline
 from ev3proto.capture.timeline.wording import (
     announcement_text,
     clean,
@@ -247,7 +247,7 @@ class Collector:
         fault = record.message.fault
         mark = Mark(
             self._lane(brick, LaneKind.TROUBLE, "faulty frames"),
-            Outcome.FAULTY,
+            MarkState.FAULTY,
             self._at(record),
             None,
             "faulty frame" if record.message.type is None else f"faulty {record.message.type.name}",
@@ -272,7 +272,7 @@ class Collector:
         said = announcement.said.value
         lane = self._lane(brick, LaneKind.ANNOUNCEMENTS, said)
         number = max(announcement.numbers)
-        self._keep(Mark(lane, Outcome.ANNOUNCED, self._at(announcement), None, said, "", details, number))
+        self._keep(Mark(lane, MarkState.ANNOUNCED, self._at(announcement), None, said, "", details, number))
 
     def _skipped(self, skipped: Skipped) -> None:
         lane = self._lane(self._brick(skipped.route), LaneKind.TROUBLE, "skipped bytes")
@@ -285,7 +285,7 @@ class Collector:
         if skipped.missing:
             details["not captured"] = f"{skipped.missing} bytes"
         heading = f"{len(skipped.data)} bytes skipped" if skipped.data else "bytes are missing"
-        self._keep(Mark(lane, Outcome.SKIPPED, self._at(skipped), None, heading, "", details, skipped.number))
+        self._keep(Mark(lane, MarkState.SKIPPED, self._at(skipped), None, heading, "", details, skipped.number))
 
     def _move(self, record: Record, transfer: Transfer, brick: str) -> None:
         move = self._moves.get(id(transfer))
@@ -302,7 +302,7 @@ class Collector:
 
     def _file(self, move: _Move) -> Mark:
         transfer = move.transfer
-        outcome = Outcome.MOVED if transfer.is_complete else Outcome.CUT_SHORT
+        outcome = MarkState.MOVED if transfer.is_complete else MarkState.CUT_SHORT
         details = {
             "path": clean(transfer.path),
             "command": transfer.command,
@@ -311,7 +311,7 @@ class Collector:
         }
         if move.failure:
             # It is counted already, as the answer of the command that failed.
-            outcome = Outcome.ERROR
+            outcome = MarkState.ERROR
             details["error"] = move.failure
         else:
             self._bricks[move.brick].outcomes[outcome] += 1
@@ -334,7 +334,7 @@ class Collector:
             return lane
         return Lane(brick, kind, OTHERS)
 
-    def _is_told(self, outcome: Outcome) -> bool:
+    def _is_told(self, outcome: MarkState) -> bool:
         """Whether the mark will be drawn by itself, so that its words are worth finding."""
         return self._bins is None or (outcome in TROUBLES and len(self._marks) < MOST_TROUBLES)
 
@@ -368,13 +368,13 @@ class Collector:
             self._unshown += 1
 
 
-def _outcome(command: Record | None, reply: Record | None) -> Outcome:
+def _outcome(command: Record | None, reply: Record | None) -> MarkState:
     if reply is None:
         assert command is not None
-        return Outcome.UNANSWERED if command.message.wants_reply else Outcome.SILENT
+        return MarkState.UNANSWERED if command.message.wants_reply else MarkState.SILENT
     if is_error(reply.message):
-        return Outcome.ERROR
-    return Outcome.ANSWERED if command is not None else Outcome.ORPHAN
+        return MarkState.ERROR
+    return MarkState.ANSWERED if command is not None else MarkState.ORPHAN
 
 
 def _exchange_details(command: Record | None, reply: Record | None) -> dict[str, str]:

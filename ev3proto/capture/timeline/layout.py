@@ -7,7 +7,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
-from ev3proto.capture.timeline.marks import EXCHANGES, OTHERS, TROUBLES, Cell, Lane, LaneKind, Mark, Outcome, Timeline
+from ev3proto.capture.timeline.marks import EXCHANGES, OTHERS, TROUBLES, Cell, Lane, LaneKind, Mark, MarkState, Timeline
 from ev3proto.capture.timeline.phrases import brick_summary, clock, count, exact, extent, summary
 
 WIDTH = 960
@@ -144,7 +144,7 @@ class Drawing:
 
 def _dialogue_begin(timeline: Timeline) -> int:
     """Where the picture begins: a beacon long before the first message would leave the picture empty."""
-    said = [mark.begin_ns for mark in timeline.marks if mark.outcome is not Outcome.ANNOUNCED]
+    said = [mark.begin_ns for mark in timeline.marks if mark.outcome is not MarkState.ANNOUNCED]
     return max(timeline.begin_ns, min(said)) if said else timeline.begin_ns
 
 
@@ -405,7 +405,7 @@ def _legend(picture: Drawing, timeline: Timeline) -> list[Datum]:
     """What occurs, in the order of the outcomes, in as many rows as it takes."""
     entries: list[Datum] = []
     outcomes = timeline.outcomes
-    for outcome in Outcome:
+    for outcome in MarkState:
         if outcomes[outcome]:
             entries.append({"o": outcome.value, "text": f"{outcome.value}: {outcomes[outcome]:,}"})
     if picture.cells:

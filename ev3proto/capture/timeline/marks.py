@@ -22,7 +22,7 @@ class LaneKind(StrEnum):
     TROUBLE = "trouble"
 
 
-class Outcome(StrEnum):
+class MarkState(StrEnum):
     """How it went, in the words and the order of the legend."""
 
     ANSWERED = "answered"
@@ -37,7 +37,7 @@ class Outcome(StrEnum):
     SKIPPED = "bytes skipped"
 
 
-TROUBLES = frozenset({Outcome.ERROR, Outcome.UNANSWERED, Outcome.CUT_SHORT, Outcome.FAULTY, Outcome.SKIPPED})
+TROUBLES = frozenset({MarkState.ERROR, MarkState.UNANSWERED, MarkState.CUT_SHORT, MarkState.FAULTY, MarkState.SKIPPED})
 """What people look for: it is kept one by one where the rest is only counted."""
 
 EXCHANGES = frozenset({LaneKind.DIRECT, LaneKind.SYSTEM, LaneKind.DAISY})
@@ -71,7 +71,7 @@ class Mark:
     """
 
     lane: Lane
-    outcome: Outcome
+    outcome: MarkState
     begin_ns: int
     end_ns: int | None
     heading: str
@@ -101,7 +101,7 @@ class Cell:
     """
 
     count: int = 0
-    troubles: Counter[Outcome] = field(default_factory=Counter)
+    troubles: Counter[MarkState] = field(default_factory=Counter)
     answers: int = 0
     fastest_ns: int | None = None
     slowest_ns: int | None = None
@@ -136,7 +136,7 @@ class Tally:
     """How often what happened, and how long answers took. It stays small however long the capture is."""
 
     messages: int = 0
-    outcomes: Counter[Outcome] = field(default_factory=Counter)
+    outcomes: Counter[MarkState] = field(default_factory=Counter)
     latencies: Latencies = field(default_factory=Latencies)
 
     def add(self, mark: Mark) -> None:
@@ -180,7 +180,7 @@ class Timeline:
         return sum(tally.messages for tally in self.bricks.values())
 
     @property
-    def outcomes(self) -> Counter[Outcome]:
+    def outcomes(self) -> Counter[MarkState]:
         """How it went with all bricks together."""
         return sum((tally.outcomes for tally in self.bricks.values()), Counter())
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from ev3proto.capture.record import NANOSECONDS, utc
-from ev3proto.capture.timeline.marks import Outcome, Tally, Timeline
+from ev3proto.capture.timeline.marks import MarkState, Tally, Timeline
 
 _MILLISECOND = NANOSECONDS // 1000
 
@@ -57,13 +57,13 @@ def summary(timeline: Timeline) -> list[str]:
     return lines
 
 
-def _troubles(outcomes: Counter[Outcome]) -> list[str]:
+def _troubles(outcomes: Counter[MarkState]) -> list[str]:
     words = {
-        Outcome.ERROR: ("answered with an error", "answered with an error"),
-        Outcome.UNANSWERED: ("never answered", "never answered"),
-        Outcome.FAULTY: ("faulty frame", "faulty frames"),
-        Outcome.SKIPPED: ("gap with bytes skipped", "gaps with bytes skipped"),
-        Outcome.CUT_SHORT: ("file not moved whole", "files not moved whole"),
+        MarkState.ERROR: ("answered with an error", "answered with an error"),
+        MarkState.UNANSWERED: ("never answered", "never answered"),
+        MarkState.FAULTY: ("faulty frame", "faulty frames"),
+        MarkState.SKIPPED: ("gap with bytes skipped", "gaps with bytes skipped"),
+        MarkState.CUT_SHORT: ("file not moved whole", "files not moved whole"),
     }
     return [count(outcomes[outcome], *said) for outcome, said in words.items() if outcomes[outcome]]
 

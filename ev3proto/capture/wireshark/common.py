@@ -8,7 +8,7 @@ from typing import TypeVar
 from ev3proto.bounded import Bounded, Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.record import Announcement, Direction, Event, Route, Said, Skipped
+from ev3proto.capture.record import Announcement, Direction, Event, Route, Skipped, TextKind
 from ev3proto.capture.wireshark.row import Row
 from ev3proto.capture.wireshark.segments import Origin
 from ev3proto.errors import DecodeError, counted
@@ -59,9 +59,9 @@ class Common:
         if data.startswith((ACCEPT, _REQUEST)) or not data.strip(_TEXT_ENDS):
             self.move("texts", len(data))
             if data.startswith(ACCEPT):
-                yield Announcement(Said.ACCEPT, data, None, *origin, route)
+                yield Announcement(TextKind.ACCEPT, data, None, *origin, route)
             elif data.startswith(_REQUEST):
-                yield Announcement(Said.UNLOCK, data, parsed(Unlock.parse, data), *origin, route)
+                yield Announcement(TextKind.UNLOCK, data, parsed(Unlock.parse, data), *origin, route)
         elif has_length(data) and (len(data) == frame_size(data) or (row.missing and len(data) < frame_size(data))):
             self.move("frames", len(data))
             yield talk.record(data, *origin, route)

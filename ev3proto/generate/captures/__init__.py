@@ -8,6 +8,6 @@ what stands around frames on the carrier; `writing` gives each packet its time a
 """
 
 from ev3proto.generate.captures.carrier_writer import TimedFrame
-from ev3proto.generate.captures.writing import CaptureWriter, PacketFile, carrier_writer, write_pcapng
+from ev3proto.generate.captures.packets import CaptureWriter, PacketFile, carrier_writer, write_pcapng
 
 __all__ = ["CaptureWriter", "PacketFile", "TimedFrame", "carrier_writer", "write_pcapng"]

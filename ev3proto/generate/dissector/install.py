@@ -37,7 +37,7 @@ class NoTsharkError(InstallError):
     """There is no tshark to ask."""
 
 
-class Outcome(Enum):
+class InstallResult(Enum):
     """What became of a file."""
 
     NEW = "written"
@@ -77,19 +77,19 @@ class Folders:
         return cls(Path.home() / ".local" / "lib" / "wireshark" / "plugins", configuration / "profiles")
 
 
-def install_dissector(folder: Path, *, force: bool) -> Outcome:
+def install_dissector(folder: Path, *, force: bool) -> InstallResult:
     """Writes ev3.lua into a folder."""
     return _write(folder / FILE_NAME, build(), is_ours=lambda text: _OURS in text, force=force)
 
 
-def install_profile(profiles: Path, *, force: bool) -> Iterator[tuple[Path, Outcome]]:
+def install_profile(profiles: Path, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
     """Writes the profile's files, and tells what became of each."""
     for name, text in profile.files().items():
         path = profiles / profile.NAME / name
         yield path, _write(path, text, is_ours=profile.is_unchanged, force=force)
 
 
-def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, Outcome]]:
+def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
     """Removes what `install_dissector` and `install_profile` write, and the profile's folder once it is empty.
 
     Args:
@@ -112,42 +112,42 @@ def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, Outcome]
         place.rmdir()
 
 
-def _remove(path: Path, is_ours: Callable[[str], bool], *, force: bool) -> Outcome:
+def _remove(path: Path, is_ours: Callable[[str], bool], *, force: bool) -> InstallResult:
     try:
         text = path.read_bytes().decode("utf-8", "replace").replace("\r\n", "\n")
         if not is_ours(text) and not force:
-            return Outcome.KEPT
+            return InstallResult.KEPT
         path.unlink()
     except FileNotFoundError:
-        return Outcome.ABSENT
+        return InstallResult.ABSENT
     except OSError as error:
         raise InstallError(f"{error.filename or path} cannot be removed: {error.strerror or error}") from error
-    return Outcome.REMOVED
+    return InstallResult.REMOVED
 
 
-def _write(path: Path, text: str, is_ours: Callable[[str], bool], *, force: bool) -> Outcome:
+def _write(path: Path, text: str, is_ours: Callable[[str], bool], *, force: bool) -> InstallResult:
     """Writes a file whole or not at all. One that is another's stays, unless `force` says otherwise."""
     data = text.encode()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         outcome = _outcome(path, data, is_ours, force=force)
-        if outcome not in (Outcome.SAME, Outcome.KEPT):
+        if outcome not in (InstallResult.SAME, InstallResult.KEPT):
             _replace(path, data)
     except OSError as error:
         raise InstallError(f"{error.filename or path} cannot be written: {error.strerror or error}") from error
     return outcome
 
 
-def _outcome(path: Path, data: bytes, is_ours: Callable[[str], bool], *, force: bool) -> Outcome:
+def _outcome(path: Path, data: bytes, is_ours: Callable[[str], bool], *, force: bool) -> InstallResult:
     try:
         found = path.read_bytes()
     except FileNotFoundError:
-        return Outcome.NEW
+        return InstallResult.NEW
     if found == data:
-        return Outcome.SAME
+        return InstallResult.SAME
     if is_ours(found.decode("utf-8", "replace").replace("\r\n", "\n")):
-        return Outcome.REPLACED
-    return Outcome.FORCED if force else Outcome.KEPT
+        return InstallResult.REPLACED
+    return InstallResult.FORCED if force else InstallResult.KEPT
 
 
 def _replace(path: Path, data: bytes) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ev3proto.capture.record import Said
+from ev3proto.capture.record import TextKind
 from ev3proto.generate.output_schemas.parts import (
     FLAG,
     HEX,
@@ -166,7 +166,7 @@ def _value() -> Schema:
 
 def _text() -> Schema:
     properties: Schema = {
-        "kind": {"enum": [said.name.lower() for said in Said]},
+        "kind": {"enum": [said.name.lower() for said in TextKind]},
         "direction": maybe(_DIRECTION),
         "time": TIME,
         **_PLACE,

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ev3proto.generate.tables_json.data import tables
+from ev3proto.generate.tables_json.json_text import written
 from ev3proto.generate.tables_json.schema import schema
-from ev3proto.generate.tables_json.writing import written
 
 TABLES_NAME = "ev3-tables.json"
 SCHEMA_NAME = "ev3-tables.schema.json"

@@ -66,7 +66,7 @@ _MOST_JUMP = 1 << 15
 
 
 @dataclass(frozen=True, slots=True)
-class Jump:
+class PendingJump:
     """An argument that is a label.
 
     at    where it stands in the source
@@ -79,7 +79,7 @@ class Jump:
     form: str | None
 
 
-class Memory:
+class ObjectVariables:
     """Globals, or the locals of one object: variables one after the other."""
 
     def __init__(self, scope: str) -> None:
@@ -106,9 +106,9 @@ class Body:
     source: ObjectSource
     settings: ObjectSettings
     names: LocalNames = field(default_factory=LocalNames)
-    memory: Memory = field(default_factory=lambda: Memory(LOCAL))
+    memory: ObjectVariables = field(default_factory=lambda: ObjectVariables(LOCAL))
     parameters: list[ProgramParameter] = field(default_factory=list)
-    parts: list[bytes | Jump] = field(default_factory=list)
+    parts: list[bytes | PendingJump] = field(default_factory=list)
     labels: dict[str, int] = field(default_factory=dict)
     last: str = ""
 
@@ -143,7 +143,7 @@ class Assembler:
         self._shortest = shortest or settings.file.shortest
         self._version = version
         self._names = Names(is_strict, warnings)
-        self._globals = Memory(GLOBAL)
+        self._globals = ObjectVariables(GLOBAL)
         self._checks = Checks(warnings, is_strict=is_strict)
         self._objects: list[ObjectSource] = []
         self._of_objects: list[ObjectSettings] = []
@@ -235,7 +235,7 @@ class Assembler:
         place = self._place(item, self._globals, LocalNames())
         self._names.globals.setdefault(item.name, []).append(place)
 
-    def _place(self, item: VariableStatement, memory: Memory, local: LocalNames) -> ProgramVariable:
+    def _place(self, item: VariableStatement, memory: ObjectVariables, local: LocalNames) -> ProgramVariable:
         """The memory of a declaration."""
         kind = VARIABLE_WORDS.get(item.word, Type.DATA8)
         if item.word in PARAMETER_WORDS:
@@ -377,7 +377,7 @@ class Assembler:
         if isinstance(callee, Callee) and callee.parameters is not None:
             self._checks.call(step, values, callee)
 
-    def _argument(self, value: Value, body: Body) -> tuple[bytes | Jump, Meaning | None]:
+    def _argument(self, value: Value, body: Body) -> tuple[bytes | PendingJump, Meaning | None]:
         """The bytes of an argument, or the jump that it is; and what it means, None for what is not to be checked."""
         # Names and numbers are nearly all there is, and matching their classes takes half of all time.
         kind = type(value)
@@ -405,13 +405,13 @@ class Assembler:
         meaning = self._names.value(value, body.names)
         return self._encoded(meaning, value.at), meaning
 
-    def _encoded(self, meaning: Meaning, at: int) -> bytes | Jump:
+    def _encoded(self, meaning: Meaning, at: int) -> bytes | PendingJump:
         if isinstance(meaning, int):
             return integer(meaning)
         if isinstance(meaning, ProgramVariable):
             return variable(meaning.scope, meaning.index)
         if isinstance(meaning, Goal):
-            return Jump(at, meaning.name, None)
+            return PendingJump(at, meaning.name, None)
         if isinstance(meaning, Callee):
             return integer(meaning.number)
         if isinstance(meaning, Text):
@@ -423,7 +423,7 @@ class Assembler:
         assert isinstance(meaning, Fraction)
         return integer(wrapped(int(meaning)))
 
-    def _form(self, form: EncodedValue, body: Body) -> bytes | Jump:
+    def _form(self, form: EncodedValue, body: Body) -> bytes | PendingJump:
         """A value in the encoding that is named."""
         name = form.name
         if name in _MARKS:
@@ -435,7 +435,7 @@ class Assembler:
         if isinstance(meaning, Goal):
             if name not in JUMP_SIZES:
                 raise SourceError(form.at, f"{name} cannot hold the distance to a label")
-            return Jump(form.at, meaning.name, name)
+            return PendingJump(form.at, meaning.name, name)
         if isinstance(meaning, ProgramVariable):
             if name[0] != ("G" if meaning.scope == GLOBAL else "L"):
                 raise SourceError(form.at, f"{name} is not for {meaning.scope} variables")
@@ -452,7 +452,7 @@ class Assembler:
 
     def _code(self, body: Body) -> bytes:
         """The bytes of an object's code after its table of parameters."""
-        jumps = [place for place, part in enumerate(body.parts) if isinstance(part, Jump)]
+        jumps = [place for place, part in enumerate(body.parts) if isinstance(part, PendingJump)]
         if not jumps:
             return b"".join(body.parts)  # type: ignore[arg-type]
         sizes = [len(part) if isinstance(part, bytes) else JUMP_SIZES[part.form or LABEL] for part in body.parts]
@@ -463,7 +463,7 @@ class Assembler:
         pieces: list[bytes] = list(body.parts)  # type: ignore[arg-type]
         for place in jumps:
             part = body.parts[place]
-            assert isinstance(part, Jump)
+            assert isinstance(part, PendingJump)
             distance = at[body.labels[part.name]] - at[place + 1]
             if not -_MOST_JUMP <= distance < _MOST_JUMP and part.form != "LC4":
                 self._keep(SourceError(part.at, f"{part.name[:40]} is {distance} bytes away: a jump reaches 32767"))
@@ -547,9 +547,9 @@ class Assembler:
         ]
 
 
-def _is_free(part: bytes | Jump) -> bool:
+def _is_free(part: bytes | PendingJump) -> bool:
     """Whether nobody said how long a jump is to be."""
-    return isinstance(part, Jump) and part.form is None
+    return isinstance(part, PendingJump) and part.form is None
 
 
 def _triggered(statement: Statement) -> str | None:

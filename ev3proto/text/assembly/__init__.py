@@ -48,9 +48,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.macro_notation import operation_line
-from ev3proto.text.assembly.writing import assembly
 
 if TYPE_CHECKING:
     from ev3proto.messages import Message

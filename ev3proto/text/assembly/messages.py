@@ -25,7 +25,7 @@ from ev3proto.tables.frame import (
 from ev3proto.text.assembly.lexing import Token
 from ev3proto.text.assembly.parser import Header, Named, RawFrame, error_at
 from ev3proto.text.assembly.symbols import MOST_MEMORY, Names, suggestion
-from ev3proto.text.assembly.values import CodePiece, Encoder, Jump
+from ev3proto.text.assembly.values import CodePiece, Encoder, PendingJump
 
 COUNTER, LENGTH, GLOBALS, LOCALS = "counter", "length", "globals", "locals"
 COMMAND, LAYER_FROM, LAYER_TO = "command", "layer_from", "layer_to"
@@ -215,7 +215,7 @@ def _joined(parts: Sequence[Sequence[CodePiece]], labels: dict[str, int]) -> byt
         (index, at): piece
         for index, part in enumerate(parts)
         for at, piece in enumerate(part)
-        if isinstance(piece, Jump)
+        if isinstance(piece, PendingJump)
     }
     for jump in jumps.values():
         if jump.token.text not in labels:
@@ -232,11 +232,11 @@ def _joined(parts: Sequence[Sequence[CodePiece]], labels: dict[str, int]) -> byt
             is_settled &= len(longer) == len(encoded[place])
             encoded[place] = longer
     return b"".join(
-        encoded[index, at] if isinstance(piece, Jump) else piece
+        encoded[index, at] if isinstance(piece, PendingJump) else piece
         for index, part in enumerate(parts)
         for at, piece in enumerate(part)
     )
 
 
 def _size(index: int, part: Sequence[CodePiece], encoded: dict[tuple[int, int], bytes]) -> int:
-    return sum(len(encoded[index, at] if isinstance(piece, Jump) else piece) for at, piece in enumerate(part))
+    return sum(len(encoded[index, at] if isinstance(piece, PendingJump) else piece) for at, piece in enumerate(part))

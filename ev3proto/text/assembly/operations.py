@@ -29,7 +29,7 @@ from ev3proto.text.assembly.parser import (
     is_operation_word,
 )
 from ev3proto.text.assembly.symbols import NOT_NUMBERS, suggestion
-from ev3proto.text.assembly.values import CodePiece, Encoder, Jump
+from ev3proto.text.assembly.values import CodePiece, Encoder, PendingJump
 
 _MOST_NAMED = 8
 """CMDs that an error names."""
@@ -123,7 +123,7 @@ class Assembler:
             if named is value:
                 return encode_integer(number), number
         encoded = self._encoder.argument(value, _cmd_schema(family))
-        found = None if isinstance(encoded, Jump) else CMD.read(encoded, 0)[0]
+        found = None if isinstance(encoded, PendingJump) else CMD.read(encoded, 0)[0]
         if found is None or found.kind != CONSTANT:
             raise error_at(value.token, f"the CMD of {family.opcode.name} must be a constant: {_commands(family)}")
         number = int(found.value)
@@ -208,7 +208,7 @@ def _check(
 
     A value whose encoding is named, and the name of what is not a number, are what people mean, whatever they are.
     """
-    code = head + b"".join(_ANY_DISTANCE if isinstance(piece, Jump) else piece for piece in pieces)
+    code = head + b"".join(_ANY_DISTANCE if isinstance(piece, PendingJump) else piece for piece in pieces)
     for number, error in objections(Operation((schema, code, 0, len(code)))):
         value = arguments[number].value
         if _is_meant(value):

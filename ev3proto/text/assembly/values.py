@@ -53,7 +53,7 @@ _ANYTHING = ArgumentSchema(Parameter("the value", Type.ARRAY_TYPED, "whatever an
 
 
 @dataclass(frozen=True, slots=True)
-class Jump:
+class PendingJump:
     """How far it is to a label, which is known when all operations have their place.
 
     token  the label's name
@@ -74,7 +74,7 @@ class Jump:
             raise error_at(self.token, f"{self.token.text} is {distance} bytes away: {error}") from None
 
 
-CodePiece = bytes | Jump
+CodePiece = bytes | PendingJump
 
 
 class Encoder:
@@ -89,7 +89,7 @@ class Encoder:
             self.names.define(token, self.constant(value))
             return
         piece = self.argument(value, _ANYTHING)
-        if isinstance(piece, Jump):
+        if isinstance(piece, PendingJump):
             raise error_at(value.token, "a label cannot be defined by another name")
         self.names.define(token, piece)
 
@@ -218,7 +218,7 @@ class Encoder:
             case Named(token) if token.text in self.names.variables:
                 return schema.write(self._variable(value, schema))
             case Named(token) if self._is_label(token, schema):
-                return Jump(token, None)
+                return PendingJump(token, None)
             case Named(token) if token.text in NOT_NUMBERS and schema.parameter.type is not Type.STRING:
                 return schema.write(math.nan)
             case Named(token) if not self._is_constant(token, schema.parameter):
@@ -275,11 +275,11 @@ class Encoder:
         part = value.part
         if name in ("HND", "ADR"):
             inner = self.argument(part, schema)
-            if isinstance(inner, Jump):
+            if isinstance(inner, PendingJump):
                 raise error_at(part.token, f"{name} takes no label")
             return with_bits(inner, handle=name == "HND", address=name == "ADR")
         if isinstance(part, Named) and name in _JUMPS and self._is_label(part.token, schema):
-            return Jump(part.token, name)
+            return PendingJump(part.token, name)
         return self.form(value, schema.parameter)
 
     def form(self, value: Macro, parameter: Parameter | None) -> bytes:

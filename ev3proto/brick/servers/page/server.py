@@ -19,8 +19,8 @@ from typing import Any
 
 from aiohttp import WSMsgType, web
 
-from ev3proto.brick.display.canvas import WIDTH
-from ev3proto.brick.display.png import write_png
+from ev3proto.brick.devices.display.canvas import WIDTH
+from ev3proto.brick.devices.display.png import write_png
 from ev3proto.brick.servers.host import Host
 from ev3proto.brick.servers.page.state import ActionError, act, contents, facts, listing, state
 from ev3proto.brick.servers.page.watcher import Talk, Watcher

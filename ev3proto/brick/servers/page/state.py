@@ -7,10 +7,10 @@ import math
 import os
 from typing import TYPE_CHECKING, Any
 
-from ev3proto.brick.buttons import BUTTONS
-from ev3proto.brick.inputs import PORTS
-from ev3proto.brick.outputs import PORTS as MOTOR_PORTS
-from ev3proto.brick.programs import RUNNING, USER_SLOT
+from ev3proto.brick.devices.buttons import BUTTONS
+from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
+from ev3proto.brick.devices.sensors import PORTS
+from ev3proto.brick.running_programs import RUNNING, USER_SLOT
 from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.enumerations import CONN, LEDPATTERN, TYPE

@@ -9,7 +9,7 @@ from ev3proto.capture.carriers.claims import Claim, is_proof
 from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Direction, Event, Skipped
-from ev3proto.capture.weighing import Verdict, Weigher
+from ev3proto.capture.weighing import Likeness, Weigher
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.claims import FAULTS_IN_A_ROW, STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME, MessageType
@@ -83,17 +83,17 @@ class PortClaim(Claim):
             # Nobody answers in the middle of a command.
             self._decline_pieces(self._taken())
             self._speaker = side
-        verdict, telling = Verdict.NOTHING, 0
+        verdict, telling = Likeness.NOTHING, 0
         if self._waiting:
             text = b"".join(before.data for before in self._waiting) + piece.data
             verdict, telling = self._weigh_commands(text, is_joined=True)
-        if verdict is Verdict.NOTHING:
+        if verdict is Likeness.NOTHING:
             self._decline_pieces(self._taken())
             verdict, telling = self._weigh_commands(piece.data)
-        if verdict is Verdict.PART:
+        if verdict is Likeness.PART:
             self._wait(self._waiting, piece)
             return []
-        is_reply = verdict is Verdict.NOTHING and self._may_be_reply(side, piece)
+        is_reply = verdict is Likeness.NOTHING and self._may_be_reply(side, piece)
         if is_reply and not self._strange and not self._has_ended:
             self._early_side = side
             self._wait(self._early, piece)
@@ -158,24 +158,24 @@ class PortClaim(Claim):
         if self._early and (side is not self._early_side or size + len(piece.data) > MAX_FRAME):
             self.forget()
         text = b"".join(before.data for before in self._early) + piece.data
-        return self._weigher.weigh(text, 0, _is_from_brick).verdict is not Verdict.NOTHING
+        return self._weigher.weigh(text, 0, _is_from_brick).verdict is not Likeness.NOTHING
 
-    def _weigh_commands(self, text: bytes, *, is_joined: bool = False) -> tuple[Verdict, int]:
+    def _weigh_commands(self, text: bytes, *, is_joined: bool = False) -> tuple[Likeness, int]:
         """What a text tells that should begin with a command: nobody answers what was not asked."""
         verdict, telling, _ = self._weigher.weigh(text, 0, _is_command)
-        if verdict not in (Verdict.PERHAPS, Verdict.OURS):
+        if verdict not in (Likeness.PERHAPS, Likeness.OURS):
             return verdict, telling
         if is_joined and MessageType(text[HEADER_SIZE - 1]).carries == "system":
             # Any bytes may follow its header.
-            return Verdict.PERHAPS, 0
+            return Likeness.PERHAPS, 0
         return verdict, telling
 
-    def _count(self, side: Direction, verdict: Verdict, telling: int, size: int) -> None:
+    def _count(self, side: Direction, verdict: Likeness, telling: int, size: int) -> None:
         if self._is_left:
             # Its connection may be another one meanwhile, so it is not left alone for good.
             self._is_left = False
             self._end_claim()
-        if verdict is Verdict.NOTHING:
+        if verdict is Likeness.NOTHING:
             self._meet_strange(side, size)
         else:
             self._meet_ours(side, telling, is_command=True)
@@ -185,12 +185,16 @@ class PortClaim(Claim):
         if is_in_step and self._weigher.is_part(text, accepts):
             return True
         verdict, telling, _ = self._weigher.weigh_anywhere(text, len(text) - size, accepts)
-        if verdict is Verdict.PART:
+        if verdict is Likeness.PART:
             # In a stream that is out of step anything may look like a part of a frame.
-            verdict = Verdict.NOTHING
-        if verdict is Verdict.NOTHING and self._weigher.hold_frames(text) is Verdict.OURS and self._count_faulty(side):
+            verdict = Likeness.NOTHING
+        if (
+            verdict is Likeness.NOTHING
+            and self._weigher.hold_frames(text) is Likeness.OURS
+            and self._count_faulty(side)
+        ):
             return True
-        self._small = self._small + size if verdict is Verdict.NOTHING else 0
+        self._small = self._small + size if verdict is Likeness.NOTHING else 0
         if self._small > STRANGE_PACKETS * HEADER_SIZE:
             # Small packets count together.
             size, self._small = self._small, 0

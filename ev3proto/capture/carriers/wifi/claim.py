@@ -12,7 +12,7 @@ from ev3proto.capture.carriers.wifi.tcp import SEGMENT_SIZE, Segment
 from ev3proto.capture.carriers.wifi.ways import may_come_from_brick, may_go_to_brick
 from ev3proto.capture.finding import count_telling
 from ev3proto.capture.record import Direction, Event, Record, Skipped
-from ev3proto.capture.weighing import Accepts, Verdict, Weigher, Weight
+from ev3proto.capture.weighing import Accepts, Likeness, Weigher, Weight
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.frame import MAX_FRAME
 
@@ -179,14 +179,14 @@ class ConnectionClaim(Claim):
         """Takes the next bytes of a connection that is not claimed."""
         side.parts.append(segment)
         weight = self._weigh(stream, side, side.text)
-        if weight.verdict is Verdict.NOTHING and len(side.parts) > 1:
+        if weight.verdict is Likeness.NOTHING and len(side.parts) > 1:
             # What waited was no beginning.
             del side.parts[-1]
             self._decide(side, weight, len(side.text))
             self._decline_parts(stream, side)
             side.parts.append(segment)
             weight = self._weigh(stream, side, segment.data)
-        if weight.verdict is Verdict.PART:
+        if weight.verdict is Likeness.PART:
             if not segment.missing:
                 return []
             weight = self._weigher.weigh_cut(side.text, segment.missing)
@@ -218,7 +218,7 @@ class ConnectionClaim(Claim):
             self._account.other += len(text)
         else:
             events = _fed(stream, parts, is_ours=False) + stream.give_up("nothing shows that these bytes are a frame")
-            is_full = self._weigher.hold_frames(text) is Verdict.OURS
+            is_full = self._weigher.hold_frames(text) is Likeness.OURS
             self._hold(events if is_full else self._skipped(events))
 
     # Claimed
@@ -235,19 +235,19 @@ class ConnectionClaim(Claim):
         """Takes the next bytes of a connection that is claimed, and not proven to be ours."""
         text = stream.cutter.left + segment.data
         weight = self._weigh(stream, side, text)
-        is_faulty = weight.verdict is Verdict.NOTHING and self._meet_faulty(side, text)
-        if weight.verdict is Verdict.PART and segment.missing:
+        is_faulty = weight.verdict is Likeness.NOTHING and self._meet_faulty(side, text)
+        if weight.verdict is Likeness.PART and segment.missing:
             weight = self._weigher.weigh_cut(text, segment.missing, is_claimed=True)
-        is_rest = weight.verdict is Verdict.NOTHING and side.rest > 0
+        is_rest = weight.verdict is Likeness.NOTHING and side.rest > 0
         side.rest = max(side.rest - len(segment.data), 0) if is_rest else side.rest
-        if weight.verdict is not Verdict.PART and not is_faulty and not is_rest and not self.is_proven:
+        if weight.verdict is not Likeness.PART and not is_faulty and not is_rest and not self.is_proven:
             self._decide(side, weight, len(segment.data))
         if not self.is_claimed:
             return self._leave(stream, side, segment)
         if not side.has_begun:
             side.has_begun = True
-            is_open = is_faulty or weight.verdict is Verdict.PART
-            is_whole = weight.verdict in (Verdict.OURS, Verdict.PERHAPS)
+            is_open = is_faulty or weight.verdict is Likeness.PART
+            is_whole = weight.verdict in (Likeness.OURS, Likeness.PERHAPS)
             stream.cutter.begin(in_step=weight.at == 0 and (is_whole or (is_open and side.may_begin(text))))
         events = _fed(stream, [segment])
         if segment.missing and not stream.cutter.is_in_step:
@@ -270,11 +270,11 @@ class ConnectionClaim(Claim):
         begins = stream.cutter.begins_with_text(text)
         if begins:
             self.is_claimed = self.is_proven = True
-            return Weight(Verdict.OURS)
+            return Weight(Likeness.OURS)
         if self._is_left and not self.is_claimed:
-            return Weight(Verdict.NOTHING)
+            return Weight(Likeness.NOTHING)
         if begins is None:
-            return Weight(Verdict.PART)
+            return Weight(Likeness.PART)
         if side.to_brick:
             # The capture may have begun inside a frame.
             return self._weigher.weigh_anywhere(text, 0, side.accepts, is_claimed=self.is_claimed)
@@ -283,11 +283,11 @@ class ConnectionClaim(Claim):
     def _meet_faulty(self, side: _Side, text: bytes) -> bool:
         """Counts a packet that frames with faults fill, or misdirected ones. False: it is none, or one too many."""
         held = self._weigher.hold_frames(text)
-        return held is not Verdict.NOTHING and self._count_faulty(side.direction, is_whole=held is Verdict.OURS)
+        return held is not Likeness.NOTHING and self._count_faulty(side.direction, is_whole=held is Likeness.OURS)
 
     def _decide(self, side: _Side, weight: Weight, size: int) -> None:
         """Decides after a packet of which so many bytes are new, by what it tells."""
-        if weight.verdict is Verdict.NOTHING:
+        if weight.verdict is Likeness.NOTHING:
             if not self.is_claimed:
                 side.is_odd, side.is_reply = side.is_odd or size > HEADER_SIZE, False
             self._meet_strange(side.direction, size)
@@ -299,7 +299,7 @@ class ConnectionClaim(Claim):
     def _is_chance(self, side: _Side, weight: Weight) -> bool:
         """Whether there are only replies, before any claim and after strange packets, and not for the second time."""
         was_reply, is_first = side.is_reply, not self.is_claimed and not self._has_ended
-        side.is_reply = is_first and weight.verdict is Verdict.PERHAPS and not side.to_brick
+        side.is_reply = is_first and weight.verdict is Likeness.PERHAPS and not side.to_brick
         return side.is_reply and not was_reply and side.is_odd
 
     # What is held back

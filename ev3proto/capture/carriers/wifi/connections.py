@@ -32,7 +32,7 @@ from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
 from ev3proto.capture.carriers.wifi.ways import frame_goes_to_brick, text_goes_to_brick
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
-from ev3proto.capture.record import Announcement, Direction, Event, Route, Said
+from ev3proto.capture.record import Announcement, Direction, Event, Route, TextKind
 from ev3proto.errors import DecodeError, counted
 from ev3proto.tables.carriers import Carrier, Link
 from ev3proto.tables.discovery import BEACON_PORT, UNLOCK_REQUEST
@@ -365,14 +365,14 @@ class Connections:
         self._account.texts += len(data)
         route = self._route(packet, ends, is_from_host=not is_announced)
         if not is_announced:
-            yield Announcement(Said.ANSWER, data, None, (packet.number,), packet.time_ns, route)
+            yield Announcement(TextKind.ANSWER, data, None, (packet.number,), packet.time_ns, route)
             return
         try:
             beacon = Beacon.parse(data)
         except DecodeError:
             beacon = None
         self._remember_brick(source_of(ends), beacon)
-        yield Announcement(Said.BEACON, data, beacon, (packet.number,), packet.time_ns, route)
+        yield Announcement(TextKind.BEACON, data, beacon, (packet.number,), packet.time_ns, route)
 
     def _remember_brick(self, place: Place, beacon: Beacon | None) -> None:
         """Remembers where answers to a beacon may go: to its source port, the one for beacons, or the one it names."""

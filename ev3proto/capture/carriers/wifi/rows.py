@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.wifi.ways import frame_goes_to_brick, text_goes_to_brick
-from ev3proto.capture.record import Announcement, Direction, Event, Route, Said, Skipped
+from ev3proto.capture.record import Announcement, Direction, Event, Route, Skipped, TextKind
 from ev3proto.capture.wireshark.common import MOST_CONNECTIONS, Common, parsed
 from ev3proto.capture.wireshark.row import Row
 from ev3proto.capture.wireshark.segments import MOST_WAITING, WAITING_SIZE, Segments
@@ -134,7 +134,7 @@ class Rows:
             self._common.move("texts", len(data))
             is_beacon = data.startswith(_BEACON_START)
             route = self._wifi_route(row, "udp", is_from_host=not is_beacon)
-            said = Said.BEACON if is_beacon else Said.ANSWER
+            said = TextKind.BEACON if is_beacon else TextKind.ANSWER
             beacon = parsed(Beacon.parse, data) if is_beacon else None
             yield Announcement(said, data, beacon, (row.packet,), row.time_ns, route)
 

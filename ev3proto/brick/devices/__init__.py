@@ -1,0 +1,1 @@
+"""Models of what a brick is made of beside its machine: motors, sensors, display, buttons, loudspeaker, terminal."""

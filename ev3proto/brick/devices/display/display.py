@@ -1,0 +1,249 @@
+"""The display as operations see it: a canvas to draw on, what of it is shown, the selected font, saved pictures.
+
+Shapes are drawn by the canvas. Here are the things that need letters and icons, and those that concern the display as a
+whole: showing, saving, the line at the top.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ev3proto.brick.devices.display import top_line
+from ev3proto.brick.devices.display.canvas import WIDTH, Canvas
+from ev3proto.brick.devices.display.fonts import FONTS, Font
+from ev3proto.brick.devices.display.graph import Graph
+from ev3proto.brick.devices.display.icons import ICONS
+from ev3proto.brick.devices.display.pictures import Picture
+from ev3proto.brick.devices.panel import Battery
+from ev3proto.brick.formatting import fixed
+from ev3proto.brick.parts import Part
+from ev3proto.brick.running_programs import USER_SLOT, Program
+from ev3proto.brick.settings import Settings
+from ev3proto.tables.enumerations import FONTTYPE, ICONTYPE
+
+NORMAL, SMALL, LARGE, TINY = (
+    FONTTYPE.members[name] for name in ("NORMAL_FONT", "SMALL_FONT", "LARGE_FONT", "TINY_FONT")
+)
+NORMAL_ICONS, LARGE_ICONS = ICONTYPE.members["NORMAL_ICON"], ICONTYPE.members["LARGE_ICON"]
+STORE_LEVELS = 3
+"""Pictures that STORE can save."""
+
+_MOST_DIGITS = 23
+"""Characters of a number that is drawn."""
+
+TOP_LINE_PERIOD = 400_000
+"""Microseconds between two redraws of the line at the top while it is on."""
+
+
+class Display(Part):
+    """The display of a brick that was just switched on: everything is clear.
+
+    canvas       what is drawn on
+    font         number of the selected font
+    is_headed    whether there is a line at the top
+    graph        what GRAPH_SETUP set up
+    is_in_use    something was drawn that is not shown yet
+    is_blocked   only who opened a popup may draw
+    """
+
+    def __init__(self, settings: Settings | None = None, battery: Battery | None = None) -> None:
+        """Makes a display; `settings` and `battery` are what its line at the top is about."""
+        self.canvas = Canvas()
+        self.font = NORMAL
+        self.is_headed = False
+        self._settings = settings or Settings()
+        self._battery = battery or Battery()
+        self.graph = Graph()
+        self.is_in_use = False
+        self.is_blocked = False
+        self._owner: tuple[int, int] | None = None
+        self._before_popup = Canvas()
+        self._next_top_line = 0
+        self._shown = self.canvas.to_bytes()
+        self._stored = [Canvas() for _ in range(STORE_LEVELS)]
+
+    @property
+    def rows(self) -> list[bytes]:
+        """What is shown: 128 rows of 23 bytes, the leftmost pixel the highest bit, padding bits 0."""
+        return list(self._shown)
+
+    # The display as a whole
+
+    def update(self) -> None:
+        """Shows the canvas, the line at the top redrawn if it is on; selects the normal font."""
+        self.font = NORMAL
+        if self.is_headed:
+            self._draw_top_line()
+        self._shown = self.canvas.to_bytes()
+
+    def advance(self, microseconds: int) -> None:
+        """The firmware redraws the line at the top every 0.4 s, and shows the canvas with it."""
+        if microseconds >= self._next_top_line:
+            self._next_top_line = microseconds + TOP_LINE_PERIOD
+            if self.is_headed:
+                self._draw_top_line()
+                self._shown = self.canvas.to_bytes()
+
+    def program_started(self, program: Program) -> None:
+        """The screen before a user program is stored at level 0; the program has it without a line at the top."""
+        if program.slot == USER_SLOT:
+            self.store(0)
+            self.is_headed = False
+
+    def program_ended(self, program: Program) -> None:
+        """A popup does not outlive its program."""
+        if self._owner is not None and self._owner[0] == program.slot:
+            self.close_popup()
+
+    def clean(self) -> None:
+        """Clears the canvas and selects the normal font."""
+        self.font = NORMAL
+        self.canvas.clean()
+
+    def fillwindow(self, color: int, y: int, height: int) -> None:
+        """Fills whole rows of the canvas, see Canvas.fillwindow, and selects the normal font."""
+        self.font = NORMAL
+        self.canvas.fillwindow(color, y, height)
+
+    def select_font(self, font: int) -> None:
+        """Selects a font by its number, clamped to those there are."""
+        self.font = min(max(font, min(FONTS)), max(FONTS))
+
+    def store(self, level: int) -> None:
+        """Saves the canvas; levels other than 0 to 2 are ignored."""
+        if 0 <= level < STORE_LEVELS:
+            self._stored[level] = self.canvas.copy()
+
+    def restore(self, level: int) -> None:
+        """Brings a saved canvas back; levels other than 0 to 2 are ignored."""
+        if 0 <= level < STORE_LEVELS:
+            self.canvas = self._stored[level].copy()
+
+    # Who may draw
+
+    def is_blocked_for(self, slot: int, number: int) -> bool:
+        """Whether the display is blocked for an object of a program: SCREEN_BLOCK or somebody else's popup."""
+        return self.is_blocked and self._owner != (slot, number)
+
+    def open_popup(self, slot: int, number: int) -> None:
+        """Keeps the canvas as it is now, and blocks the display for all but one object of a program."""
+        self._before_popup = self.canvas.copy()
+        self._owner = (slot, number)
+        self.is_blocked = True
+
+    def close_popup(self) -> None:
+        """Shows the canvas as it was before the popup, for everybody to draw on."""
+        self.canvas = self._before_popup.copy()
+        self._shown = self.canvas.to_bytes()
+        self._owner = None
+        self.is_blocked = False
+
+    # Text
+
+    def text(self, color: int, x: int, y: int, text: bytes, font: int | None = None) -> None:
+        """Draws characters one after the other, as far as the display is wide.
+
+        Args:
+            color: 0 draws clear letters on set cells, any other set letters on clear cells.
+            x: Left column of the first cell.
+            y: Top row of the cells.
+            text: The characters; those without a glyph leave a gap.
+            font: The font's number; the selected one by default.
+        """
+        letters = FONTS[self.font if font is None else font]
+        for character in text:
+            if x >= WIDTH - letters.width:
+                return
+            self._character(color, x, y, letters, character)
+            x += letters.width
+
+    def _character(self, color: int, x: int, y: int, letters: Font, character: int) -> None:
+        glyph = letters.glyph(character)
+        if glyph is None:
+            return
+        solid = (1 << letters.width) - 1
+        rows = list(glyph) if color else [row ^ solid for row in glyph]
+        if x % 8 == 0 and letters.width % 8 == 0:
+            self.canvas.byte_cell(x, y, letters.width, rows)
+        else:
+            self.canvas.cell(x, y, letters.width, rows)
+
+    def value(self, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
+        """Draws a number at most `figures` characters long, a minus sign not counted; NaN as dashes.
+
+        Args:
+            color: As for text.
+            x: Left column.
+            y: Top row.
+            number: What to draw.
+            figures: The width in characters, right-justified; negative: left-justified.
+            decimals: Digits after the point.
+        """
+        if math.isnan(number):
+            self.text(color, x, y, b"-" * abs(figures))
+            return
+        digits = fixed(number, decimals).rjust(max(figures, 0)).encode()[:_MOST_DIGITS]
+        self.text(color, x, y, digits[: abs(figures) + digits.startswith(b"-")])
+
+    def view_value(self, color: int, x: int, y: int, number: float, figures: int, decimals: int) -> None:
+        """Draws a number centred in `figures` cells, its sign as a line before them, in the selected font."""
+        self._view(self.font, color, x, y, number, figures, decimals, centred=True)
+
+    def view_unit(self, color: int, x: int, y: int, number: float, figures: int, decimals: int, unit: bytes) -> None:
+        """Draws a number in the large font with its unit in small letters after it."""
+        cells = self._view(LARGE, color, x, y, number, figures, decimals, centred=False)
+        if cells is not None:
+            self.text(color, x + FONTS[LARGE].width * cells, y, unit, SMALL)
+
+    def _view(
+        self, font: int, color: int, x: int, y: int, number: float, figures: int, decimals: int, *, centred: bool
+    ) -> int | None:
+        """Draws a number with its sign as a line; returns the cells it takes, None where it is drawn as dashes."""
+        letters = FONTS[font]
+        before = (letters.width + 2) // 3 - 1
+        self._sign(letters, 1 - color, x - before, y, x + figures * letters.width)
+        if not math.isfinite(number):
+            self.text(color, x, y, b"-" * figures, font)
+            return None
+        digits = fixed(number, decimals).encode()
+        negative = digits.startswith(b"-")
+        digits = digits.removeprefix(b"-")
+        if len(digits) > figures:
+            self.text(color, x, y, b">" * figures, font)
+            self._sign(letters, 1 - color, x - before, y, x)
+            return figures
+        indent = (figures - len(digits) + 1) // 2 * letters.width if centred else 0
+        self.text(color, x + indent, y, digits[:_MOST_DIGITS], font)
+        self._sign(letters, color if negative else 1 - color, x - before + indent, y, x + indent)
+        return len(digits)
+
+    def _sign(self, letters: Font, color: int, left: int, y: int, right: int) -> None:
+        """The line of a minus sign at half the height of the letters; in tall fonts two rows."""
+        middle = y + letters.height // 2
+        self.canvas.line(color, left, middle, right, middle)
+        if letters.height > 12:
+            self.canvas.line(color, left, middle - 1, right, middle - 1)
+
+    # Pictures
+
+    def icon(self, color: int, x: int, y: int, kind: int, number: int) -> None:
+        """Draws an icon at x, rounded down to a multiple of 8; an unknown one is ignored."""
+        icons = ICONS.get(kind)
+        if icons is None or not 0 <= number < len(icons.pictures):
+            return
+        solid = (1 << icons.width) - 1
+        rows = [row if color else row ^ solid for row in icons.pictures[number]]
+        self.canvas.byte_cell(x & ~7, y, icons.width, rows)
+
+    def picture(self, color: int, x: int, y: int, picture: Picture) -> None:
+        """Draws a picture over what is there, clipped at the edges; colour 0 turns its pixels over."""
+        solid = (1 << picture.width) - 1
+        self.canvas.cell(x, y, picture.width, [row if color else row ^ solid for row in picture.rows])
+
+    def _draw_top_line(self) -> None:
+        self.canvas.fillrect(0, 0, 0, WIDTH, top_line.HEIGHT)
+        x, name = top_line.name_place(self._settings)
+        self.text(1, x, top_line.TOP, name, top_line.FONT)
+        for x, icon in top_line.icon_places(self._settings, self._battery):
+            self.icon(1, x, top_line.TOP, top_line.ICON_SET, icon)
+        self.canvas.line(1, 0, top_line.HEIGHT, WIDTH - 1, top_line.HEIGHT)

@@ -1,0 +1,390 @@
+"""Outputs: four motors as models that follow commands in time.
+
+A motor's speed follows its target by so many percent a second, its position is the speed summed up, and a move that has
+an end stops exactly there. Without a motor in the port nothing turns, so that moves by angle never end.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from ev3proto.brick.parts import Part
+from ev3proto.brick.running_programs import USER_SLOT, Program
+from ev3proto.tables.enumerations import TYPE
+
+PORTS = ("A", "B", "C", "D")
+
+FULL_SPEED = {TYPE.members["TYPE_TACHO"]: 1000.0, TYPE.members["TYPE_MINITACHO"]: 1590.0}
+"""Degrees a second at 100 percent."""
+
+ACCELERATION = 1000.0
+"""Percent a second by which a motor's speed follows its target."""
+
+LEAST_UP, LEAST_DOWN = 6.0, 4.0
+"""Percent that a ramp does not go below on its way up and down, so that it gets on."""
+
+_MOST = 100
+_MOST_TURN = 200
+_STEP = 0.005
+_RAMP_PARTS = 100
+_NEARLY = 1e-6
+_MICROSECONDS = 1_000_000.0
+
+
+@dataclass
+class Phase:
+    """A part of a move: until so many degrees or seconds have passed, from one speed to another.
+
+    amount   degrees or seconds, not negative
+    is_time  which of the two
+    start    target at its beginning, in percent
+    end      target at its end
+    """
+
+    amount: float
+    is_time: bool
+    start: float
+    end: float
+
+    @property
+    def direction(self) -> int:
+        """1 forward, -1 backward."""
+        return -1 if (self.end or self.start) < 0 else 1
+
+    def target(self, done: float) -> float:
+        """The speed to reach when so much of the phase is done."""
+        if self.start == self.end or not self.amount:
+            return self.end
+        goal = self.start + (self.end - self.start) * min(done / self.amount, 1.0)
+        least = LEAST_UP if abs(self.end) > abs(self.start) else LEAST_DOWN
+        return math.copysign(max(abs(goal), least), self.end or self.start)
+
+
+class Motor:
+    """A motor on a port, or the empty port.
+
+    type         TYPE_NONE for an empty port
+    wanted       what POWER or SPEED asked for last, -100 to 100, without polarity
+    polarity     1 or -1
+    is_running   whether START made it run for ever
+    phases       what is left of a move; the first is under way
+    owner        object whose move is under way; 0 without one
+    is_braked    what holds it at rest
+    is_held      its values are as they were plugged in, until a command moves it
+    """
+
+    def __init__(self) -> None:
+        self.type = TYPE.members["TYPE_NONE"]
+        self.declared_type = self.type
+        self.wanted = 0
+        self.polarity = 1
+        self.is_running = False
+        self.is_braked = False
+        self.is_held = False
+        self.is_moving_by_angle = False
+        self.phases: list[Phase] = []
+        self.brakes_at_end = False
+        self.owner = 0
+        self.partner: Motor | None = None
+        self._target = 0.0
+        self._speed = 0.0
+        self._position = 0.0
+        self._count_from = 0.0
+        self._move_from = 0.0
+        self._phase_from = 0.0
+        self._phase_time = 0.0
+        self._held = (0, 0, 0)
+
+    # What is seen
+
+    @property
+    def speed_now(self) -> int:
+        """Speed in percent."""
+        return self._held[2] if self.is_held else round(self._speed)
+
+    @property
+    def tacho(self) -> int:
+        """Degrees in the present move; 0 in one that has no angle."""
+        if self.is_held:
+            return self._held[0]
+        return round(self._position - self._move_from) if self.is_moving_by_angle else 0
+
+    @property
+    def sensor_count(self) -> int:
+        """Degrees as the motor has them as a sensor."""
+        return self._held[1] if self.is_held else round(self._position - self._count_from)
+
+    @property
+    def angle(self) -> float:
+        """Degrees since the brick was switched on, for who draws the motor."""
+        return self._position
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether a move that has an end is under way."""
+        return bool(self.phases)
+
+    # Commands
+
+    def plug(self, type: int, tacho: int, count: int, speed: int, *, is_held: bool) -> None:
+        """Another motor on the port, at rest.
+
+        Args:
+            type: Its type.
+            tacho: Degrees in its last move.
+            count: Degrees as a sensor.
+            speed: Percent.
+            is_held: Whether it shows these values until a command moves it.
+        """
+        self.stop(is_braked=False)
+        self.type = type
+        self.is_held = is_held
+        self._held = (tacho, count, speed)
+        self._position = self._count_from = self._move_from = 0.0
+
+    def clear_count(self) -> None:
+        """The count as a sensor is 0 from here."""
+        self._count_from = self._position
+        tacho, _, speed = self._held
+        self._held = (tacho, 0, speed)
+
+    def set_reading(self, value: int, *, is_speed: bool) -> None:
+        """Pretends that the motor as a sensor reads a value, its speed or its count."""
+        tacho, count, speed = (self.tacho, self.sensor_count, self.speed_now)
+        self._held = (tacho, count, value) if is_speed else (tacho, value, speed)
+        self._count_from = self._position - self._held[1]
+
+    def reset(self) -> None:
+        """The count of the present move is 0 from here."""
+        self._move_from = self._position
+
+    def stop(self, is_braked: bool) -> None:
+        """Stands still at once."""
+        self._leave()
+        self.is_braked = is_braked
+        self._speed = 0.0
+
+    def _leave(self) -> None:
+        """Gives up what it is doing; the other motor of a synchronous move floats."""
+        partner, self.partner = self.partner, None
+        if partner is not None:
+            partner.partner = None
+            partner.stop(is_braked=False)
+        self.phases = []
+        self.is_running = self.is_moving_by_angle = False
+        self.owner = 0
+        self._target = 0.0
+
+    def _begin(self) -> None:
+        """Something moves it from here on."""
+        self._leave()
+        if self.is_held:
+            _, count, speed = self._held
+            self.is_held = False
+            self._count_from = self._position - count
+            self._speed = float(speed)
+        self._move_from = self._position
+        self._begin_phase()
+
+    def want(self, percent: int) -> None:
+        """Power or speed for START; one that runs takes it over."""
+        self.wanted = max(-_MOST, min(percent, _MOST))
+        if self.is_running:
+            self._target = float(self.wanted * self.polarity)
+
+    def start(self) -> None:
+        """Runs for ever, unless it moves already."""
+        if self.is_running or self.is_busy:
+            return
+        self._begin()
+        self.is_running = True
+        self._target = float(self.wanted * self.polarity)
+
+    def set_polarity(self, polarity: int) -> None:
+        """1 or -1, 0 for the other one; what runs turns round."""
+        polarity = -self.polarity if polarity == 0 else 1 if polarity > 0 else -1
+        if polarity == self.polarity:
+            return
+        self.polarity = polarity
+        self._target = -self._target
+        for phase in self.phases:
+            phase.start, phase.end = -phase.start, -phase.end
+
+    def move(self, percent: int, amounts: Sequence[float], is_time: bool, is_braked: bool, owner: int) -> None:
+        """A move with an end: ramp up, constant, ramp down.
+
+        Args:
+            percent: Power or speed.
+            amounts: Degrees or seconds of the three phases; those of length 0 are omitted.
+            is_time: Which of the two.
+            is_braked: Whether it brakes at the end.
+            owner: Object that began it.
+        """
+        goal = max(-_MOST, min(percent, _MOST)) * self.polarity
+        self._begin()
+        speeds = ((self._speed, goal), (goal, goal), (goal, 0.0))
+        self._follow(
+            [Phase(abs(amount), is_time, *ends) for amount, ends in zip(amounts, speeds, strict=True) if amount],
+            is_braked,
+            owner,
+            is_angle=not is_time,
+        )
+
+    def _follow(self, phases: list[Phase], is_braked: bool, owner: int, *, is_angle: bool) -> None:
+        self.phases = phases
+        self.brakes_at_end = is_braked
+        self.is_moving_by_angle = is_angle
+        self.owner = owner
+        if not phases:
+            self.stop(is_braked)
+
+    def follow_together(self, other: Motor, share: float, percent: int, phase: Phase | None, owner: int) -> None:
+        """A synchronous move: this motor is the master, the other one runs at a share of its speed.
+
+        Args:
+            other: The other motor.
+            share: Of this one's speed and angle, -1 to 1.
+            percent: Speed of this one.
+            phase: How far; None for ever.
+            owner: Object that began it.
+        """
+        goal = max(-_MOST, min(percent, _MOST))
+        for motor, part in ((self, 1.0), (other, share)):
+            motor._begin()
+            speed = goal * part * motor.polarity
+            if phase is None:
+                motor.is_running = True
+                motor._target = speed
+                continue
+            amount = phase.amount if phase.is_time else phase.amount * abs(part)
+            own = Phase(amount, phase.is_time or not amount, speed, speed)
+            motor._follow([own], motor.brakes_at_end, owner, is_angle=not phase.is_time)
+        self.partner, other.partner = other, self
+
+    # Time
+
+    def advance(self, seconds: float) -> None:
+        """Lets the motor turn for a while."""
+        while seconds > 0.0 and (self.phases or self.is_running):
+            phase = self.phases[0] if self.phases else None
+            if phase is not None:
+                self._target = phase.target(self._done(phase))
+            step = min(seconds, self._step(phase))
+            self._turn(step)
+            self._phase_time += step
+            seconds -= step
+            if phase is not None and phase.amount - self._done(phase) <= _NEARLY:
+                self._finish(phase)
+
+    def _done(self, phase: Phase) -> float:
+        """How much of a phase is done."""
+        if phase.is_time:
+            return self._phase_time
+        return (self._position - self._phase_from) * phase.direction
+
+    def _step(self, phase: Phase | None) -> float:
+        """Seconds in which the speed changes evenly, not beyond the end of the phase; never nothing."""
+        gap = abs(self._target - self._speed) / ACCELERATION or math.inf
+        if phase is None:
+            return gap
+        left = phase.amount - self._done(phase)
+        rate = 1.0 if phase.is_time else self._rate()
+        until_end = left / rate if rate else math.inf
+        step = gap if phase.start == phase.end else max(_STEP, until_end / _RAMP_PARTS)
+        return max(min(step, until_end), _NEARLY)
+
+    def _rate(self) -> float:
+        """Degrees a second at the most until the target is reached."""
+        return max(abs(self._speed), abs(self._target)) / _MOST * FULL_SPEED.get(self.type, 0.0)
+
+    def _turn(self, seconds: float) -> None:
+        """Turns for a while, toward the target speed."""
+        before = self._speed
+        change = ACCELERATION * seconds
+        if abs(self._target - before) <= change:
+            self._speed = self._target
+        else:
+            self._speed += math.copysign(change, self._target - before)
+        self._position += (before + self._speed) / 2 / _MOST * FULL_SPEED.get(self.type, 0.0) * seconds
+
+    def _finish(self, phase: Phase) -> None:
+        """A phase has come to its end: exactly there."""
+        if not phase.is_time:
+            self._position = self._phase_from + phase.amount * phase.direction
+        self._begin_phase()
+        del self.phases[0]
+        if not self.phases:
+            self._end_move()
+
+    def _begin_phase(self) -> None:
+        self._phase_from = self._position
+        self._phase_time = 0.0
+
+    def _end_move(self) -> None:
+        """Stands still, its count kept. The other motor of a synchronous move comes to its own end by itself."""
+        self.owner = 0
+        self.is_braked = self.brakes_at_end
+        self._target = self._speed = 0.0
+        partner, self.partner = self.partner, None
+        if partner is not None:
+            partner.partner = None
+
+
+class Outputs(Part):
+    """The four motor ports of a brick."""
+
+    def __init__(self) -> None:
+        self.motors = tuple(Motor() for _ in PORTS)
+        self._now = 0
+
+    def plug(self, port: str, type: int, tacho: int, count: int, speed: int, *, is_held: bool) -> None:
+        """Plugs a motor in, see Motor.plug; the port's name is one of PORTS."""
+        self.motors[PORTS.index(port.upper())].plug(type, tacho, count, speed, is_held=is_held)
+
+    def chosen(self, layer: int, nos: int) -> list[Motor]:
+        """The motors of a bit field; none on another brick of the daisy chain."""
+        return [motor for bit, motor in enumerate(self.motors) if nos & 1 << bit] if layer == 0 else []
+
+    def one(self, layer: int, number: int) -> Motor | None:
+        """The motor of a port; None where there is none."""
+        return self.motors[number] if layer == 0 and 0 <= number < len(PORTS) else None
+
+    def synchronise(self, motors: Sequence[Motor], percent: int, turn: int, phase: Phase | None, owner: int) -> None:
+        """Moves two motors so that one runs at a share of the other's speed; other numbers of motors are ignored.
+
+        Args:
+            motors: Two, in the order of their ports.
+            percent: Speed of the faster one.
+            turn: -200 to 200; positive: the first is the faster one, beyond 100 the other one runs backward.
+            phase: How far the faster one goes; None for ever.
+            owner: Object that began it.
+        """
+        if len(motors) != 2:
+            return
+        turn = max(-_MOST_TURN, min(turn, _MOST_TURN))
+        master, other = motors if turn >= 0 else motors[::-1]
+        master.follow_together(other, (_MOST - abs(turn)) / _MOST, percent, phase, owner)
+
+    def stop_all(self) -> None:
+        """All float, with polarity 1 again."""
+        for motor in self.motors:
+            motor.stop(is_braked=False)
+            motor.polarity = 1
+
+    def advance(self, microseconds: int) -> None:
+        """Time has passed."""
+        seconds, self._now = (microseconds - self._now) / _MICROSECONDS, microseconds
+        for motor in self.motors:
+            motor.advance(seconds)
+
+    def program_started(self, program: Program) -> None:
+        """A user program finds the motors at rest."""
+        if program.slot == USER_SLOT:
+            self.stop_all()
+
+
+def are_busy(motors: Iterable[Motor], owner: int | None = None) -> bool:
+    """Whether a move with an end is under way on one of the motors, begun by any object or by a certain one."""
+    return any(motor.is_busy and owner in (None, motor.owner) for motor in motors)

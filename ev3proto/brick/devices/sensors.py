@@ -1,0 +1,352 @@
+"""Inputs: the sensors on the four ports, and the motors as far as they are read as sensors.
+
+A sensor is a model with raw readings for each mode, which stay as they are until a script or a person changes them.
+What programs see of it is what the firmware makes of raw readings: percent, values in a unit, edges counted.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from ev3proto.brick.conversions import single
+from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
+from ev3proto.brick.devices.motors import Motor, Outputs
+from ev3proto.brick.parts import Part
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32
+from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE, DeviceType, Mode, Range
+from ev3proto.tables.encoding import RANGES
+from ev3proto.tables.enumerations import CONN, FORMAT_TYPES, SLOT, TYPE
+
+PORTS = 4
+FIRST_MOTOR = 16
+"""Number of motor port A as an input."""
+
+DEVICES = 32
+"""Inputs of the whole daisy chain: sensors of four bricks, then motors of four bricks."""
+
+LAYERS = 4
+
+_TOUCH = TYPE.members["TYPE_TOUCH"]
+_NXT_TOUCH = TYPE.members["TYPE_NXT_TOUCH"]
+_INFRARED = TYPE.members["TYPE_IR"]
+_UART, _MOTOR = CONN.members["CONN_INPUT_UART"], CONN.members["CONN_OUTPUT_TACHO"]
+_IIC = CONN.members["CONN_NXT_IIC"]
+ANALOG = (CONN.members["CONN_INPUT_DUMB"], CONN.members["CONN_NXT_DUMB"], _MOTOR)
+_COUNTING_MODE = 1
+_COUNTERS = {_TOUCH: "changes", _NXT_TOUCH: "bumps"}
+"""What the second mode of touch sensors reads."""
+
+_NOT_A_NUMBER = {number: RANGES[kind].nan for number, kind in FORMAT_TYPES.items() if kind in (DATA8, DATA16, DATA32)}
+"""By DATA_FORMAT: the raw value with which a sensor says that it has none."""
+SPEED_MODE = 2
+_EDGE = 500
+_ANSWER_TIME = 20_000
+
+_UNKNOWN = DEVICE_TYPES[TYPE.members["TYPE_UNKNOWN"]]
+
+_CHANGE_TIMES = {_UART: 22_000}
+_CHANGE_TIME, _INFRARED_CHANGE_TIME = 10_000, 1_100_000
+"""Microseconds that a device is busy after a change of its mode."""
+
+
+@dataclass
+class Device:
+    """What the firmware knows of the device on a port.
+
+    type       its type, or the one that a program took it for; an empty port has one, too
+    plugged    the type that it really is
+    readings   raw readings by mode
+    mode       the selected mode
+    motor      the motor, where it is one
+    busy_until microseconds of the clock
+    changes    falling edges of a touch sensor's raw reading: releases of an EV3 sensor, presses of an NXT sensor
+    bumps      rising edges
+    """
+
+    type: DeviceType = NO_DEVICE
+    plugged: DeviceType = NO_DEVICE
+    readings: dict[int, tuple[float, ...]] = field(default_factory=dict)
+    mode: int = 0
+    motor: Motor | None = None
+    busy_until: int = 0
+    changes: int = 0
+    bumps: int = 0
+    last: float = 0.0
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing is plugged in."""
+        return self.plugged is NO_DEVICE
+
+    @property
+    def connection(self) -> int:
+        """How it is connected, see CONN."""
+        return self.plugged.connection
+
+    @property
+    def mode_data(self) -> Mode:
+        """What the selected mode is like."""
+        return self.type.modes[self.mode]
+
+    def set_readings(self, readings: Mapping[int, Sequence[float]]) -> None:
+        """New raw readings of some modes; a touch sensor counts the edges, and its second mode is such a count."""
+        self.readings.update({mode: tuple(values) for mode, values in readings.items()})
+        if self.plugged.number not in _COUNTERS:
+            return
+        if readings.get(0):
+            step = readings[0][0] - self.last
+            self.bumps += step >= _EDGE
+            self.changes += step <= -_EDGE
+            self.last = readings[0][0]
+        counted = self.readings.pop(_COUNTING_MODE, None)
+        if counted:
+            setattr(self, _COUNTERS[self.plugged.number], int(counted[0]))
+
+    def clear_counts(self) -> None:
+        """Forgets the edges counted."""
+        self.changes = self.bumps = 0
+
+    def raw(self, dataset: int = 0) -> float:
+        """A raw reading in the selected mode; NaN where there is none, or where it is the format's NaN."""
+        mode = self.mode_data
+        if dataset >= mode.datasets:
+            return math.nan
+        value = self._reading(dataset)
+        return math.nan if value == _NOT_A_NUMBER.get(mode.format) else value
+
+    def _reading(self, dataset: int) -> float:
+        if self.motor is not None:
+            return self.motor.speed_now if self.mode == SPEED_MODE else self.motor.sensor_count
+        if self.mode == _COUNTING_MODE and self.plugged.number in _COUNTERS:
+            return float(getattr(self, _COUNTERS[self.plugged.number]))
+        values = self.readings.get(self.mode, (0.0,) * self.mode_data.datasets)
+        return values[dataset] if dataset < len(values) else math.nan
+
+
+@dataclass
+class Calibration:
+    """The raw range that a program gave a mode. CAL_MINMAX fills it in, only CAL_MIN and CAL_MAX bring it into use."""
+
+    least: float = 0.0
+    most: float = 0.0
+    is_used: bool = False
+
+
+def _are_readings(readings: object) -> bool:
+    return isinstance(readings, Mapping) and all(
+        isinstance(mode, int)
+        and isinstance(values, Sequence)
+        and all(isinstance(value, int | float) for value in values)
+        for mode, values in readings.items()
+    )
+
+
+class Inputs(Part):
+    """The inputs of a brick to which nothing is plugged in but the motors of its outputs."""
+
+    def __init__(self, outputs: Outputs) -> None:
+        self._outputs = outputs
+        self._devices = {number: Device() for number in (*range(PORTS), *range(FIRST_MOTOR, FIRST_MOTOR + PORTS))}
+        self._calibrations: dict[tuple[int, int], Calibration] = {}
+        self._changed = dict.fromkeys(SLOT.members.values(), 0)
+        self._now = 0
+
+    # Plugging
+
+    def plug(self, port: int | str, type: int, readings: Mapping[int, Sequence[float]] | None = None) -> None:
+        """Plugs a sensor or motor in; the type TYPE_NONE unplugs it. The same type again gets new readings.
+
+        Args:
+            port: 1 to 4, or "A" to "D".
+            type: The type's number; one that the tables do not have counts as unknown.
+            readings: Raw readings by mode; what is not given is 0.
+
+        Raises:
+            ValueError: There is no such port, the type has no such mode, or the readings are no numbers by mode.
+        """
+        if not _are_readings(readings or {}):
+            raise ValueError(f"readings are numbers by mode, such as {{0: (1900,)}}, not {readings!r}")
+        number = self._port(port)
+        device = self._devices[number]
+        found = DEVICE_TYPES.get(type, _UNKNOWN)
+        for mode in readings or {}:
+            if not 0 <= mode < len(found.modes):
+                raise ValueError(f"type {type} has no mode {mode}; it must be 0 to {len(found.modes) - 1}")
+        if device.plugged is not found:
+            motor = self._outputs.motors[number - FIRST_MOTOR] if number >= FIRST_MOTOR else None
+            device = Device(found, found, motor=motor)
+            self._devices[number] = device
+            self._count_change(found)
+        device.set_readings(readings or {})
+
+    def _count_change(self, type: DeviceType) -> None:
+        """Another type or mode on a port, which every program can ask for."""
+        if type is not _UNKNOWN:
+            for slot in self._changed:
+                self._changed[slot] += 1
+
+    @staticmethod
+    def _port(port: int | str) -> int:
+        if isinstance(port, int) and 1 <= port <= PORTS:
+            return port - 1
+        if isinstance(port, str) and port.upper() in MOTOR_PORTS:
+            return FIRST_MOTOR + MOTOR_PORTS.index(port.upper())
+        raise ValueError(f"there is no port {port!r}; it must be one of 1, 2, 3, 4, {', '.join(MOTOR_PORTS)}")
+
+    def plugged(self) -> dict[int | str, Device]:
+        """What is plugged in, by port: 1 to 4, "A" to "D"."""
+        names: list[int | str] = [*range(1, PORTS + 1), *MOTOR_PORTS]
+        found = zip(names, self._devices.values(), strict=True)
+        return {name: device for name, device in found if not device.is_empty}
+
+    def advance(self, microseconds: int) -> None:
+        """Time has passed."""
+        self._now = microseconds
+
+    # What operations ask
+
+    def device(self, layer: int, number: int) -> Device | None:
+        """The device on a port, empty on other bricks of the daisy chain; None where there is no such port."""
+        number += layer * LAYERS
+        return self._devices.get(number, _NOTHING) if 0 <= number < DEVICES else None
+
+    def is_busy(self, device: Device) -> bool:
+        """Whether a device is not ready; an empty port never is."""
+        return device.is_empty or self._now < device.busy_until
+
+    def keep_busy(self, device: Device) -> None:
+        """A device has been written to and answers later. Only those that can answer."""
+        if device.connection in (_UART, _IIC):
+            device.busy_until = self._now + _ANSWER_TIME
+
+    def select(self, device: Device, type: int, mode: int) -> None:
+        """Changes type and mode of a device that is ready.
+
+        An EV3 touch sensor stays one whatever the type; any other device is taken for what it is said to be. A mode
+        that the type has not is its last one.
+
+        Args:
+            device: Which one.
+            type: The type to take it for; TYPE_KEEP: the one it has.
+            mode: The mode; MODE_KEEP: the one it has.
+        """
+        if device.is_empty or self.is_busy(device):
+            return
+        mode = device.mode if mode == TYPE.members["MODE_KEEP"] else mode
+        found = device.type if type == TYPE.members["TYPE_KEEP"] else DEVICE_TYPES.get(type, _UNKNOWN)
+        if device.plugged.number == _TOUCH and 0 <= mode < len(device.plugged.modes):
+            found = device.plugged
+        mode = mode if 0 <= mode < len(found.modes) else len(found.modes) - 1
+        if (found, mode) == (device.type, device.mode):
+            return
+        device.type, device.mode = found, mode
+        self._count_change(found)
+        if device.plugged.number == _INFRARED:
+            pause = _INFRARED_CHANGE_TIME
+        else:
+            pause = _CHANGE_TIMES.get(device.connection, _CHANGE_TIME)
+        device.busy_until = self._now + pause
+
+    def raw(self, device: Device, dataset: int) -> float:
+        """A raw reading; NaN while the device is not ready."""
+        return math.nan if self.is_busy(device) else device.raw(dataset)
+
+    def si(self, device: Device, dataset: int) -> float:
+        """A reading in the unit of the mode; NaN while the device is not ready."""
+        raw = self.raw(device, dataset)
+        mode = device.mode_data
+        value = _scaled(raw, self._raw_range(device), mode.si)
+        is_clamped = device.type.connection in ANALOG and (not mode.symbol.strip() or mode.symbol.startswith("p"))
+        return _clamped(value, mode.si) if is_clamped else value
+
+    def percent(self, device: Device, dataset: int) -> float:
+        """A reading in percent, cut to a whole number; NaN while the device is not ready."""
+        percent = device.mode_data.percent
+        value = _clamped(_scaled(self.raw(device, dataset), self._raw_range(device), percent), percent)
+        return value if math.isnan(value) else math.trunc(value)
+
+    def changed(self, slot: int) -> int:
+        """How often type or mode of a device changed since a slot last asked."""
+        count, self._changed[slot] = self._changed[slot], 0
+        return count
+
+    def types(self) -> list[int]:
+        """The types on all ports of the daisy chain."""
+        return [self._devices.get(number, _NOTHING).type.number for number in range(DEVICES)]
+
+    def clear(self) -> None:
+        """Clears the counts of all devices."""
+        for device in self._devices.values():
+            device.clear_counts()
+
+    # Calibration
+
+    def _raw_range(self, device: Device) -> Range:
+        calibration = self._calibrations.get((device.type.number, device.mode))
+        if calibration is None or not calibration.is_used:
+            return device.mode_data.raw
+        return Range(calibration.least, calibration.most)
+
+    def _calibration(self, type: int, mode: int) -> tuple[Calibration, Mode] | None:
+        """What is kept of a type's mode; None for a type or mode that is not known."""
+        if type not in DEVICE_TYPES or not 0 <= mode < len(DEVICE_TYPES[type].modes):
+            return None
+        return self._calibrations.setdefault((type, mode), Calibration()), DEVICE_TYPES[type].modes[mode]
+
+    def calibrate_both(self, type: int, mode: int, least: int, most: int) -> None:
+        """Keeps both ends of a raw range, and leaves it open whether they are used."""
+        found = self._calibration(type, mode)
+        if found is not None:
+            found[0].least, found[0].most = float(least), float(most)
+
+    def calibrate(self, type: int, mode: int, value: int, *, is_least: bool) -> None:
+        """Moves one end of a raw range.
+
+        Args:
+            type: Of the device; an unknown one is ignored.
+            mode: Of the type; an unknown one is ignored.
+            value: The raw value; in the mode's unit where a calibration is used already.
+            is_least: Which end.
+        """
+        found = self._calibration(type, mode)
+        if found is None:
+            return
+        calibration, data = found
+        raw = float(value)
+        if calibration.is_used:
+            raw = _scaled(raw, data.si, Range(calibration.least, calibration.most))
+        else:
+            calibration.least, calibration.most = data.raw
+            calibration.is_used = True
+        if is_least:
+            calibration.least = raw
+        else:
+            calibration.most = raw
+
+    def uncalibrate(self, type: int, mode: int) -> None:
+        """Brings back the raw range of a type's mode as the tables have it."""
+        found = self._calibration(type, mode)
+        if found is not None:
+            found[0].is_used = False
+
+
+_NOTHING = Device()
+"""What is on the ports of bricks that are not there."""
+
+
+def _scaled(raw: float, source: Range, target: Range) -> float:
+    """A raw reading on another scale, computed in single precision step by step as the firmware does."""
+    if math.isnan(raw):
+        return raw
+    distance = single(single(raw) - single(source.least))
+    rise = single(single(target.most) - single(target.least))
+    run = single(single(source.most) - single(source.least))
+    if not run:
+        return math.nan
+    return single(single(single(distance * rise) / run) + single(target.least))
+
+
+def _clamped(value: float, limits: Range) -> float:
+    return value if math.isnan(value) else min(max(value, min(limits)), max(limits))

@@ -1,0 +1,95 @@
+"""The loudspeaker: what it plays, and when it will be silent again. Nothing is heard; a page may play it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ev3proto.brick.parts import Part
+from ev3proto.brick.running_programs import USER_SLOT, Program
+
+LOWEST, HIGHEST = 250, 10_000
+"""Hertz that the driver can play; others are clamped."""
+
+_STEPS, _STEP = 13, 8
+_SHORTEST = 10_000
+"""Microseconds until the driver says that a file has ended in which there is nothing."""
+
+_HEADER = 8
+_COMPRESSED = 0x0101
+_MICROSECONDS = 1_000_000
+
+
+@dataclass(frozen=True)
+class Playing:
+    """What is played.
+
+    volume     percent, in steps of 8
+    frequency  of a tone, in hertz; 0 for a file
+    file       of a sound file, its contents; empty for a tone
+    began      when, in microseconds of the brick's clock
+    ends       when; None: never
+    """
+
+    volume: int
+    frequency: int
+    file: bytes
+    began: int
+    ends: int | None
+
+
+class Sound(Part):
+    """A loudspeaker that is silent."""
+
+    def __init__(self) -> None:
+        self.playing: Playing | None = None
+
+    def tone(self, volume: int, frequency: int, duration: int, now: int) -> None:
+        """Plays a tone instead of what is played.
+
+        Args:
+            volume: Percent.
+            frequency: Hertz; clamped to what the driver can play.
+            duration: Milliseconds; 0 for ever.
+            now: The clock in microseconds.
+        """
+        frequency = max(LOWEST, min(frequency, HIGHEST))
+        self.playing = Playing(_loudness(volume), frequency, b"", now, now + duration * 1000 if duration else None)
+
+    def play(self, volume: int, file: bytes, is_repeated: bool, now: int) -> None:
+        """Plays a sound file, once or for ever, instead of what is played.
+
+        Args:
+            volume: Percent.
+            file: Contents of an .rsf file; empty for silence that counts as sounding for a moment.
+            is_repeated: Whether it begins again at its end.
+            now: The clock in microseconds.
+        """
+        ends = None if is_repeated else now + max(_length(file), _SHORTEST)
+        self.playing = Playing(_loudness(volume), 0, file, now, ends)
+
+    def stop(self) -> None:
+        """Silence."""
+        self.playing = None
+
+    def advance(self, microseconds: int) -> None:
+        """Time has passed: what has come to its end is over."""
+        if self.playing is not None and self.playing.ends is not None and microseconds >= self.playing.ends:
+            self.playing = None
+
+    def program_ended(self, program: Program) -> None:
+        """A user program takes its sound with it."""
+        if program.slot == USER_SLOT:
+            self.stop()
+
+
+def _loudness(volume: int) -> int:
+    """A volume as the driver plays it."""
+    return max(0, min(volume // _STEP, _STEPS)) * _STEP
+
+
+def _length(file: bytes) -> int:
+    """How long a sound file plays, in microseconds: its header has kind, bytes and samples a second."""
+    kind, size, rate = (int.from_bytes(file[at : at + 2], "big") for at in (0, 2, 4))
+    size = min(size, len(file) - _HEADER)
+    samples = size * 2 if kind == _COMPRESSED else size
+    return samples * _MICROSECONDS // rate if rate and samples > 0 else 0

@@ -1,0 +1,58 @@
+"""What every operation does, one function an operation, in files by the firmware's areas.
+
+Importing this package registers them all. A new file is imported here.
+"""
+
+from ev3proto.brick.operations import (
+    arrays,
+    branch,
+    buttons,
+    com,
+    compare,
+    dialogues,
+    drawing,
+    factory_tests,
+    filenames,
+    files,
+    info,
+    inputs,
+    interface,
+    logs,
+    mailboxes,
+    math,
+    memory,
+    move,
+    outputs,
+    ports,
+    programs,
+    sound,
+    strings,
+    timers,
+)
+
+__all__ = [
+    "arrays",
+    "branch",
+    "buttons",
+    "com",
+    "compare",
+    "dialogues",
+    "drawing",
+    "factory_tests",
+    "filenames",
+    "files",
+    "info",
+    "inputs",
+    "interface",
+    "logs",
+    "mailboxes",
+    "math",
+    "memory",
+    "move",
+    "outputs",
+    "ports",
+    "programs",
+    "sound",
+    "strings",
+    "timers",
+]

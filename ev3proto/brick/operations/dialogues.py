@@ -1,0 +1,215 @@
+"""UI_DRAW's dialogues: they draw a window and keep the program waiting until somebody presses a button."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import islice
+
+from ev3proto.brick import path_names
+from ev3proto.brick.devices.buttons import BUTTONS
+from ev3proto.brick.devices.display.screen_dialog import ScreenDialog
+from ev3proto.brick.handlers import handles
+from ev3proto.brick.machine import Machine
+from ev3proto.brick.operation_exits import Busy
+from ev3proto.brick.places import Place
+from ev3proto.brick.text_lines import DELIMITERS, line_of, lines_of
+from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.enumerations import FILETYPE
+
+_LARGE_ICONS = 32
+"""Bits of ICON_QUESTION's set of icons."""
+
+_SHOWN_LINES = 200
+_KINDS = {
+    str(CONSTANTS[extension]).encode(STRING_CODING): FILETYPE.members[kind]
+    for extension, kind in (
+        ("EXT_SOUND", "TYPE_SOUND"),
+        ("EXT_BYTECODE", "TYPE_BYTECODE"),
+        ("EXT_GRAPHICS", "TYPE_GRAPHICS"),
+        ("EXT_DATALOG", "TYPE_DATALOG"),
+        ("EXT_PROGRAM", "TYPE_PROGRAM"),
+        ("EXT_TEXT", "TYPE_TEXT"),
+    )
+}
+
+
+def _pressed(vm: Machine, name: str) -> bool:
+    return vm.brick.buttons.short_press(BUTTONS[name])
+
+
+def _open(vm: Machine) -> ScreenDialog:
+    """A new dialog, which no press from before answers."""
+    vm.brick.buttons.flush()
+    vm.brick.dialog = ScreenDialog(vm.brick.display, vm.program)
+    return vm.brick.dialog
+
+
+def _current(vm: Machine) -> ScreenDialog | None:
+    """The running program's own dialog; one that an ended program left open does not count.
+
+    Waits while somebody else has blocked the display.
+    """
+    if vm.brick.display.is_blocked_for(vm.program.slot, vm.object.number):
+        raise Busy
+    vm.brick.buttons.look(vm.program, vm.microseconds)
+    dialog = vm.brick.dialog
+    return dialog if dialog is not None and dialog.owner is vm.program else None
+
+
+def _close(vm: Machine) -> None:
+    """What was drawn before is seen again."""
+    if vm.brick.dialog is not None:
+        vm.brick.dialog.close()
+        vm.brick.dialog = None
+
+
+def _under_way(vm: Machine, state: Place) -> ScreenDialog | None:
+    """The dialog that is shown; None where it has to be opened, which the state says from then on."""
+    dialog = _current(vm)
+    if state.read8() and dialog is not None:
+        return dialog
+    state.write8(1)
+    return None
+
+
+def _moved(vm: Machine, dialog: ScreenDialog, back: str, forward: str, count: int) -> bool:
+    """Moves the selection by two buttons; returns whether one was pressed."""
+    step = _pressed(vm, forward) - _pressed(vm, back)
+    dialog.choice = max(0, min(dialog.choice + step, count - 1))
+    return bool(step)
+
+
+@handles("UI_DRAW.NOTIFICATION")
+def notification(
+    vm: Machine, _: int, __: int, ___: int, icon1: int, icon2: int, icon3: int, text: bytes, state: Place
+) -> None:
+    """A text, until enter is pressed."""
+    dialog = _under_way(vm, state)
+    if dialog is None:
+        _open(vm).show_message((icon1, icon2, icon3), text)
+    elif _pressed(vm, "enter"):
+        state.write8(0)
+        _close(vm)
+        return
+    vm.wait()
+
+
+@handles("UI_DRAW.QUESTION")
+def question(
+    vm: Machine, _: int, __: int, ___: int, icon1: int, icon2: int, ____: bytes, state: Place, answer: Place
+) -> None:
+    """Left or right for no or yes, then enter; back for neither."""
+    icons = (icon1, icon2)
+    dialog = _under_way(vm, state)
+    if dialog is None:
+        dialog = _open(vm)
+        dialog.choice = 1 if answer.read8() > 0 else 0
+        dialog.show_choice(icons)
+    elif _moved(vm, dialog, "left", "right", len(icons)):
+        dialog.show_choice(icons)
+    else:
+        is_back = _pressed(vm, "back")
+        if is_back or _pressed(vm, "enter"):
+            answer.write8(-1 if is_back else dialog.choice)
+            state.write8(0)
+            _close(vm)
+            return
+    vm.wait()
+
+
+@handles("UI_DRAW.ICON_QUESTION")
+def icon_question(vm: Machine, _: int, __: int, ___: int, state: Place, icons: Place) -> None:
+    """One of several icons."""
+    shown = [icon for icon in range(_LARGE_ICONS) if icons.read_bits() >> icon & 1]
+    dialog = _under_way(vm, state)
+    if dialog is None:
+        _open(vm).show_choice(shown)
+    elif _moved(vm, dialog, "left", "right", len(shown)):
+        dialog.show_choice(shown)
+    else:
+        is_back = _pressed(vm, "back")
+        if is_back or _pressed(vm, "enter"):
+            icons.write32(0 if is_back or not shown else 1 << shown[dialog.choice])
+            state.write8(0)
+            _close(vm)
+            return
+    vm.wait()
+
+
+@handles("UI_DRAW.KEYBOARD")
+def keyboard(
+    vm: Machine, _: int, __: int, ___: int, icon: int, length: int, caption: bytes, characters: Place, text: Place
+) -> None:
+    """A text to edit; enter takes it, back empties it."""
+    dialog = _current(vm)
+    if characters.read8() or dialog is None:
+        dialog = _open(vm)
+        dialog.text = text.read_text()
+        characters.write8(0)
+        dialog.show_input(icon, caption)
+        raise Busy
+    if _pressed(vm, "back"):
+        vm.write_limited(text, b"", length)
+        _close(vm)
+    elif _pressed(vm, "enter"):
+        vm.write_limited(text, dialog.text, length)
+        _close(vm)
+    else:
+        up, down, left, right = (_pressed(vm, name) for name in ("up", "down", "left", "right"))
+        if up or down or left or right:
+            dialog.type_key(up, down, left, right)
+            dialog.show_input(icon, caption)
+        vm.wait()
+
+
+def _choose(vm: Machine, begins: bool, lines: Callable[[], Sequence[bytes]], box: tuple[int, int, int, int]) -> int:
+    """Which of some lines is chosen, counted from 0; -1 for none. Waits for the choice."""
+    dialog = _current(vm)
+    if begins or dialog is None:
+        _open(vm).show_list(*box, lines())
+        raise Busy
+    shown = lines()
+    if _moved(vm, dialog, "up", "down", len(shown)):
+        dialog.show_list(*box, shown)
+    is_back = _pressed(vm, "back")
+    if not is_back and not _pressed(vm, "enter"):
+        vm.wait()
+    _close(vm)
+    return -1 if is_back or not shown else dialog.choice
+
+
+@handles("UI_DRAW.BROWSE")
+def browse(vm: Machine, _: int, x: int, y: int, width: int, height: int, length: int, kind: Place, path: Place) -> None:
+    """The files and folders in a folder."""
+    folder = path.read_text()
+    names = vm.brick.files.shown(folder)
+    chosen = _choose(vm, False, lambda: names, (x, y, width, height))
+    if chosen < 0:
+        kind.write8(0)
+        vm.write_limited(path, b"", length)
+        return
+    whole = folder.rstrip(b"/") + b"/" + names[chosen]
+    is_folder = vm.brick.files.is_folder(whole)
+    extension = path_names.split(whole).extension
+    kind.write8(FILETYPE.members["TYPE_FOLDER"] if is_folder else _KINDS.get(extension, 0))
+    vm.write_limited(path, whole, length)
+
+
+@handles("UI_DRAW.TEXTBOX")
+def textbox(
+    vm: Machine, x: int, y: int, width: int, height: int, text: bytes, size: int, delimiter: int, line: Place
+) -> None:
+    """The lines of a text."""
+    ends = DELIMITERS.get(delimiter, b"")
+    whole = text[: max(size, 0)]
+
+    def lines() -> list[bytes]:
+        count = len(list(islice(lines_of(whole, ends), _SHOWN_LINES)))
+        return [line_of(whole, ends, number + 1) for number in range(count)]
+
+    begins = line.read16() < 0
+    if begins:
+        line.write16(0)
+    chosen = _choose(vm, begins, lines, (x, y, width, height))
+    line.write16(chosen + 1 if chosen >= 0 else -1)

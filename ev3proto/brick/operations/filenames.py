@@ -1,0 +1,93 @@
+"""FILENAME: what a path is made of, whether it is there, how much it holds, archives."""
+
+from __future__ import annotations
+
+from ev3proto.brick import archives, path_names
+from ev3proto.brick.handlers import handles
+from ev3proto.brick.machine import Machine
+from ev3proto.brick.operations.files import checked_name, in_own_folder
+from ev3proto.brick.places import Place
+from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.encoding import STRING_CODING
+
+ARCHIVE_EXTENSION = str(CONSTANTS["EXT_ARCHIVE"]).encode(STRING_CODING)
+
+_AS_THEY_ARE = (b".", b"/", b"~", b'"')
+"""How names begin that are never looked up in the program's own folder."""
+
+
+_MOST_PATH = 118
+"""Bytes of a path that is put together or looked up; longer ones are cut."""
+
+
+def _looked_up(vm: Machine, name: bytes) -> bytes:
+    folder = b"" if name.startswith(_AS_THEY_ARE) else vm.program.folder.encode(STRING_CODING)
+    return (folder + name)[:_MOST_PATH]
+
+
+@handles("FILENAME.EXIST")
+def exist(vm: Machine, name: bytes, flag: Place) -> None:
+    """As a file or a folder."""
+    path = _looked_up(vm, name)
+    files = vm.brick.files
+    flag.write8(files.is_file(path) or files.is_folder(path))
+
+
+@handles("FILENAME.TOTALSIZE")
+def total_size(vm: Machine, name: bytes, count: Place, size: Place) -> None:
+    """Entries of a folder, none of a file; KB, rounded up."""
+    found = vm.brick.files.totals(_looked_up(vm, name))
+    count.write32(found.entries)
+    size.write32(-(-found.size // 1024))
+
+
+@handles("FILENAME.SPLIT")
+def split(vm: Machine, path: bytes, length: int, folder: Place, name: Place, extension: Place) -> None:
+    """Each part cut to what there is room for."""
+    parts = path_names.split(path)
+    for place, text in zip((folder, name, extension), parts, strict=True):
+        _write(vm, place, text, length)
+
+
+def _write(vm: Machine, place: Place, text: bytes, length: int) -> None:
+    """Cuts a text to the length; an array gets all of it instead."""
+    if place.handle >= 0:
+        vm.write_text(place, text)
+    else:
+        place.write_cut(text, length)
+
+
+@handles("FILENAME.MERGE")
+def merge(vm: Machine, folder: bytes, name: bytes, extension: bytes, length: int, path: Place) -> None:
+    """A slash is always put in."""
+    _write(vm, path, (folder + b"/" + name + extension)[:_MOST_PATH], length)
+
+
+@handles("FILENAME.CHECK", places=("FILENAME",))
+def check(vm: Machine, place: Place, is_fine: Place) -> None:
+    """Forbidden characters are replaced in memory, so that it passes the next time."""
+    is_fine.write8(checked_name(vm, place) is not None)
+
+
+@handles("FILENAME.GET_FOLDERNAME")
+def folder_name(vm: Machine, length: int, destination: Place) -> None:
+    """Without the last slash."""
+    _write(vm, destination, vm.program.folder.encode(STRING_CODING).removesuffix(b"/"), length)
+
+
+def _archive(path: bytes) -> bytes:
+    parts = path_names.split(path.rstrip(b"/"))
+    return parts.folder + parts.name + ARCHIVE_EXTENSION
+
+
+@handles("FILENAME.PACK")
+def pack(vm: Machine, path: bytes) -> None:
+    """Beside what is packed."""
+    path = in_own_folder(vm, path)
+    archives.pack(vm.brick.files, path, _archive(path))
+
+
+@handles("FILENAME.UNPACK")
+def unpack(vm: Machine, path: bytes) -> None:
+    """Into the folder that it is in."""
+    archives.unpack(vm.brick.files, _archive(in_own_folder(vm, path)))

@@ -1,0 +1,377 @@
+"""FILE: opening, reading, writing, folders, the list of recent files, program images."""
+
+from __future__ import annotations
+
+from ev3proto.brick import path_names
+from ev3proto.brick.conversions import wrap8
+from ev3proto.brick.formatting import fixed, read_number
+from ev3proto.brick.handlers import handles, handles_unknown
+from ev3proto.brick.handles import NO_HANDLE
+from ev3proto.brick.machine import Machine
+from ev3proto.brick.open_files import MOST_RECENT, OpenFile
+from ev3proto.brick.operation_exits import Busy, Failure
+from ev3proto.brick.places import Place
+from ev3proto.brick.running_programs import CURRENT_SLOT, RUNNING
+from ev3proto.brick.text_lines import DELIMITERS
+from ev3proto.tables import paths
+from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.declaration import Type
+from ev3proto.tables.encoding import STRING_CODING
+
+IMAGE_EXTENSION = str(CONSTANTS["EXT_BYTECODE"]).encode(STRING_CODING)
+
+_MOST_NUMBER = 64
+"""Bytes of a number's text."""
+
+
+def checked_name(vm: Machine, place: Place) -> bytes | None:
+    """A file's name from memory, in the program's own folder where it has none; None where it is not allowed.
+
+    The error is logged unless it stands in the log already. Forbidden characters are replaced in memory.
+    """
+    if not path_names.check(place):
+        log_once(vm, "FILE_NAME_ERROR")
+        return None
+    return in_own_folder(vm, place.read_text())
+
+
+def log_once(vm: Machine, name: str) -> None:
+    """Logs an error unless it stands in the log already."""
+    settings = vm.brick.settings
+    if not settings.has_error(name):
+        settings.log_error(name)
+
+
+def in_own_folder(vm: Machine, name: bytes) -> bytes:
+    """A name without a folder is looked up in the program's own one."""
+    return name if b"/" in name else vm.program.folder.encode(STRING_CODING) + name
+
+
+@handles_unknown("FILE")
+def unknown(_: Machine) -> None:
+    """Fails."""
+    raise Failure
+
+
+@handles("FILE.GET_IMAGE", raw=True)
+def get_image(_: Machine) -> None:
+    """The firmware of 2013 has no code for it."""
+    raise Failure
+
+
+# Opening and closing
+
+
+def opened_name(vm: Machine, place: Place) -> bytes:
+    """The name of a file to open. One that is not allowed is tried again, with its characters replaced by then."""
+    name = checked_name(vm, place)
+    if name is None:
+        raise Busy
+    return name
+
+
+def add(vm: Machine, file: OpenFile, handle: Place) -> None:
+    """Gives an open file its handle; -1 and a failure where none is left."""
+    number = vm.program.handles.add(file)
+    handle.write16(NO_HANDLE if number is None else number)
+    if number is None:
+        file.close()
+        vm.brick.settings.log_error("FILE_OPEN_ERROR")
+        raise Failure
+
+
+def open_to_write(vm: Machine, name: bytes, handle: Place, *, append: bool, is_log: bool = False) -> OpenFile:
+    """Opens a file to write; handle 0 and a failure where that cannot be."""
+    files = vm.brick.files
+    file, found = files.open_to_write(name, append=append), files.locate(name)
+    if file is None or found is None:
+        handle.write16(0)
+        vm.brick.settings.log_error("FILE_OPEN_ERROR")
+        raise Failure
+    opened = OpenFile(files, found, file, True, name, is_log)
+    add(vm, opened, handle)
+    return opened
+
+
+@handles("FILE.OPEN_READ", places=("NAME",))
+def open_read(vm: Machine, place: Place, handle: Place, size: Place) -> None:
+    """Without such a file handle and size are 0, and nothing fails."""
+    name = opened_name(vm, place)
+    files = vm.brick.files
+    file, found = files.open_to_read(name), files.locate(name)
+    if file is None or found is None:
+        handle.write16(0)
+        size.write32(0)
+        return
+    add(vm, OpenFile(files, found, file, False, name), handle)
+    size.write32(files.totals(name).size)
+
+
+@handles("FILE.OPEN_WRITE", places=("NAME",))
+def open_write(vm: Machine, place: Place, handle: Place) -> None:
+    """What was in the file is lost."""
+    open_to_write(vm, opened_name(vm, place), handle, append=False)
+
+
+@handles("FILE.OPEN_APPEND", places=("NAME",))
+def open_append(vm: Machine, place: Place, handle: Place) -> None:
+    """What is written follows what is there."""
+    open_to_write(vm, opened_name(vm, place), handle, append=True)
+
+
+@handles("FILE.CLOSE")
+def close(vm: Machine, handle: int) -> None:
+    """Of arrays, too."""
+    if not vm.release(vm.program, handle):
+        vm.brick.settings.log_error("FILE_CLOSE_ERROR")
+        raise Failure
+
+
+@handles("FILE.GET_HANDLE", places=("NAME",))
+def get_handle(vm: Machine, place: Place, handle: Place, for_writing: Place) -> None:
+    """-1 where it is not open by that name; another path to the same file is another name."""
+    number, file = find_open(vm, opened_name(vm, place))
+    handle.write16(number)
+    for_writing.write8(file is not None and file.for_writing)
+
+
+def find_open(vm: Machine, name: bytes) -> tuple[int, OpenFile | None]:
+    """The handle of an open file and the file, by the name that it was opened by; -1 and None where it is not open."""
+    for number, entry in vm.program.handles.items():
+        if isinstance(entry, OpenFile) and entry.name == name:
+            return number, entry
+    return NO_HANDLE, None
+
+
+# Reading and writing
+
+
+def _file(vm: Machine, handle: int, for_writing: bool) -> OpenFile:
+    """An open file; Failure where there is none, or it was opened for the other direction."""
+    file = vm.program.handles.get(handle, OpenFile)
+    if file is None or file.for_writing is not for_writing:
+        vm.brick.settings.log_error("FILE_WRITE_ERROR" if for_writing else "FILE_READ_ERROR")
+        raise Failure
+    return file
+
+
+def _write(vm: Machine, handle: int, data: bytes, delimiter: int = 0) -> None:
+    """Writes and adds a delimiter; fails for a delimiter that there is none of, with the data written."""
+    end = b"" if delimiter < 0 else DELIMITERS.get(delimiter)
+    if not _file(vm, handle, True).write(data + (end or b"")) or end is None:
+        vm.brick.settings.log_error("FILE_WRITE_ERROR")
+        raise Failure
+
+
+@handles("FILE.READ_TEXT")
+def read_text(vm: Machine, handle: int, delimiter: int, length: int, destination: Place) -> None:
+    """A zero follows where there is room for one. The length counts as 8 bits."""
+    length = wrap8(length)
+    text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), max(0, length))
+    _write_read(vm, destination, text, length)
+
+
+def _write_read(vm: Machine, destination: Place, data: bytes, most: int) -> None:
+    """Writes what was read, and a zero where it is not as much as was asked for; a negative number is never that."""
+    if most <= 0 or vm.resize(destination, most):
+        destination.write_bytes(data + b"\0" * (len(data) != most))
+
+
+@handles("FILE.READ_VALUE")
+def read_value(vm: Machine, handle: int, delimiter: int, value: Place) -> None:
+    """0 where the text is no number, or where it fails."""
+    value.write_float(0.0)
+    text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), _MOST_NUMBER)
+    number = read_number(text)
+    value.write_float(0.0 if number is None else number)
+
+
+@handles("FILE.READ_BYTES")
+def read_bytes(vm: Machine, handle: int, count: int, destination: Place) -> None:
+    """A zero follows where the file ended before."""
+    _write_read(vm, destination, _file(vm, handle, False).read(count), count)
+
+
+@handles("FILE.WRITE_TEXT")
+def write_text(vm: Machine, handle: int, delimiter: int, text: bytes) -> None:
+    """And the delimiter."""
+    _write(vm, handle, text, delimiter)
+
+
+@handles("FILE.WRITE_VALUE")
+def write_value(vm: Machine, handle: int, delimiter: int, value: float, figures: int, decimals: int) -> None:
+    """As text, and the delimiter."""
+    text = fixed(value, decimals)
+    text = text.rjust(figures) if figures >= 0 else text.ljust(-figures)
+    _write(vm, handle, text.encode(STRING_CODING), delimiter)
+
+
+@handles("FILE.WRITE_BYTES")
+def write_bytes(vm: Machine, handle: int, count: int, source: Place) -> None:
+    """As they are."""
+    _write(vm, handle, source.read_bytes(count))
+
+
+# Folders
+
+
+@handles("FILE.REMOVE", places=("NAME",))
+def remove(vm: Machine, place: Place) -> None:
+    """A file, or a folder with the files in it; the list of recent files forgets them."""
+    name = checked_name(vm, place)
+    if name is not None:
+        _remove(vm, name)
+
+
+def _remove(vm: Machine, path: bytes) -> None:
+    files = vm.brick.files
+    if files.is_folder(path):
+        for entry in files.entries(path):
+            vm.brick.recent.forget(path + b"/" + entry)
+    else:
+        vm.brick.recent.forget(path)
+    files.remove(path)
+
+
+@handles("FILE.MAKE_FOLDER")
+def make_folder(vm: Machine, path: bytes, success: Place) -> None:
+    """One slash may follow; 1 where anything of that name is there."""
+    files = vm.brick.files
+    path = path[: paths.FOLDER - 1].removesuffix(b"/")
+    success.write8(files.is_folder(path) or files.is_file(path) or files.make_folder(path))
+
+
+@handles("FILE.MOVE", places=("SOURCE", "DEST"))
+def move(vm: Machine, source: Place, target: Place) -> None:
+    """Copies: the source stays. What is at the target is gone, even where there is nothing to copy."""
+    origin = checked_name(vm, source)
+    goal = None if origin is None else checked_name(vm, target)
+    if origin is None or goal is None:
+        return
+    files = vm.brick.files
+    if files.is_file(goal) or files.is_folder(goal):
+        _remove(vm, goal)
+    files.copy(origin, goal)
+
+
+def _entry(vm: Machine, folder: bytes, item: int) -> bytes | None:
+    """The name of an entry of a folder, counted from 1; None where there is none."""
+    names = vm.brick.files.shown(folder)
+    return names[item - 1] if 1 <= item <= len(names) else None
+
+
+@handles("FILE.GET_FOLDERS")
+def count_entries(vm: Machine, folder: bytes, items: Place) -> None:
+    """Those that are shown."""
+    items.write8(len(vm.brick.files.shown(folder)))
+
+
+@handles("FILE.GET_SUBFOLDER_NAME")
+def entry_name(vm: Machine, folder: bytes, item: int, length: int, destination: Place) -> None:
+    """Without its extension; empty where there is no such entry."""
+    name = _entry(vm, folder, item) or b""
+    destination.write8(0)
+    destination.write_cut(name.partition(b".")[0], length)
+
+
+@handles("FILE.GET_ITEM")
+def find_entry(vm: Machine, folder: bytes, name: bytes, item: Place) -> None:
+    """0 where there is none."""
+    names = [entry.partition(b".")[0] for entry in vm.brick.files.shown(folder)]
+    item.write8(names.index(name) + 1 if name in names else 0)
+
+
+@handles("FILE.DEL_SUBFOLDER")
+def delete_entry(vm: Machine, folder: bytes, item: int) -> None:
+    """A folder in a folder, with the files in it.
+
+    The name follows the folder as it is, without a slash and without its extension. So a file that has one is not
+    found, and an entry that is not there means the folder itself.
+    """
+    name = _entry(vm, folder, item) or b""
+    _remove(vm, folder + name.partition(b".")[0])
+
+
+# Recent files
+
+
+@handles("FILE.GET_CACHE_FILES")
+def count_recent(vm: Machine, items: Place) -> None:
+    """At most 10."""
+    items.write8(len(vm.brick.recent.paths))
+
+
+@handles("FILE.PUT_CACHE_FILE", places=("STRING",))
+def put_recent(vm: Machine, place: Place) -> None:
+    """First."""
+    if path_names.check(place):
+        vm.brick.recent.put(place.read_text())
+    else:
+        log_once(vm, "FILE_NAME_ERROR")
+
+
+@handles("FILE.GET_CACHE_FILE")
+def recent_name(vm: Machine, item: int, length: int, destination: Place) -> None:
+    """Empty where there is none; fails for a number that the list has not."""
+    if not 1 <= item <= MOST_RECENT:
+        raise Failure
+    recent = vm.brick.recent.paths
+    destination.write_cut(recent[item - 1] if item <= len(recent) else b"", length)
+
+
+@handles("FILE.DEL_CACHE_FILE")
+def delete_recent(vm: Machine, path: bytes) -> None:
+    """Nothing where it is not there."""
+    vm.brick.recent.forget(path)
+
+
+# Programs and memory
+
+
+@handles("FILE.LOAD_IMAGE", places=("NAME",))
+def load_image(vm: Machine, slot: int, place: Place, size: Place, address: Place) -> None:
+    """Without such a file size and address are 0; nothing is written for a name that is not allowed, or where the slot
+    runs a program.
+    """
+    if slot == CURRENT_SLOT:
+        slot = vm.program.slot
+    running = vm.program_in(slot)
+    if running is not None and running.status == RUNNING:
+        return
+    name = checked_name(vm, place)
+    if name is None:
+        return
+    parts = path_names.split(name)
+    image = vm.brick.files.read(name if parts.extension else name + IMAGE_EXTENSION)
+    if image is None:
+        size.write32(0)
+        address.write32(0)
+        return
+    size.write32(len(image))
+    address.write32(vm.images.add(image, parts.folder.decode(STRING_CODING)))
+
+
+@handles("FILE.GET_POOL")
+def get_pool(vm: Machine, size: int, handle: Place, address: Place) -> None:
+    """Memory with an address, though nothing here reaches it by that."""
+    number = vm.create_array(Type.DATA8, size) if size > 0 else None
+    handle.write16(NO_HANDLE if number is None else number)
+    address.write32(0 if number is None else vm.images.add(b"", ""))
+    if number is None:
+        raise Failure
+
+
+# What data logs are lined up by
+
+
+@handles("FILE.SET_LOG_SYNC_TIME")
+def set_log_sync_time(vm: Machine, time: int, tick: int) -> None:
+    """Kept as they are."""
+    vm.brick.log_sync = (time, tick)
+
+
+@handles("FILE.GET_LOG_SYNC_TIME")
+def get_log_sync_time(vm: Machine, time: Place, tick: Place) -> None:
+    """As they were set."""
+    time.write32(vm.brick.log_sync[0])
+    tick.write32(vm.brick.log_sync[1])

@@ -1,0 +1,94 @@
+"""MAILBOX: boxes that programs open, and messages that arrived in them by WRITEMAILBOX."""
+
+from __future__ import annotations
+
+from ev3proto.brick.boxes import BOXES, MOST_CONTENT, Mailbox
+from ev3proto.brick.handlers import handles
+from ev3proto.brick.handles import Array
+from ev3proto.brick.machine import Machine
+from ev3proto.brick.operation_exits import Busy, Failure, WildAccess
+from ev3proto.brick.places import Place
+from ev3proto.tables.enumerations import DATA_FORMAT, FORMAT_TYPES
+
+_SIZES = {number: kind.size for number, kind in FORMAT_TYPES.items()}
+_TEXT = DATA_FORMAT.members["DATA_S"]
+_ARRAY = DATA_FORMAT.members["DATA_A"]
+
+
+def _box(vm: Machine, number: int) -> Mailbox:
+    """A mailbox by its number; the firmware does not check it, this brick fails beyond the last one."""
+    if not 0 <= number < BOXES:
+        raise WildAccess
+    return vm.brick.mailboxes.boxes[number]
+
+
+@handles("MAILBOX_OPEN")
+def open_box(vm: Machine, number: int, name: bytes, kind: int, depth: int, values: int) -> None:  # noqa: ARG001
+    """Empty; fails where it is open."""
+    _box(vm, number)
+    if not vm.brick.mailboxes.open(number, name, kind):
+        raise Failure
+
+
+@handles("MAILBOX_CLOSE")
+def close_box(vm: Machine, number: int) -> None:
+    """Name, content and counters stay until it is opened again."""
+    _box(vm, number).is_open = False
+
+
+@handles("MAILBOX_TEST")
+def test_box(vm: Machine, number: int, busy: Place) -> None:
+    """1: nothing new."""
+    busy.write8(not _box(vm, number).has_news)
+
+
+@handles("MAILBOX_READY")
+def wait_for_box(vm: Machine, number: int) -> None:
+    """Until there is something new."""
+    if not _box(vm, number).has_news:
+        raise Busy
+
+
+@handles("MAILBOX_READ")
+def read_box(vm: Machine, number: int, length: int, values: list[Place]) -> None:  # noqa: ARG001 - as in the firmware
+    """Values one after the other from the content, of the type given when it was opened; the content stays.
+
+    Of a box that is not open the firmware executes these parameters as operations; here nothing is read.
+    """
+    box = _box(vm, number)
+    if not box.is_open:
+        return
+    for number, place in enumerate(values):
+        _read_value(vm, box, number, place)
+    if box.has_news:
+        box.read += 1
+
+
+def _read_value(vm: Machine, box: Mailbox, number: int, place: Place) -> None:
+    """Writes one value of the content to its place; every text is the first one."""
+    if box.type in _SIZES and box.type not in (_TEXT, _ARRAY):
+        size = _SIZES[box.type]
+        place.write_bytes(bytes(box.content[number * size : (number + 1) * size]).ljust(size, b"\0"))
+    elif box.type == _TEXT:
+        text = bytes(box.content[: MOST_CONTENT - 1]).partition(b"\0")[0]
+        if place.handle < 0 or (box.size > 0 and vm.resize(place, box.size)):
+            place.write_text(text)
+    elif box.type == _ARRAY:
+        _read_array(vm, box, number, place.read16())
+
+
+def _read_array(vm: Machine, box: Mailbox, begin: int, handle: int) -> None:
+    """Gives an array, which a value names by its handle, as many elements as the message has bytes.
+
+    The message has none after that.
+    """
+    array = vm.program.handles.get(handle, Array)
+    size, box.size = box.size, 0
+    if size > 0 and array is not None and vm.resize_array(array, size):
+        data = bytes(box.content[begin : begin + size])
+        array.data[: len(data)] = data
+
+
+@handles("MAILBOX_WRITE")
+def write_box(_: Machine, brick: bytes, hardware: int, name: bytes, kind: int, values: list[Place]) -> None:
+    """No other brick is connected: nothing is sent, and nothing fails."""

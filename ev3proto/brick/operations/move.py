@@ -1,0 +1,93 @@
+"""MOVE, INIT_BYTES, READ, WRITE: copying values, and elements of arrays that stand in a program's variables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ev3proto.brick.conversions import NAN8, NAN16, NAN32, float_to_integer, narrowed, widened
+from ev3proto.brick.handlers import handles
+from ev3proto.brick.machine import Machine
+from ev3proto.brick.places import Place
+from ev3proto.tables.declaration import Type
+from ev3proto.tables.move import SIZES
+
+_INTEGERS = {"8": (Type.DATA8, NAN8), "16": (Type.DATA16, NAN16), "32": (Type.DATA32, NAN32)}
+_TYPES = {suffix: kind for suffix, kind, _ in SIZES}
+
+
+def _copy(size: int) -> Callable[[Machine], None]:
+    """Copies the bits of a value, those of NaN too."""
+
+    def copy(vm: Machine) -> None:
+        value = vm.place().read_bytes(size)
+        vm.place().write_bytes(value)
+
+    return copy
+
+
+def _convert_integer(source: str, target: str) -> Callable[[Machine, int, Place], None]:
+    kind, nan = _INTEGERS[source]
+    if target == "F":
+
+        def convert_to_float(_: Machine, value: int, destination: Place) -> None:
+            destination.write_float(float("nan") if value == nan else value)
+
+        return convert_to_float
+    goal = _TYPES[target]
+    change = widened if goal.size > kind.size else narrowed
+
+    def convert(_: Machine, value: int, destination: Place) -> None:
+        destination.write(goal, change(value, nan, goal))
+
+    return convert
+
+
+def _convert_float(target: str) -> Callable[[Machine], None]:
+    goal = _TYPES[target]
+
+    def convert(vm: Machine) -> None:
+        bits = vm.float_bits()
+        vm.place().write(goal, float_to_integer(bits, goal))
+
+    return convert
+
+
+for _source, _type in _TYPES.items():
+    for _target in _TYPES:
+        _name = f"MOVE{_source}_{_target}"
+        if _source == _target:
+            handles(_name, raw=True)(_copy(_type.size))
+        elif _source == "F":
+            handles(_name, raw=True)(_convert_float(_target))
+        else:
+            handles(_name)(_convert_integer(_source, _target))
+
+
+@handles("INIT_BYTES", raw=True)
+def init_bytes(vm: Machine) -> None:
+    """Values cut to 8 bits, one byte each."""
+    destination = vm.place()
+    for distance in range(vm.int32()):
+        destination.moved(distance).write8(vm.int8())
+
+
+def _read_element(size: int) -> Callable[[Machine, Place, int, Place], None]:
+    def read_element(_: Machine, source: Place, index: int, destination: Place) -> None:
+        destination.write_bytes(source.moved(index * size).read_bytes(size))
+
+    return read_element
+
+
+def _write_element(size: int) -> Callable[[Machine], None]:
+    def write_element(vm: Machine) -> None:
+        # The value is read before the index: as constants both would stand in the same place.
+        value = vm.place().read_bytes(size)
+        index = vm.int8()
+        vm.place().moved(index * size).write_bytes(value)
+
+    return write_element
+
+
+for _suffix, _type in _TYPES.items():
+    handles(f"READ{_suffix}", places=("SOURCE",))(_read_element(_type.size))
+    handles(f"WRITE{_suffix}", raw=True)(_write_element(_type.size))

@@ -1,0 +1,154 @@
+"""Places in memory: where a parameter's value stands, and reading and writing it there in every type.
+
+Everything that programs can reach is a `bytearray`: global and local memory, the contents of arrays, the code itself.
+A place is one of these and an offset. Nothing is read or written outside of it: that raises `WildAccess`.
+"""
+
+from __future__ import annotations
+
+import struct
+from typing import Any
+
+from ev3proto.brick.operation_exits import WildAccess
+from ev3proto.tables.declaration import Type
+
+_INTEGER8, _INTEGER16, _INTEGER32, _FLOAT = (struct.Struct(layout) for layout in ("<b", "<h", "<i", "<f"))
+_BITS32 = struct.Struct("<I")
+
+NOT_A_NUMBER = 0x7FC00000
+"""The bits of the float that the brick makes where there is no number."""
+
+
+class Place:
+    """Where a value stands.
+
+    buffer  the memory
+    at      offset in it
+    handle  the array that the argument named by its handle, which can be resized; -1 for every other place
+    """
+
+    __slots__ = ("at", "buffer", "handle")
+
+    def __init__(self, buffer: bytearray, at: int, handle: int = -1) -> None:
+        self.buffer = buffer
+        self.at = at
+        self.handle = handle
+
+    def __repr__(self) -> str:
+        return f"<place {self.at} of {len(self.buffer)} bytes{f', handle {self.handle}' * (self.handle >= 0)}>"
+
+    def moved(self, distance: int) -> Place:
+        """The place so many bytes further on."""
+        return Place(self.buffer, self.at + distance)
+
+    def _whole(self, size: int) -> int:
+        if self.at < 0 or self.at + size > len(self.buffer):
+            raise WildAccess
+        return self.at
+
+    def check(self, size: int) -> None:
+        """Raises WildAccess where so many bytes do not fit."""
+        self._whole(size)
+
+    # Numbers
+
+    def read8(self) -> int:
+        """The DATA8 that stands there."""
+        return int(_INTEGER8.unpack_from(self.buffer, self._whole(1))[0])
+
+    def read16(self) -> int:
+        """The DATA16 that stands there."""
+        return int(_INTEGER16.unpack_from(self.buffer, self._whole(2))[0])
+
+    def read32(self) -> int:
+        """The DATA32 that stands there."""
+        return int(_INTEGER32.unpack_from(self.buffer, self._whole(4))[0])
+
+    def read_bits(self) -> int:
+        """The four bytes that stand there, as a number without sign: the bits of a float."""
+        return int(_BITS32.unpack_from(self.buffer, self._whole(4))[0])
+
+    def read_float(self) -> float:
+        """The DATAF that stands there."""
+        return float(_FLOAT.unpack_from(self.buffer, self._whole(4))[0])
+
+    def write8(self, value: int) -> None:
+        """Writes the low 8 bits of a number."""
+        self.buffer[self._whole(1)] = value & 0xFF
+
+    def write16(self, value: int) -> None:
+        """Writes the low 16 bits of a number."""
+        at = self._whole(2)
+        self.buffer[at] = value & 0xFF
+        self.buffer[at + 1] = value >> 8 & 0xFF
+
+    def write32(self, value: int) -> None:
+        """Writes the low 32 bits of a number."""
+        _BITS32.pack_into(self.buffer, self._whole(4), value & 0xFFFFFFFF)
+
+    def write_float(self, value: float) -> None:
+        """Writes a number, rounded to the nearest single; beyond their range infinity, and the brick's own NaN."""
+        at = self._whole(4)
+        if value != value:
+            _BITS32.pack_into(self.buffer, at, NOT_A_NUMBER)
+            return
+        try:
+            _FLOAT.pack_into(self.buffer, at, value)
+        except OverflowError:
+            _FLOAT.pack_into(self.buffer, at, float("inf") if value > 0 else float("-inf"))
+
+    # Texts and bytes
+
+    def read_bytes(self, count: int) -> bytes:
+        """So many bytes from there on; none for a negative count."""
+        if count <= 0:
+            return b""
+        at = self._whole(count)
+        return bytes(self.buffer[at : at + count])
+
+    def write_bytes(self, data: bytes) -> None:
+        """Writes bytes from there on."""
+        at = self._whole(len(data))
+        self.buffer[at : at + len(data)] = data
+
+    def read_text(self) -> bytes:
+        """The text that starts there, without its zero. Where no zero follows, the end of the memory ends it."""
+        if not 0 <= self.at <= len(self.buffer):
+            raise WildAccess
+        end = self.buffer.find(0, self.at)
+        return bytes(self.buffer[self.at : end if end >= 0 else len(self.buffer)])
+
+    def write_text(self, text: bytes) -> None:
+        """Writes a text and its zero."""
+        self.write_bytes(text + b"\0")
+
+    def write_cut(self, text: bytes, room: int) -> None:
+        """Writes a text and its zero into so many bytes: 0 writes nothing, a negative number does not cut."""
+        if room:
+            self.write_text(text[: room - 1] if room > 0 else text)
+
+    # By type
+
+    def read(self, type: Type) -> Any:
+        """The value that stands there, as one of the types with a size; of DATAF its bits are kept where it is NaN."""
+        return _READERS[type](self)
+
+    def write(self, type: Type, value: Any) -> None:
+        """Writes a value as one of the types with a size."""
+        _WRITERS[type](self, value)
+
+
+_READERS = {
+    Type.DATA8: Place.read8,
+    Type.DATA16: Place.read16,
+    Type.HANDLE: Place.read16,
+    Type.DATA32: Place.read32,
+    Type.DATAF: Place.read_float,
+}
+_WRITERS: dict[Type, Any] = {
+    Type.DATA8: Place.write8,
+    Type.DATA16: Place.write16,
+    Type.HANDLE: Place.write16,
+    Type.DATA32: Place.write32,
+    Type.DATAF: Place.write_float,
+}

@@ -1,0 +1,567 @@
+"""Images to sources: a text in the strict dialect that assembles to the same bytes, whatever encodings an image has.
+
+What the usual rules make is written as people write it. What they would make otherwise is said: an encoding by its name
+(`LC2(5)`), an argument or code as `bytes(...)`, what is odd about the image or an object as a comment of the form
+`// ev3proto: locals 12`, which other assemblers pass over.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
+
+from ev3proto.errors import BuildError
+from ev3proto.messages import Argument, Operation
+from ev3proto.program.objects import CodeObject, Program
+from ev3proto.program.parameters import ProgramParameter, code_of
+from ev3proto.program.source.encoding import JUMP_SIZES, LABEL, integer, shortest_jump, variable
+from ev3proto.program.source.jumps import shrink
+from ev3proto.program.source.names import builtin_names
+from ev3proto.program.source.numbers import fits, is_finite, single_bits, single_of
+from ev3proto.program.source.settings import GAP, MARK, OPEN, OWN, SHORTEST
+from ev3proto.program.source.variables import MOST_DECLARED, DeclaredVariable, declared
+from ev3proto.schema.argument import encode_as, with_bits
+from ev3proto.schema.identification import LABEL_BYTE
+from ev3proto.tables.declaration import Type
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, STRING_CODING, TEXT
+from ev3proto.tables.program import VERSIONS, ObjectKind
+from ev3proto.tables.source import BYTES, ESCAPES, PARAMETER_WORDS
+from ev3proto.text.phrases import short_float, spaced_hex
+
+_OBJECT_END, _RETURN, _CALL = "OBJECT_END", "RETURN", "CALL"
+_NAMES = {ObjectKind.THREAD: "thread", ObjectKind.SUBCALL: "sub", ObjectKind.BLOCK: "block"}
+_EV3_G_VERSIONS = (0x00, 0x39)
+_BYTES_A_LINE = 32
+_LOCAL_NAME, _GLOBAL_NAME, _PARAMETER_NAME, _LABEL_NAME = "l", "g", "p", "to"
+_OBJECT_PARAMETER = "OBJID"
+_NAN_NAME = "DATAF_NAN"
+_PARAMETER_BY_KIND = {
+    # The words of handles make the same code as those of 16 bits.
+    value: word
+    for word, value in reversed(PARAMETER_WORDS.items())
+    if value[1] is not Type.HANDLE
+}
+
+
+def source_of(program: Program) -> str:
+    """The source of a program, in the strict dialect; `assemble` makes the same image of it, whoever wrote that.
+
+    Args:
+        program: The program.
+
+    Returns:
+        The source.
+
+    Raises:
+        TypeError: It is no program.
+    """
+    if not isinstance(program, Program):
+        raise TypeError(f"a source is made of a Program, not of {type(program).__name__}")
+    return "".join(f"{line}\n" for line in Writer(program).lines())
+
+
+class ObjectCode:
+    """How the code of one object is written.
+
+    word     vmthread, subcall or block
+    steps    the operations to be written
+    is_open  neither RETURN nor OBJECT_END is added
+    raw      the table of parameters in bytes, where it cannot be said otherwise
+    rest     bytes after the operations
+    uses     by the kind of memory: as what the steps use each place in it
+    """
+
+    def __init__(self, part: CodeObject) -> None:
+        self.part = part
+        self.word = str(part.kind)
+        self.raw = b""
+        self.rest = part.rest
+        self.uses: dict[str, dict[int, Type]] = {GLOBAL: {}, LOCAL: {}}
+        self.steps: Sequence[Operation] = part.operations
+        if part.shares is not None:
+            self.steps, self.rest, self.is_open = (), b"", True
+            return
+        if part.kind is ObjectKind.SUBCALL and (part.flaw.headless or not all(map(_is_usual, part.parameters))):
+            # The word subcall would put a table of its own in front.
+            self.word = str(ObjectKind.THREAD)
+            self.raw = b"" if part.flaw.headless else part.code[: _table_size(part.parameters)]
+        if self.steps and not self.steps[-1].is_complete:
+            self.rest = self.steps[-1].raw + self.rest
+            self.steps = self.steps[:-1]
+        self.is_open = bool(self.rest) or not self._leave_end_out()
+        for step in self.steps:
+            _add_uses(step, self.uses)
+
+    def _leave_end_out(self) -> bool:
+        """Whether the code ends as the assembler ends it; that end is taken from the steps."""
+        steps = self.steps
+        if not steps or steps[-1].name != _OBJECT_END:
+            return False
+        if self.word != ObjectKind.SUBCALL:
+            self.steps = steps[:-1]
+            return True
+        if len(steps) < 2 or steps[-2].name != _RETURN:
+            return False
+        is_written = len(steps) > 2 and steps[-3].name == _RETURN
+        is_target = steps[-1].offset in {goal for goal in map(goal_of, steps) if goal is not None}
+        self.steps = steps[:-1] if is_written or is_target else steps[:-2]
+        return True
+
+    @property
+    def places(self) -> set[int]:
+        """Offsets that a label can stand at: of the steps, and after the last one where an operation is added."""
+        found = {step.offset for step in self.steps}
+        if not self.is_open:
+            found.add(_end(self.steps[-1]) if self.steps else self.part.operations[0].offset)
+        return found
+
+
+class Writer:
+    """Writes one program.
+
+    codes  how the code of each object is written
+    names  of the objects
+    """
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self.codes = [ObjectCode(part) for part in program.objects]
+        self.names = [f"{_NAMES[part.kind]}{part.number}" for part in program.objects]
+        self._is_shortest = _is_shortest(program)
+        self._has_no_offsets = program.defects.has_no_offsets
+        self._locals_end = 0
+        self._globals: dict[int, str] = {}
+        self._locals: dict[int, str] = {}
+        self._labels: dict[int, str] = {}
+        self._forms: dict[int, str] = {}
+        self._seen: dict[tuple[int, int, int, bytes], int] = {}
+        self._declared = list(self._global_lines())
+
+    def lines(self) -> Iterator[str]:
+        """All of it."""
+        program = self._program
+        defects = program.defects
+        writer = VERSIONS.get(program.version)
+        rules = (
+            "EV3-G, labels as short as they can be" if self._is_shortest else "LEGO's assembler, labels of three bytes"
+        )
+        yield f"// by the rules of {rules}{f'; its version is that of {writer}' if writer else ''}"
+        yield f"{MARK} version 0x{program.version:02X}"
+        if self._is_shortest:
+            yield f"{MARK} {SHORTEST}"
+        if defects.stated_size is not None:
+            yield f"{MARK} size {defects.stated_size}"
+        if defects.stated_count is not None:
+            yield f"{MARK} count {defects.stated_count}"
+        for offset, data in defects.gaps:
+            yield f"{MARK} {GAP} {offset} {spaced_hex(data)}"
+        for fault in program.faults:
+            yield f"// fault at {fault}"
+        yield from self._declared
+        for code, name in zip(self.codes, self.names, strict=True):
+            yield ""
+            yield from self._object(code, name)
+
+    def _global_lines(self) -> Iterator[str]:
+        """The lines that declare globals; notes their names."""
+        uses: dict[int, Type] = {}
+        for code in self.codes:
+            for index, kind in code.uses[GLOBAL].items():
+                uses[index] = _wider(uses.get(index), kind)
+        size = self._program.global_size
+        if size > MOST_DECLARED:
+            yield f"{MARK} globals {size}"
+        for one in declared(0, size, uses):
+            self._globals[one.index] = f"{_GLOBAL_NAME}{one.index}"
+            yield _declaration(one, self._globals[one.index])
+
+    # Objects
+
+    def _object(self, code: ObjectCode, name: str) -> Iterator[str]:
+        part = code.part
+        declarations = list(self._declarations(code))
+        yield from self._settings(code)
+        yield f"{code.word} {name}"
+        yield "{"
+        yield from (f"  {line}" for line in declarations)
+        if code.raw:
+            yield from _raw(code.raw)
+        self._measure(code)
+        steps = code.steps
+        for step in steps:
+            label = self._labels.get(step.offset)
+            if label is not None:
+                yield f"{label}:"
+            yield f"  {self.step(step)}"
+        if not code.is_open:
+            end = _end(steps[-1]) if steps else part.operations[0].offset
+            if end in self._labels:
+                yield f"{self._labels[end]}:"
+        if code.rest:
+            yield from _raw(code.rest)
+        yield "}"
+
+    def _settings(self, code: ObjectCode) -> Iterator[str]:
+        part = code.part
+        usual_triggers = 0 if code.word == ObjectKind.THREAD else 1
+        if part.owner:
+            yield f"{MARK} owner {part.owner}"
+        if part.triggers != usual_triggers:
+            yield f"{MARK} triggers {part.triggers}"
+        if self._has_no_offsets:
+            yield f"{MARK} offset 0"
+        elif self._program.defects.offsets is not None:
+            yield f"{MARK} offset {part.offset}"
+        if part.shares is not None:
+            yield f"{MARK} shares {part.shares}"
+        elif code.is_open:
+            yield f"{MARK} {OPEN}"
+        if self._locals_end != part.local_size:
+            yield f"{MARK} locals {part.local_size}"
+        if self._is_shortest and part.shares is None:
+            key = (part.owner, part.triggers, part.local_size, part.code)
+            if key in self._seen:
+                yield f"{MARK} {OWN}"
+            self._seen.setdefault(key, part.number)
+
+    def _declarations(self, code: ObjectCode) -> Iterator[str]:
+        """The lines that declare parameters and locals; notes their names, and where the last of them ends."""
+        part = code.part
+        self._locals = {}
+        self._locals_end = 0
+        if part.shares is not None:
+            return
+        if code.word == ObjectKind.SUBCALL:
+            for number, (parameter, place) in enumerate(zip(part.parameters, part.places, strict=True)):
+                word = _PARAMETER_BY_KIND[parameter.direction, parameter.type]
+                name = f"{_PARAMETER_NAME}{number}"
+                self._locals.setdefault(place.offset, name)
+                self._locals_end = place.offset + place.size
+                yield f"{word} {name}{'' if parameter.size is None else f' {parameter.size}'}"
+        for one in declared(self._locals_end, part.local_size, code.uses[LOCAL]):
+            self._locals[one.index] = f"{_LOCAL_NAME}{one.index}"
+            yield _declaration(one, self._locals[one.index])
+        self._locals_end = max(self._locals_end, min(part.local_size, MOST_DECLARED))
+
+    def begin(self, code: ObjectCode) -> None:
+        """Settles the names of an object's variables and labels, for those who show single operations."""
+        for _ in self._declarations(code):
+            pass
+        self._measure(code)
+
+    def label_at(self, offset: int) -> str | None:
+        """The label that stands at an offset of the object that was begun."""
+        return self._labels.get(offset)
+
+    # Jumps
+
+    def _measure(self, code: ObjectCode) -> None:
+        """Gives labels their names, and says of which jumps the encoding has to be written."""
+        places = code.places
+        jumps = {step.offset: step for step in code.steps if goal_of(step) in places}
+        goals = sorted({goal for goal in map(goal_of, jumps.values()) if goal is not None})
+        self._labels = {offset: f"{_LABEL_NAME}{number}" for number, offset in enumerate(goals, 1)}
+        forms = {offset: step.arguments[-1].encoding for offset, step in jumps.items()}
+        if not self._is_shortest:
+            self._forms = {offset: form for offset, form in forms.items() if form != LABEL}
+            return
+        self._forms = {offset: form for offset, form in forms.items() if form == "LAB1"}
+        while self._say_longer(code, jumps, forms):
+            pass
+
+    def _say_longer(self, code: ObjectCode, jumps: Mapping[int, Operation], forms: Mapping[int, str]) -> bool:
+        """Says the encoding of jumps that would come out otherwise; whether there were any."""
+        sizes: list[int] = []
+        parts: dict[int, int] = {}
+        numbers: dict[int, int] = {}
+        for step in code.steps:
+            parts[step.offset] = len(sizes)
+            if step.offset in jumps:
+                size = len(step.arguments[-1].raw)
+                sizes += [step.length - size, size]
+                numbers[step.offset] = len(sizes) - 1
+            else:
+                sizes.append(step.length)
+        if code.steps:
+            parts.setdefault(_end(code.steps[-1]), len(sizes))
+        wanted = list(sizes)
+        free = {}
+        for offset, number in numbers.items():
+            if offset not in self._forms:
+                sizes[number] = JUMP_SIZES[LABEL]
+                goal = goal_of(jumps[offset])
+                assert goal is not None
+                free[number] = parts[goal]
+        shrink(sizes, free)
+        wrong = [offset for offset, number in numbers.items() if sizes[number] != wanted[number]]
+        self._forms |= {offset: forms[offset] for offset in wrong}
+        return bool(wrong)
+
+    # Operations
+
+    def step(self, step: Operation) -> str:
+        """One operation as a statement, in the object that was begun."""
+        arguments = list(step.arguments)
+        texts: list[str] = []
+        cmd = step.cmd
+        if cmd is not None:
+            texts.append(_encoded(cmd, step.command or "", int(cmd.value)))
+        name = step.name
+        if name == _CALL:
+            callee = self._callee(arguments)
+            if callee is not None:
+                texts.append(callee)
+                arguments = arguments[2:]
+            elif arguments[0].kind == CONSTANT:
+                # By its name, the number of parameters would be written too.
+                number = arguments.pop(0)
+                texts.append(_encoded(number, str(number.value), int(number.value)))
+        elif step.offset in self._forms or goal_of(step) in self._labels:
+            goal = goal_of(step)
+            label = self._labels.get(goal) if goal is not None else None
+            if label is not None:
+                form = self._forms.get(step.offset)
+                texts += map(self._argument, arguments[:-1])
+                return f"{name}({', '.join([*texts, label if form is None else f'{form}({label})'])})"
+        texts += map(self._argument, arguments)
+        return f"{name}({', '.join(texts)})"
+
+    def _callee(self, arguments: Sequence[Argument]) -> str | None:
+        """The subcall's name, where that and the number of parameters is all that the two first arguments say."""
+        number, count = arguments[0], arguments[1]
+        if number.kind != CONSTANT or not 0 < int(number.value) <= len(self.codes):
+            return None
+        callee = self.codes[int(number.value) - 1]
+        if callee.word != ObjectKind.SUBCALL or number.raw != integer(int(number.value)):
+            return None
+        # An object that shares the code of another is declared by that.
+        shares = callee.part.shares
+        declaring = callee if shares is None else self.codes[shares - 1]
+        declares = declaring.part.parameters if declaring.word == ObjectKind.SUBCALL else ()
+        if count.raw != integer(len(declares)) or len(arguments) - 2 != len(declares):
+            return None
+        return self.names[int(number.value) - 1]
+
+    def _argument(self, argument: Argument) -> str:
+        kind = argument.kind
+        if kind == CONSTANT:
+            return self._constant(argument)
+        if kind == TEXT:
+            return _text(argument)
+        if kind == JUMP:
+            return _encoded(argument, str(argument.value), int(argument.value))
+        return self._variable(argument)
+
+    def _constant(self, argument: Argument) -> str:
+        value, raw, parameter = argument.value, argument.raw, argument.parameter
+        if argument.form.handle or argument.form.address:
+            return _bytes(raw)
+        if isinstance(value, float):
+            return self._float(raw)
+        assert isinstance(value, int)
+        if integer(value) != raw:
+            return _encoded(argument, str(value), value)
+        if parameter.enum is not None:
+            symbol = parameter.enum.name_of(value)
+            if symbol is not None and builtin_names().get(symbol) == value:
+                return symbol
+        elif parameter.type is Type.DATAF:
+            # Other assemblers, and our own warnings, take a whole number for a mistake there.
+            return f"!{value}" if value else "0" if self._is_shortest else "0.0F"
+        elif parameter.name == _OBJECT_PARAMETER and 0 < value <= len(self.names):
+            return self.names[value - 1]
+        return str(value)
+
+    def _float(self, raw: bytes) -> str:
+        """A float in LC4, the only encoding in which one is seen as a float."""
+        bits = int.from_bytes(raw[1:], "little", signed=True)
+        pattern = bits & 0xFFFFFFFF
+        if not is_finite(bits):
+            if builtin_names()[_NAN_NAME] == bits:
+                return _NAN_NAME
+            return f"!0x{pattern:08X}"
+        text = float_text(bits)
+        if self._is_shortest or integer(bits) == raw:
+            return text
+        return f"LCF({text})"
+
+    def _variable(self, argument: Argument) -> str:
+        index, raw = int(argument.value), argument.raw
+        names = self._globals if argument.kind == GLOBAL else self._locals
+        form = argument.form
+        name = names.get(index)
+        if form.handle or form.address:
+            if form.handle and not form.address and name is not None and _is_usual_handle(argument):
+                return f"@{name}"
+            return _marked(argument)
+        if variable(argument.kind, index) == raw and name is not None:
+            return name
+        return _encoded(argument, _index(index), index)
+
+
+def _declaration(variable: DeclaredVariable, name: str) -> str:
+    return f"{variable.word} {name}" if variable.count is None else f"{variable.word} {name} {variable.count}"
+
+
+# Single arguments
+
+
+def _encoded(argument: Argument, text: str, value: int) -> str:
+    """A number in the encoding that it has: by itself where that is the usual one."""
+    raw = argument.raw
+    if argument.kind == CONSTANT and integer(value) == raw:
+        return text
+    try:
+        if encode_as(argument.encoding, value) == raw:
+            return f"{argument.encoding}({text})"
+    except BuildError:
+        pass
+    return _bytes(raw)
+
+
+def _index(value: int) -> str:
+    """An index; one that needs all 32 bits in hexadecimal, which alone may have that many."""
+    return str(value) if fits(value) else f"0x{value:08X}"
+
+
+def _marked(argument: Argument) -> str:
+    """A variable with the bits of a handle or an address."""
+    form = argument.form
+    inner = f"{argument.encoding}({_index(int(argument.value))})"
+    try:
+        made = with_bits(encode_as(argument.encoding, int(argument.value)), handle=form.handle, address=form.address)
+    except BuildError:
+        made = b""
+    if made != argument.raw:
+        return _bytes(argument.raw)
+    if form.handle:
+        inner = f"HND({inner})"
+    return f"ADR({inner})" if form.address else inner
+
+
+def _is_usual_handle(argument: Argument) -> bool:
+    """Whether a handle has the width that the assembler gives it."""
+    index = int(argument.value)
+    width = 1 if index < 0x80 else 2 if index < 0x8000 else 4
+    return argument.form.width == width
+
+
+_PLAIN = frozenset(range(0x20, 0x7F)) - {ord("'"), ord("\\")}
+_ESCAPED = {ord(character): escape for escape, character in ESCAPES}
+
+
+def _text(argument: Argument) -> str:
+    raw = argument.raw
+    data = raw[1:-1]
+    if all(byte in _PLAIN or byte in _ESCAPED for byte in data):
+        body = "".join(_ESCAPED.get(byte, chr(byte)) for byte in data)
+        text = f"'{body}'"
+    else:
+        text = json.dumps(data.decode(STRING_CODING))
+    if raw == encode_as("LCS_OLD", "")[:1] + data + b"\0":
+        return text
+    return f"LCS({text})" if raw[:1] == encode_as("LCS", "")[:1] else _bytes(raw)
+
+
+def float_text(bits: int) -> str:
+    """A finite single as a literal that means the same bits: `1.5F`, `-0.0F`, never with a signed exponent."""
+    value = single_of(bits)
+    text = short_float(value)
+    if "e" in text:
+        text = format(Decimal(text), "f")
+        text = text if "." in text else f"{text}.0"
+    if value == 0.0:
+        text = "0.0" if bits == 0 else "-0.0"
+    assert single_bits(float(text)) == bits, text
+    return f"{text}F"
+
+
+def _bytes(data: bytes) -> str:
+    return f"{BYTES}({spaced_hex(data)})"
+
+
+def _raw(data: bytes) -> Iterator[str]:
+    for start in range(0, len(data), _BYTES_A_LINE):
+        yield f"  {_bytes(data[start : start + _BYTES_A_LINE])}"
+
+
+# Facts about objects and operations
+
+
+def _is_usual(parameter: ProgramParameter) -> bool:
+    """Whether a parameter can be declared by a word."""
+    return parameter.code == code_of(parameter.direction, parameter.type) and (
+        (parameter.size is not None) is (parameter.type is Type.STRING)
+    )
+
+
+def _table_size(parameters: Sequence[ProgramParameter]) -> int:
+    return 1 + sum(1 if parameter.size is None else 2 for parameter in parameters)
+
+
+def _end(step: Operation) -> int:
+    return step.offset + step.length
+
+
+def goal_of(step: Operation) -> int | None:
+    """The offset that a jump leads to, None for all other operations."""
+    parameters = step.declaration.parameters
+    if not parameters or parameters[-1].type is not Type.LABEL or not step.is_complete:
+        return None
+    if step.name == "LABEL":
+        return None
+    argument = step.arguments[-1]
+    if argument.kind not in (CONSTANT, JUMP) or argument.form.handle or argument.form.address:
+        return None
+    if argument.kind == JUMP and argument.raw[0] != LABEL_BYTE:
+        return None
+    return _end(step) + int(argument.value)
+
+
+_BUFFERS = (Type.STRING, Type.ARRAY_TYPED, Type.COUNT, Type.VALUES, Type.LABEL)
+
+
+def _add_uses(step: Operation, uses: Mapping[str, dict[int, Type]]) -> None:
+    """Adds as what an operation uses each place in local and global memory."""
+    for argument in step.arguments:
+        found = uses.get(argument.kind)
+        if found is None:
+            continue
+        parameter = argument.parameter
+        kind = parameter.type
+        if argument.form.handle:
+            kind = Type.HANDLE
+        elif kind is Type.STRING or parameter.length is not None:
+            kind = Type.STRING
+        elif kind in _BUFFERS:
+            kind = Type.DATA8
+        index = int(argument.value)
+        found[index] = _wider(found.get(index), kind)
+
+
+def _wider(known: Type | None, kind: Type) -> Type:
+    """What a place is that is used in two ways: a buffer where it is one of them, else the wider number."""
+    if known is None or kind is Type.STRING:
+        return kind
+    return kind if known is not Type.STRING and kind.size > known.size else known
+
+
+def _is_shortest(program: Program) -> bool:
+    """Whether the rules of EV3-G fit a program better than those of LEGO's assembler."""
+    long = short = 0
+    for part in program.objects:
+        if part.shares is not None:
+            short += 1
+            continue
+        for step in part.operations:
+            if goal_of(step) is None:
+                continue
+            argument = step.arguments[-1]
+            if argument.encoding == LABEL:
+                long += 1
+            if argument.length == shortest_jump(int(argument.value)):
+                short += 1
+    if long == short:
+        return program.version in _EV3_G_VERSIONS
+    return short > long

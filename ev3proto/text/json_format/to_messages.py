@@ -1,0 +1,381 @@
+"""JSON objects, as `ev3proto decode --json` prints them, back to the bytes of their frames."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from ev3proto.dialogue import Exchange
+from ev3proto.errors import BuildError, near_misses
+from ev3proto.messages import (
+    GV,
+    LV,
+    DaisyCommand,
+    DaisyReply,
+    DirectCommand,
+    DirectReply,
+    Flaw,
+    Message,
+    Operation,
+    PartialOperation,
+    SystemCommand,
+    SystemReply,
+)
+from ev3proto.schema.argument import ArgumentSchema, encode_as, encode_float, with_bits
+from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
+from ev3proto.schema.frame import parse
+from ev3proto.schema.instructions import instruction_set
+from ev3proto.schema.operation import OperationSchema
+from ev3proto.tables.declaration import Parameter, Type
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, TEXT
+from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MAX_LOCALS, MessageType
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
+from ev3proto.text.heading import Seen
+from ev3proto.text.json_format.from_messages import record
+
+MAX_RECORD = 1 << 22
+"""Characters of one object; the longest that a frame can give has a tenth of them."""
+
+_MOST_SAID = 500
+_OUTSIDE = ("direction", "time", "values", "fault", "cut", "length")
+"""Keys that tell of more than the bytes, or follow from them."""
+
+_FLOATS = ("nan", "inf", "-inf")
+_ELEMENT = ArgumentSchema(Parameter("an element", Type.ARRAY_TYPED, "an element of a list"))
+_UNKNOWN = Message().kind
+_SPEAKERS = ("command", "reply")
+
+
+class RecordError(ValueError):
+    """An object that no frame can be made of; the sentence names the key at fault and what would be right."""
+
+    def __init__(self, reason: str) -> None:
+        super().__init__(reason if len(reason) <= _MOST_SAID else f"{reason[:_MOST_SAID]}...")
+
+
+def read_records(lines: Iterable[str]) -> Iterator[tuple[int, Any]]:
+    """Reads the objects in lines: one a line, or each over several lines as `jq` prints them.
+
+    Args:
+        lines: Lines of text.
+
+    Yields:
+        The number of an object's first line, counted from 1, and the object.
+
+    Raises:
+        RecordError: Something is no JSON, or an object has more than `MAX_RECORD` characters.
+    """
+    kept: list[str] = []
+    start = size = 0
+    for number, line in enumerate(lines, 1):
+        if not kept and not line.strip():
+            continue
+        start = start if kept else number
+        kept.append(line)
+        size += len(line)
+        if size > MAX_RECORD:
+            raise RecordError(f"line {start}: the object has more than {MAX_RECORD} characters")
+        # An object over several lines has its brace alone in the last one; only there it is worth trying.
+        if len(kept) > 1 and line.rstrip() != "}":
+            continue
+        try:
+            found = json.loads("".join(kept).rstrip())
+        except (ValueError, RecursionError) as error:
+            if len(kept) == 1 and line.rstrip() == "{":
+                continue
+            raise RecordError(_no_json(error, start)) from None
+        yield start, found
+        kept, size = [], 0
+    if kept:
+        raise RecordError(f"line {start}: the object that starts here has no end")
+
+
+def _no_json(error: Exception, start: int) -> str:
+    if isinstance(error, json.JSONDecodeError):
+        return f"line {start + error.lineno - 1}, column {error.colno}: this is no JSON: {error.msg}"
+    return f"line {start}: this is no JSON that can be read: it is nested too deep, or a number is too long"
+
+
+def frames_in(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
+    """Finds the frames of one object.
+
+    The object's keys decide. Where they say what its key `hex` says, that is taken as it is, so every frame comes back
+    byte for byte. Where somebody changed them, the frame is made of them anew.
+
+    Args:
+        entry: What was read from JSON.
+        dialect: The firmware whose instruction set the object was made with.
+
+    Yields:
+        The frame of a message, or the two frames of a dialogue. Nothing for a beacon and other texts on WiFi.
+
+    Raises:
+        RecordError: No frame can be made of the object.
+    """
+    if not isinstance(entry, dict):
+        raise RecordError(f"an object should stand here, such as decode --json prints, not {_shown(entry)}")
+    spoken = [entry[name] for name in _SPEAKERS if isinstance(entry.get(name), dict)]
+    for one in spoken or [entry]:
+        if not {"type", "hex", "rest"} & one.keys():
+            raise RecordError("the object is no message: it has neither type nor hex")
+        if "type" in one or one.get("kind", _UNKNOWN) == _UNKNOWN:
+            yield frame_of(one, dialect=dialect)
+
+
+def frame_of(entry: Mapping[str, Any], *, dialect: str = "official") -> bytes:
+    """Makes the frame of one message's object.
+
+    Args:
+        entry: The object.
+        dialect: The firmware whose instruction set the object was made with.
+
+    Returns:
+        The frame.
+
+    Raises:
+        RecordError: No frame can be made of the object.
+    """
+    if "hex" in entry:
+        frame = _bytes(entry, "hex")
+        if "type" not in entry or _is_told(entry, frame, dialect):
+            return frame
+    elif "type" not in entry:
+        return _bytes(entry, "rest")
+    try:
+        return _made(entry, dialect)
+    except BuildError as error:
+        raise RecordError(str(error)) from None
+
+
+def _is_told(entry: Mapping[str, Any], frame: bytes, dialect: str) -> bool:
+    """Whether the object says of the frame what would be said of it now."""
+    message = parse(frame, strict=False, dialect=dialect)
+    written = record(Exchange(message, None, [], None), Seen())
+    return all(entry[key] == value for key, value in written.items() if key in entry and key not in _OUTSIDE)
+
+
+# A frame made anew
+
+
+def _made(entry: Mapping[str, Any], dialect: str) -> bytes:
+    try:
+        kind = MessageType[_text(entry, "type")]
+    except KeyError:
+        hint = near_misses(entry["type"], MessageType.__members__)
+        raise RecordError(f"there is no message type {_shown(entry['type'])}{hint}") from None
+    is_faulty = "fault" in entry
+    rest = _bytes(entry, "rest") if "rest" in entry else b""
+    length = _whole(entry, "length", 0xFFFF) if is_faulty and "length" in entry else None
+    counter = _whole(entry, "counter", COUNTERS - 1, 0)
+    message = replace(_MAKERS[kind.kind](entry, dialect), type=kind, counter=counter, flaw=Flaw(None, rest, length))
+    frame = message.build()
+    fault = parse(frame, strict=False, dialect=dialect).fault
+    if fault is not None and not is_faulty:
+        raise RecordError(f"the frame of this object would be at fault: {fault}")
+    return frame
+
+
+def _direct_command(entry: Mapping[str, Any], dialect: str) -> Message:
+    return DirectCommand(
+        global_size=_whole(entry, "globals", MAX_GLOBALS, 0),
+        local_size=_whole(entry, "locals", MAX_LOCALS, 0),
+        operations=tuple(_operations(entry, dialect)),
+    )
+
+
+def _direct_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
+    return DirectReply(memory=_bytes(entry, "memory") if "memory" in entry else b"")
+
+
+def _system_command(entry: Mapping[str, Any], _dialect: str) -> Message:
+    number = _number(entry)
+    return SystemCommand(number=number, fields=_fields(entry, REQUESTS.get(number)))
+
+
+def _system_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
+    number = _number(entry)
+    status = _whole(entry, "status_code", 0xFF, SystemStatus.SUCCESS)
+    return SystemReply(number=number, status_code=status, fields=_fields(entry, REPLIES.get(number)))
+
+
+def _daisy_command(entry: Mapping[str, Any], dialect: str) -> Message:
+    fields = _object(entry, "fields")
+    operations = b"".join(one.raw for one in _operations(entry, dialect)) if entry.get("operations") else None
+    return DaisyCommand(
+        number=_whole(entry, "number", 0xFF),
+        layer_from=_whole(fields, "layer_from", 0xFF, 0),
+        layer_to=_whole(fields, "layer_to", 0xFF, 0),
+        payload=_payload(fields) if operations is None else operations,
+    )
+
+
+def _daisy_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
+    fields = _object(entry, "fields")
+    return DaisyReply(
+        layer_from=_whole(fields, "layer_from", 0xFF, 0),
+        layer_to=_whole(fields, "layer_to", 0xFF, 0),
+        payload=_payload(fields),
+    )
+
+
+_MAKERS: dict[str, Callable[[Mapping[str, Any], str], Message]] = {
+    "direct-command": _direct_command,
+    "direct-reply": _direct_reply,
+    "system-command": _system_command,
+    "system-reply": _system_reply,
+    "daisy-command": _daisy_command,
+    "daisy-reply": _daisy_reply,
+}
+
+
+def _payload(fields: Mapping[str, Any]) -> bytes:
+    return _bytes(fields, "payload") if "payload" in fields else b""
+
+
+def _number(entry: Mapping[str, Any]) -> int:
+    """The number of a system command: as it stands there, or that of the name."""
+    if "number" in entry:
+        return _whole(entry, "number", 0xFF)
+    name = _text(entry, "command")
+    for known in SYSTEM:
+        if known.name == name:
+            return known.number
+    raise RecordError(f"there is no system command {name}{near_misses(name, [known.name for known in SYSTEM])}")
+
+
+def _fields(entry: Mapping[str, Any], schema: Fields | None) -> dict[str, Any]:
+    given = _object(entry, "fields")
+    if schema is None:
+        if given:
+            raise RecordError(f"0x{_number(entry):02X} is no system command, so nobody knows its fields")
+        return {}
+    values = {name: _field(schema.by_name.get(name), name, given) for name in given}
+    completed = schema.completed(values)
+    if "fault" in entry or entry.get("status_code") or MessageType[entry["type"]].is_error:
+        return completed
+    try:
+        schema.write(values)  # for what it refuses
+    except BuildError as error:
+        name = SYSTEM_BY_NUMBER[_number(entry)].name
+        raise RecordError(f"{name}: {error}") from None
+    return completed
+
+
+def _field(field: Field | None, name: str, given: Mapping[str, Any]) -> Any:
+    if field is None or (field.kind not in NUMBERS and field.kind is not Kind.DATA):
+        return given[name]
+    return _bytes(given, name) if field.kind is Kind.DATA else _whole(given, name, 0xFFFFFFFF)
+
+
+# Operations
+
+
+def _operations(entry: Mapping[str, Any], dialect: str) -> list[Operation]:
+    operations = entry.get("operations", [])
+    if not isinstance(operations, list):
+        raise RecordError(f"operations takes a list, not {_shown(operations)}")
+    found = []
+    for index, operation in enumerate(operations):
+        if not isinstance(operation, dict):
+            raise RecordError(f"operations[{index}] takes an object, not {_shown(operation)}")
+        try:
+            found.append(_operation(operation, dialect))
+        except (BuildError, RecordError) as error:
+            raise RecordError(f"operations[{index}]: {error}") from None
+    return found
+
+
+def _operation(entry: Mapping[str, Any], dialect: str) -> Operation:
+    name = _text(entry, "op")
+    if entry.get("command") is not None:
+        name += f".{_text(entry, 'command')}"
+    try:
+        schema = instruction_set(dialect)[name]
+    except KeyError as error:
+        raise RecordError(error.args[0]) from None
+    arguments = entry.get("args", [])
+    if not isinstance(arguments, list):
+        raise RecordError(f"args takes a list, not {_shown(arguments)}")
+    head = _head(schema, entry)
+    if entry.get("complete") is False:
+        raw = head + b"".join(_written(schema, arguments))
+        return PartialOperation((schema, raw, 0, len(raw)))
+    raw = head + schema.write(list(_written(schema, arguments)))[len(schema.head) :]
+    return Operation((schema, raw, 0, len(raw)))
+
+
+def _head(schema: OperationSchema, entry: Mapping[str, Any]) -> bytes:
+    """Opcode and CMD, which may be encoded longer than it need be."""
+    command = schema.declaration.command
+    if command is None or "command_encoding" not in entry:
+        return schema.head
+    return schema.head[:1] + encode_as(_text(entry, "command_encoding"), command.number)
+
+
+def _written(schema: OperationSchema, arguments: Sequence[Any]) -> Iterator[bytes]:
+    for index, argument in enumerate(arguments):
+        one = schema.fixed[index] if index < len(schema.fixed) else _ELEMENT
+        given = argument if isinstance(argument, dict) else {"value": argument}
+        if "value" not in given:
+            raise RecordError(f"args[{index}] has no value")
+        yield _argument(given, one)
+
+
+def _argument(argument: Mapping[str, Any], schema: ArgumentSchema) -> bytes:
+    value = argument["value"]
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        raise RecordError(f"{schema.parameter.name} cannot be {_shown(value)}: it is a number or a text")
+    kind = argument.get("kind")
+    marks = {name: argument.get(name) is True for name in ("handle", "address")}
+    if "encoding" not in argument:
+        if kind in (LOCAL, GLOBAL):
+            return schema.write((GV if kind == GLOBAL else LV)(_whole(argument, "value", 0xFFFFFFFF), **marks))
+        return schema.write(value)
+    encoding = _text(argument, "encoding")
+    if (kind == TEXT) != isinstance(value, str) and value not in _FLOATS:
+        raise RecordError(f"{schema.parameter.name} cannot be {_shown(value)}, which is no {kind}")
+    if kind == CONSTANT and value in _FLOATS:
+        value = float(value)
+    if isinstance(value, float) or (schema.parameter.type is Type.DATAF and kind == CONSTANT):
+        encoded = encode_float(float(value), schema.parameter.name)
+    else:
+        encoded = encode_as(encoding, value)
+    return with_bits(encoded, **marks) if any(marks.values()) else encoded
+
+
+# Keys
+
+
+def _shown(value: Any) -> str:
+    text = json.dumps(value, ensure_ascii=False, default=str)
+    return text if len(text) <= 40 else f"{text[:40]}..."
+
+
+def _text(entry: Mapping[str, Any], key: str) -> str:
+    value = entry.get(key)
+    if not isinstance(value, str):
+        raise RecordError(f"{key} takes a text, not {_shown(value)}")
+    return value
+
+
+def _object(entry: Mapping[str, Any], key: str) -> Mapping[str, Any]:
+    value = entry.get(key, {})
+    if not isinstance(value, dict):
+        raise RecordError(f"{key} takes an object, not {_shown(value)}")
+    return value
+
+
+def _bytes(entry: Mapping[str, Any], key: str) -> bytes:
+    try:
+        return bytes.fromhex(_text(entry, key))
+    except ValueError:
+        raise RecordError(f"{key} takes bytes in hex, not {_shown(entry.get(key))}") from None
+
+
+def _whole(entry: Mapping[str, Any], key: str, most: int, default: int | None = None) -> int:
+    value = entry.get(key, default)
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
+        raise RecordError(f"{key} cannot be {_shown(value)}: it is a whole number from 0 to {most}")
+    return value

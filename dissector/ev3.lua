@@ -5202,152 +5202,6 @@ local memory, place_of, number_of
 do
     memory = {}
 
-    -- What was found out of the bodies of commands, as a dialogue says the same again and again. A body has a number,
-    -- its entry, by which others keep in these tables what they find out:
-    --   lines      what is said of it in one line
-    --   troubles   what is wrong with it, where something is: `fault`, `complaints`
-    --   steps      what it adds to the tree
-    --   layouts    that of its replies
-    --   numbers    under which it is kept for good
-    -- So many bodies have an entry at most, and all but the steps takes so much together, in elements of a list.
-    local MOST_ENTRIES, MOST_ELEMENTS = 5000, 0x60000
-    local entries, count, elements
-
-    -- The bytes that an element takes, and the elements that an entry takes with nothing kept.
-    local ELEMENT_SIZE, ENTRY_ELEMENTS = 16, 8
-
-    -- Where there is no room for another entry, what counts is how many commands had one, of so many at least. If less
-    -- than a quarter had, all is forgotten: by then the dialogue is another one. If entries never were of use, commands
-    -- hardly repeat, and only one that comes again gets an entry from then on: Lua goes through all that it holds
-    -- whenever it frees something.
-    local LEAST_MET = 1000
-    local met, known, was_of_use, is_choosy
-
-    -- The same holds for commands that are added to the tree, as steps are long. A command comes again where no other
-    -- in its row came in between. Some bytes of the body tell the row.
-    local ROWS = 8191
-    local keys
-
-    -- Where most commands find no room for their steps, what the others keep costs more than it saves. So once
-    -- MOST_CROWDED found none, and steps were used less than twice as often, all is forgotten, and nothing is kept of
-    -- the next PAUSE commands that are added to the tree.
-    local MOST_STEP_ELEMENTS, MOST_CROWDED, PAUSE = 0x10000, 0x200, 0x4000
-    local step_elements, used, crowded, pause
-
-    function memory.forget_entries()
-        entries, count, elements, keys = {}, 0, 0, {}
-        memory.lines, memory.troubles, memory.layouts, memory.numbers = {}, {}, {}, {}
-        met, known, was_of_use, is_choosy = 0, 0, false, false
-        memory.steps = {}
-        step_elements, used, crowded, pause = 0, 0, 0, 0
-    end
-    memory.forget_entries()
-
-    local function is_full()
-        return count >= MOST_ENTRIES or elements >= MOST_ELEMENTS
-    end
-
-    local function look_back()
-        if known >= met / 4 then
-            met, known, was_of_use = 0, 0, true
-            return
-        end
-        local hardly_repeat = not was_of_use
-        memory.forget_entries()
-        is_choosy = hardly_repeat
-    end
-
-    -- Its entry, if it has one.
-    function memory.entry_of(body)
-        return entries[body]
-    end
-
-    -- Bytes near the start and at the end, as bodies are alike in others. A few are so short that some are missing.
-    local function key_of(body)
-        local a, b, c, d, e, f, g = byte(body, 3, 9)
-        local y, z = byte(body, -2, -1)
-        if not g then
-            return (a or 0) + 0x100 * (b or 0) + 0x10000 * (c or 0) + 0x1000000 * (d or 0) + 0x100000000 * (e or 0)
-                + 0x10000000000 * (f or 0)
-        end
-        return #body + 0x101 * a + 0x1003 * b + 0x10007 * c + 0x10000D * d + 0x1000015 * e + 0x1800037 * f
-            + 0x280003D * g + 0x3000011 * y + 0x700001F * z
-    end
-
-    local function comes_again(body)
-        local key = key_of(body)
-        local row = 1 + key % ROWS
-        if keys[row] == key then return true end
-        keys[row] = key
-        return false
-    end
-
-    -- The same when a command comes, which is added to the tree or not: it may get one.
-    function memory.meet(body, is_shown)
-        if is_shown and pause > 0 then
-            pause = pause - 1
-            return nil
-        end
-        met = met + 1
-        local entry = entries[body]
-        if entry then
-            known = known + 1
-        elseif is_full() then
-            if met >= LEAST_MET then look_back() end
-        elseif not (is_shown or is_choosy) or comes_again(body) then
-            count = count + 1
-            elements = elements + ENTRY_ELEMENTS + #body / ELEMENT_SIZE
-            entry = count
-            entries[body] = entry
-        end
-        return entry
-    end
-
-    -- Whether so many elements more may be kept. They count from then on.
-    function memory.take_room(added)
-        if elements + added > MOST_ELEMENTS then return false end
-        elements = elements + added
-        return true
-    end
-
-    -- Keeps the line of an entry and what is wrong with the command, if there is room.
-    function memory.keep_line(entry, line, fault, complaints)
-        local size = #line
-        for index = 2, complaints and #complaints or 0, 2 do
-            size = size + #complaints[index] + 2 * ELEMENT_SIZE
-        end
-        if not memory.take_room(size / ELEMENT_SIZE) then return end
-        memory.lines[entry] = line
-        if fault or complaints then memory.troubles[entry] = { fault = fault, complaints = complaints } end
-    end
-
-    -- The steps that an entry keeps, if it does.
-    function memory.steps_of(entry)
-        local steps = memory.steps[entry]
-        if steps then used = used + 1 end
-        return steps
-    end
-
-    -- Whether entries may keep more steps.
-    function memory.has_room_for_steps()
-        if step_elements < MOST_STEP_ELEMENTS then return true end
-        crowded = crowded + 1
-        if crowded < MOST_CROWDED then return false end
-        if used < 2 * crowded then
-            memory.forget_entries()
-            pause = PAUSE
-        else
-            used, crowded = 0, 0
-        end
-        return false
-    end
-
-    -- Keeps the steps of an entry.
-    function memory.keep_steps(entry, steps)
-        memory.steps[entry] = steps
-        step_elements = step_elements + steps.count
-    end
-
     -- What a packet leaves behind, items and ranges of a tree above all, Lua frees when all that it holds has doubled,
     -- in small steps. By then it is in no cache of the processor any more, and that takes up to a quarter of the time.
     -- So it is freed as soon as there is some of it; how Lua frees otherwise stays as it is. Where other scripts hold
@@ -6344,14 +6198,6 @@ do
         return command and { place = command, delay = delay, body = bodies.get(body) }
     end
 
-    -- The number of a body that is kept. One that comes again and again has the number that it had.
-    local function number_of_body(body)
-        local entry = memory.entry_of(body)
-        local number = entry and memory.numbers[entry] or bodies.put(body)
-        if entry then memory.numbers[entry] = number end
-        return number
-    end
-
     -- The number of the packet with the reply to a command.
     function reply_to(place)
         local number = replies.get(place)
@@ -6584,7 +6430,7 @@ do
                 if request.earlier then request.earlier = nil end
                 talk.is_proven = talk.is_proven or is_proof(message, request.body)
                 replies.put(request.place, number_of(place))
-                requests.put(place, request.place, request.delay, number_of_body(request.body))
+                requests.put(place, request.place, request.delay, bodies.put(request.body))
                 answer, answer_place = request, place
                 if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
             end
@@ -6620,17 +6466,12 @@ end
 -- Notes what a reply will hold while its command is read: start, note_output, note_lengths, note_first, keep.
 local layout_notes = {}
 
-local read_reply, say_reply
+local read_reply
 do
-    local unpack = table.unpack
-
     -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
     -- parameter, encoding, index, field, operation; and its `size`, as more may follow. `first` is the first operation;
     -- `lengths`, by the offset of their operation, are constants that say how long outputs are.
     local OUTPUT = 6
-
-    -- The elements that a layout takes besides.
-    local LAYOUT_ELEMENTS = 24
 
     -- The layout of the command that is being read, or was read last.
     local draft = {}
@@ -6669,13 +6510,6 @@ do
         draft.size, draft.first, draft.lengths = draft_size, draft_first, draft_lengths
         -- Where the outputs of the last operation end.
         draft[draft_size + 1] = false
-    end
-
-    -- The draft in a table of its own, written at once, as a table that grows is laid out anew.
-    local function copy_of_draft()
-        return {
-            size = draft_size, first = draft_first, lengths = draft_lengths, unpack(draft, 1, draft_size),
-        }
     end
 
     -- The type of an output that has that of the array it comes from: what fits before the next output of its
@@ -6779,70 +6613,14 @@ do
         finish_draft()
     end
 
-    -- The layout of the replies to a command, by what follows its header. One that is not kept lasts until the next
-    -- command is read.
+    -- The layout of the replies to a command, by what follows its header. It lasts until the next command is read.
     function layout_notes.layout_for(body)
-        local entry = memory.entry_of(body)
-        local layout = entry and memory.layouts[entry]
-        if layout then return layout end
         if body ~= draft_body then draft_layout(body) end
-        -- Where nothing else is kept, the command is read whenever it comes, and its layout with it.
-        if not entry or not (memory.lines[entry] or memory.steps[entry]) then return draft end
-        if not memory.take_room(draft_size + LAYOUT_ELEMENTS) then return draft end
-        layout = copy_of_draft()
-        memory.layouts[entry] = layout
-        return layout
+        return draft
     end
 
     local function head_of(layout)
         return layout.first and "reply to " .. layout.first.title .. ":" or "reply:"
-    end
-
-    -- The line on a reply with so plain a layout, to be filled with its values; false for any other layout: each output
-    -- is one number, and nothing but a number.
-    local function plain_line(layout)
-        local count = layout.size / OUTPUT
-        if count < 1 or count > MOST_VALUES then return false end
-        local pieces, needed = { head_of(layout) }, 0
-        for at = 1, layout.size, OUTPUT do
-            local parameter, encoding = layout[at + 1], layout[at + 2]
-            local type, enum = parameter.type, parameter.enum
-            local is_plain = READ_TYPE[type] and not parameter.length and not (enum and not enum.is_flags)
-            if not is_plain or encoding.handle or encoding.address then return false end
-            needed = math.max(needed, layout[at + 3] + SIZE_OF[type])
-            pieces[#pieces + 1] = count == 1 and " " or parameter.value_key
-            pieces[#pieces + 1] = type == DATAF and "%.7g" or "%d"
-            if parameter.unit then pieces[#pieces + 1] = " " .. gsub(parameter.unit, "%%", "%%%%") end
-        end
-        layout.needed = HEADER_SIZE + needed
-        return concat(pieces)
-    end
-
-    local values = {}
-
-    -- The line on a reply, where its layout is kept and a plain one; else nil.
-    function say_reply(layout, reply)
-        if layout == draft then return nil end
-        local line = layout.line
-        if line == nil then
-            line = plain_line(layout)
-            layout.line = line
-        end
-        if not line or reply.stop < layout.needed then return nil end
-        local text, count = reply.text, 0
-        for at = 1, layout.size, OUTPUT do
-            local type = layout[at + 1].type
-            local value = READ_TYPE[type](text, HEADER_SIZE + layout[at + 3])
-            if type == DATAF then
-                -- What %.7g writes in another way than number_text.
-                local size = value < 0 and -value or value
-                if value ~= value or size >= 1e7 and size < 1e15 and value % 1 == 0 then return nil end
-                if value == 0 then value = 0 end
-            end
-            count = count + 1
-            values[count] = value
-        end
-        return format(line, unpack(values, 1, count))
     end
 
     -- The values found; they are overwritten by those of the next reply.
@@ -6870,12 +6648,11 @@ end
 -- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
 -- in the tree.
 
-local value_of_row, say_operations, show_operations, show_steps
+local value_of_row, say_operations, show_operations
 do
     local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
-    local unpack = table.unpack
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
@@ -6986,46 +6763,6 @@ do
         end
     end
 
-    -- What a command adds to the tree, step by step, so that one that comes again is not read again. Each step is so
-    -- many entries. Of an argument these are its offset and all that is added of it; of an operation its offset, size,
-    -- no field, the opcode, and the text of its heading: to add what was joined once takes less than to join it.
-    local STEP = 8
-    local steps, step_count
-
-    local function note_step(at, size, declared, value, label, addition, complaints, encoding)
-        local count = step_count
-        steps[count + 1], steps[count + 2], steps[count + 3], steps[count + 4] = at, size, declared, value
-        steps[count + 5], steps[count + 6] = label, addition
-        steps[count + 7], steps[count + 8] = complaints, encoding
-        step_count = count + STEP
-    end
-
-    -- Adds what was noted of a command, and returns its line. A range costs more than an item: one serves an argument
-    -- and its encoding.
-    function show_steps(known, item, tvb, start)
-        local heading
-        for index = 1, known.count, STEP do
-            local at, size, declared, value = known[index], known[index + 1], known[index + 2], known[index + 3]
-            local label, range = known[index + 4], new_range(tvb, start + at, 1)
-            local added
-            if declared then
-                local addition, complaints, encoding = known[index + 5], known[index + 6], known[index + 7]
-                if label or addition then
-                    added = add(heading, declared, range, value, label, addition)
-                else
-                    added = add(heading, declared, range, value)
-                end
-                if complaints then complain_all(added, complaints) end
-                if encoding then add(added, ENCODING, range, encoding) end
-            else
-                added = add(item, OPCODE, range, value, label)
-                heading = added
-            end
-            if size > 1 then set_len(added, size) end
-        end
-        return known.line
-    end
-
     -- What the items of an operation are added to. There are very many arguments, and each reads these faster here than
     -- in a table.
     local NO_LENGTHS = {}
@@ -7033,32 +6770,24 @@ do
     local heading, buffer, base
 
     local function show_argument(view, parameter, encoding, value, declared, at, stop)
-        local own_field, own, label, addition, complaints = declared, value, false, false, false
-        local range, size, name, added = new_range(buffer, base + at, 1), stop - at, encoding.label, nil
+        local range, size, added = new_range(buffer, base + at, 1), stop - at, nil
         if encoding.scope then
-            own = encoding.texts[value]
-            own_field, label = VARIABLE, parameter.label_head .. " " .. own
-            added = add(heading, VARIABLE, range, own, label)
+            local own = encoding.texts[value]
+            added = add(heading, VARIABLE, range, own, parameter.label_head .. " " .. own)
             check_variable(view, parameter, encoding, value, declared)
             if view.complaints then
-                complaints = view.complaints
+                complain_all(added, view.complaints)
                 view.complaints = nil
-                complain_all(added, complaints)
             end
         elseif encoding.is_number and parameter.is_plain then
             added = add(heading, declared, range, value)
         else
-            if encoding.is_number and parameter.special and parameter.kind == NUMBER then
-                addition = parameter.special[value] or false
-            else
-                own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
-            end
+            local own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
             if label and addition then label, addition = label .. " " .. addition, false end
             added = add(heading, own_field, range, own, label, addition)
         end
         if size > 1 then set_len(added, size) end
-        add(added, ENCODING, range, name)
-        if steps then note_step(at, size, own_field, own, label, addition, complaints, name) end
+        add(added, ENCODING, range, encoding.label)
         if parameter.key then say_phrase(parameter, encoding, value) end
         if parameter.tells_length and tells_length(parameter, encoding) then
             if view.lengths == NO_LENGTHS then view.lengths = {} end
@@ -7073,10 +6802,9 @@ do
 
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
     -- What a reply will hold is noted. Returns the line, empty where there is no operation; the offset after what could
-    -- be read; the fault, where there is one; the steps, where these are to be noted.
-    function show_operations(item, tvb, start, text, at, stop, globals, locals, is_noted)
+    -- be read; the fault, where there is one.
+    function show_operations(item, tvb, start, text, at, stop, globals, locals)
         local first, said, count, fault = nil, "", 0, nil
-        steps, step_count = is_noted and {} or nil, 0
         buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
         layout_notes.start()
         while at < stop and not fault do
@@ -7087,8 +6815,6 @@ do
                 fault = { at = after, reason = reason, kind = kind }
                 break
             end
-            local step = step_count
-            if steps then note_step(at, 1, false, byte(text, at + 1), false, false, false, false) end
             local name = operation.cmd_name
             if name then
                 local size = after - at - 1
@@ -7099,7 +6825,6 @@ do
                     set_len(added, size)
                     add(added, ENCODING, range, encoding)
                 end
-                if steps then note_step(at + 1, size, CMD, own, false, false, false, encoding) end
             end
             pieces[1], pieces[2], piece_count = name and " " or "", name or "", 2
             shown.offset, shown.operation = at, operation
@@ -7107,7 +6832,6 @@ do
             after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
             if name or piece_count > 2 then append_text(heading, concat(pieces, "", 1, piece_count)) end
-            if steps then steps[step + 2], steps[step + 5] = after - at, heading.text end
             if not first then
                 first, said = operation, concat(pieces, "", 3, piece_count)
                 layout_notes.note_first(operation)
@@ -7120,9 +6844,7 @@ do
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         local line = first and first.title .. said .. further[count] or ""
-        -- A list that grew has room for up to twice as much.
-        local noted = steps and { line = line, count = step_count, unpack(steps, 1, step_count) }
-        return line, at, fault, noted
+        return line, at, fault
     end
 
     -- Without a tree: what is wrong with any argument, and what a reply will hold.
@@ -7244,19 +6966,10 @@ do
     local function say_direct_command(message)
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
-        local entry = memory.meet(body)
-        local line = entry and memory.lines[entry]
-        if line then
-            local trouble = memory.troubles[entry]
-            if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
-            return line_of(message, line, message.fault)
-        end
-        local fault, complaints
-        line, fault, complaints =
+        local line, fault, complaints =
             say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
         if message.type.wants_reply then layout_notes.keep(body) end
         message.fault, message.complaints = fault, complaints
-        if entry then memory.keep_line(entry, line, fault, complaints) end
         return line_of(message, line, fault)
     end
 
@@ -7271,19 +6984,13 @@ do
         local asked = add_le(item, field.memory_sizes, range)
         add_le(asked, field.globals, range)
         add_le(asked, field.locals, range)
-        local entry = memory.meet(message.body, true)
-        local known = entry and memory.steps_of(entry)
-        if known then return line_of(message, show_steps(known, item, tvb, base)) end
-        local is_noted = entry ~= nil and memory.has_room_for_steps()
         local globals, locals = asked_memory(text)
-        local line, after, fault, steps =
-            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, globals, locals, is_noted)
+        local line, after, fault =
+            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, globals, locals)
         if message.type.wants_reply then layout_notes.keep(message.body) end
         if fault then
             message.fault = fault
             add_rest(item, tvb, base, after, stop)
-        elseif is_noted then
-            memory.keep_steps(entry, steps)
         end
         return line_of(message, line, fault)
     end
@@ -7301,8 +7008,6 @@ do
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
         local layout = layout_notes.layout_for(request.body)
-        local line = not is_shown and say_reply(layout, message)
-        if line then return line end
         local outputs, count, head = read_reply(layout, message, is_shown)
         message.outputs, message.count = outputs, count
         if count > 0 then return values_text(head, outputs, count) end
@@ -9596,7 +9301,6 @@ do
 
     function ev3.init()
         forget_dialogues()
-        memory.forget_entries()
         statistics.forget()
         statistics.print_at_end()
         each_carrier("forget")
@@ -9620,6 +9324,5 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        memory.forget_entries()
     end
 end

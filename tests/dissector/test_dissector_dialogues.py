@@ -69,3 +69,30 @@ def test_many_commands_in_a_packet(tshark: Tshark) -> None:
     assert commands == "2\t\t" + ",".join(["3"] * 3000)
     assert replies == "3\t" + ",".join(["2"] * 3000) + "\t"
     assert others[-2:] == ["602\t\t603", "603\t602\t"]
+
+
+def test_replies_to_commands_that_come_again(tshark: Tshark) -> None:
+    """The values are those of each reply, without a tree and with one."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    expected = []
+    for number in range(1, 6):
+        volts = struct.pack("<f", number + 0.5)
+        for body, memory, line in (
+            ("0400 81 01 60", volts, f"UI_READ GET_VBATT: {number}.5 V"),
+            (
+                "0500 81 01 60 7C 04 64",
+                volts + bytes([number]),
+                f"UI_READ GET_VBATT: VBATT={number}.5 V VOLUME={number} %",
+            ),
+            ("0400 D3 0D 04 60", b"EV%d\0" % number, f'COM_GET GET_BRICKNAME: "EV{number}"'),
+        ):
+            connection.send(frame(1, "00", body))
+            connection.receive(frame(1, "02", memory.hex()))
+            expected.append("reply to " + line)
+    path = tshark.place(capture.data(), "replies.pcap")
+    assert tshark.run(path, "-o", 'gui.column.format:"Info","%i"').splitlines()[1::2] == expected
+    # Fields need the tree.
+    found = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info", "-e", "ev3.ui_read.get_vbatt.value").splitlines()
+    values = [volts for number in range(1, 6) for volts in (f"{number}.5", f"{number}.5", "")]
+    assert found[1::2] == [f"{line}\t{value}" for line, value in zip(expected, values, strict=True)]

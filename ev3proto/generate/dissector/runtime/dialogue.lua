@@ -54,14 +54,6 @@ do
         return command and { place = command, delay = delay, body = bodies.get(body) }
     end
 
-    -- The number of a body that is kept. One that comes again and again has the number that it had.
-    local function number_of_body(body)
-        local entry = memory.entry_of(body)
-        local number = entry and memory.numbers[entry] or bodies.put(body)
-        if entry then memory.numbers[entry] = number end
-        return number
-    end
-
     -- The number of the packet with the reply to a command.
     function reply_to(place)
         local number = replies.get(place)
@@ -294,7 +286,7 @@ do
                 if request.earlier then request.earlier = nil end
                 talk.is_proven = talk.is_proven or is_proof(message, request.body)
                 replies.put(request.place, number_of(place))
-                requests.put(place, request.place, request.delay, number_of_body(request.body))
+                requests.put(place, request.place, request.delay, bodies.put(request.body))
                 answer, answer_place = request, place
                 if counts_all then statistics.count_answer(talk, message, request.body, request.delay) end
             end

@@ -51,19 +51,10 @@ do
     local function say_direct_command(message)
         local text, body = message.text, message.body
         if message.stop < COMMAND_HEADER_SIZE then return say_cut_command(message) end
-        local entry = memory.meet(body)
-        local line = entry and memory.lines[entry]
-        if line then
-            local trouble = memory.troubles[entry]
-            if trouble then message.fault, message.complaints = trouble.fault, trouble.complaints end
-            return line_of(message, line, message.fault)
-        end
-        local fault, complaints
-        line, fault, complaints =
+        local line, fault, complaints =
             say_operations(text, COMMAND_HEADER_SIZE, message.stop, asked_memory(text))
         if message.type.wants_reply then layout_notes.keep(body) end
         message.fault, message.complaints = fault, complaints
-        if entry then memory.keep_line(entry, line, fault, complaints) end
         return line_of(message, line, fault)
     end
 
@@ -78,19 +69,13 @@ do
         local asked = add_le(item, field.memory_sizes, range)
         add_le(asked, field.globals, range)
         add_le(asked, field.locals, range)
-        local entry = memory.meet(message.body, true)
-        local known = entry and memory.steps_of(entry)
-        if known then return line_of(message, show_steps(known, item, tvb, base)) end
-        local is_noted = entry ~= nil and memory.has_room_for_steps()
         local globals, locals = asked_memory(text)
-        local line, after, fault, steps =
-            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, globals, locals, is_noted)
+        local line, after, fault =
+            show_operations(item, tvb, base, text, COMMAND_HEADER_SIZE, stop, globals, locals)
         if message.type.wants_reply then layout_notes.keep(message.body) end
         if fault then
             message.fault = fault
             add_rest(item, tvb, base, after, stop)
-        elseif is_noted then
-            memory.keep_steps(entry, steps)
         end
         return line_of(message, line, fault)
     end
@@ -108,8 +93,6 @@ do
             return "reply: " .. plural(message.stop - HEADER_SIZE, "byte") .. ", command not seen"
         end
         local layout = layout_notes.layout_for(request.body)
-        local line = not is_shown and say_reply(layout, message)
-        if line then return line end
         local outputs, count, head = read_reply(layout, message, is_shown)
         message.outputs, message.count = outputs, count
         if count > 0 then return values_text(head, outputs, count) end

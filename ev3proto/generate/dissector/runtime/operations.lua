@@ -3,12 +3,11 @@
 -- What a direct command says, or the payload of a daisy command: the line on it, what is wrong with it, and its items
 -- in the tree.
 
-local value_of_row, say_operations, show_operations, show_steps
+local value_of_row, say_operations, show_operations
 do
     local note_output, note_lengths = layout_notes.note_output, layout_notes.note_lengths
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
-    local unpack = table.unpack
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- The field of a parameter, the value for it, and what is shown where that is not what the field shows by itself:
@@ -119,46 +118,6 @@ do
         end
     end
 
-    -- What a command adds to the tree, step by step, so that one that comes again is not read again. Each step is so
-    -- many entries. Of an argument these are its offset and all that is added of it; of an operation its offset, size,
-    -- no field, the opcode, and the text of its heading: to add what was joined once takes less than to join it.
-    local STEP = 8
-    local steps, step_count
-
-    local function note_step(at, size, declared, value, label, addition, complaints, encoding)
-        local count = step_count
-        steps[count + 1], steps[count + 2], steps[count + 3], steps[count + 4] = at, size, declared, value
-        steps[count + 5], steps[count + 6] = label, addition
-        steps[count + 7], steps[count + 8] = complaints, encoding
-        step_count = count + STEP
-    end
-
-    -- Adds what was noted of a command, and returns its line. A range costs more than an item: one serves an argument
-    -- and its encoding.
-    function show_steps(known, item, tvb, start)
-        local heading
-        for index = 1, known.count, STEP do
-            local at, size, declared, value = known[index], known[index + 1], known[index + 2], known[index + 3]
-            local label, range = known[index + 4], new_range(tvb, start + at, 1)
-            local added
-            if declared then
-                local addition, complaints, encoding = known[index + 5], known[index + 6], known[index + 7]
-                if label or addition then
-                    added = add(heading, declared, range, value, label, addition)
-                else
-                    added = add(heading, declared, range, value)
-                end
-                if complaints then complain_all(added, complaints) end
-                if encoding then add(added, ENCODING, range, encoding) end
-            else
-                added = add(item, OPCODE, range, value, label)
-                heading = added
-            end
-            if size > 1 then set_len(added, size) end
-        end
-        return known.line
-    end
-
     -- What the items of an operation are added to. There are very many arguments, and each reads these faster here than
     -- in a table.
     local NO_LENGTHS = {}
@@ -166,32 +125,24 @@ do
     local heading, buffer, base
 
     local function show_argument(view, parameter, encoding, value, declared, at, stop)
-        local own_field, own, label, addition, complaints = declared, value, false, false, false
-        local range, size, name, added = new_range(buffer, base + at, 1), stop - at, encoding.label, nil
+        local range, size, added = new_range(buffer, base + at, 1), stop - at, nil
         if encoding.scope then
-            own = encoding.texts[value]
-            own_field, label = VARIABLE, parameter.label_head .. " " .. own
-            added = add(heading, VARIABLE, range, own, label)
+            local own = encoding.texts[value]
+            added = add(heading, VARIABLE, range, own, parameter.label_head .. " " .. own)
             check_variable(view, parameter, encoding, value, declared)
             if view.complaints then
-                complaints = view.complaints
+                complain_all(added, view.complaints)
                 view.complaints = nil
-                complain_all(added, complaints)
             end
         elseif encoding.is_number and parameter.is_plain then
             added = add(heading, declared, range, value)
         else
-            if encoding.is_number and parameter.special and parameter.kind == NUMBER then
-                addition = parameter.special[value] or false
-            else
-                own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
-            end
+            local own_field, own, label, addition = value_of_row(parameter, declared, value, parameter.numbered)
             if label and addition then label, addition = label .. " " .. addition, false end
             added = add(heading, own_field, range, own, label, addition)
         end
         if size > 1 then set_len(added, size) end
-        add(added, ENCODING, range, name)
-        if steps then note_step(at, size, own_field, own, label, addition, complaints, name) end
+        add(added, ENCODING, range, encoding.label)
         if parameter.key then say_phrase(parameter, encoding, value) end
         if parameter.tells_length and tells_length(parameter, encoding) then
             if view.lengths == NO_LENGTHS then view.lengths = {} end
@@ -206,10 +157,9 @@ do
 
     -- Adds the operations between two offsets of a frame as they are read; the frame starts at an offset in the buffer.
     -- What a reply will hold is noted. Returns the line, empty where there is no operation; the offset after what could
-    -- be read; the fault, where there is one; the steps, where these are to be noted.
-    function show_operations(item, tvb, start, text, at, stop, globals, locals, is_noted)
+    -- be read; the fault, where there is one.
+    function show_operations(item, tvb, start, text, at, stop, globals, locals)
         local first, said, count, fault = nil, "", 0, nil
-        steps, step_count = is_noted and {} or nil, 0
         buffer, base, shown.globals, shown.locals, shown.lengths = tvb, start, globals, locals, NO_LENGTHS
         layout_notes.start()
         while at < stop and not fault do
@@ -220,8 +170,6 @@ do
                 fault = { at = after, reason = reason, kind = kind }
                 break
             end
-            local step = step_count
-            if steps then note_step(at, 1, false, byte(text, at + 1), false, false, false, false) end
             local name = operation.cmd_name
             if name then
                 local size = after - at - 1
@@ -232,7 +180,6 @@ do
                     set_len(added, size)
                     add(added, ENCODING, range, encoding)
                 end
-                if steps then note_step(at + 1, size, CMD, own, false, false, false, encoding) end
             end
             pieces[1], pieces[2], piece_count = name and " " or "", name or "", 2
             shown.offset, shown.operation = at, operation
@@ -240,7 +187,6 @@ do
             after, offset, reason, kind = read(operation, text, after, stop, show_argument, shown)
             if after > at + 1 then set_len(heading, after - at) end
             if name or piece_count > 2 then append_text(heading, concat(pieces, "", 1, piece_count)) end
-            if steps then steps[step + 2], steps[step + 5] = after - at, heading.text end
             if not first then
                 first, said = operation, concat(pieces, "", 3, piece_count)
                 layout_notes.note_first(operation)
@@ -253,9 +199,7 @@ do
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         local line = first and first.title .. said .. further[count] or ""
-        -- A list that grew has room for up to twice as much.
-        local noted = steps and { line = line, count = step_count, unpack(steps, 1, step_count) }
-        return line, at, fault, noted
+        return line, at, fault
     end
 
     -- Without a tree: what is wrong with any argument, and what a reply will hold.

@@ -21,7 +21,6 @@ do
 
     function ev3.init()
         forget_dialogues()
-        memory.forget_entries()
         statistics.forget()
         statistics.print_at_end()
         each_carrier("forget")
@@ -45,6 +44,5 @@ do
         gives_bytes = ev3.prefs.bytes
         dialect = DIALECTS[ev3.prefs.firmware]
         instructions = INSTRUCTION_SETS[dialect]
-        memory.forget_entries()
     end
 end

@@ -22,17 +22,12 @@ end
 -- Notes what a reply will hold while its command is read: start, note_output, note_lengths, note_first, keep.
 local layout_notes = {}
 
-local read_reply, say_reply
+local read_reply
 do
-    local unpack = table.unpack
-
     -- The layout of a reply is a list of the outputs of its command, so many entries each: the offset of the operation,
     -- parameter, encoding, index, field, operation; and its `size`, as more may follow. `first` is the first operation;
     -- `lengths`, by the offset of their operation, are constants that say how long outputs are.
     local OUTPUT = 6
-
-    -- The elements that a layout takes besides.
-    local LAYOUT_ELEMENTS = 24
 
     -- The layout of the command that is being read, or was read last.
     local draft = {}
@@ -71,13 +66,6 @@ do
         draft.size, draft.first, draft.lengths = draft_size, draft_first, draft_lengths
         -- Where the outputs of the last operation end.
         draft[draft_size + 1] = false
-    end
-
-    -- The draft in a table of its own, written at once, as a table that grows is laid out anew.
-    local function copy_of_draft()
-        return {
-            size = draft_size, first = draft_first, lengths = draft_lengths, unpack(draft, 1, draft_size),
-        }
     end
 
     -- The type of an output that has that of the array it comes from: what fits before the next output of its
@@ -181,70 +169,14 @@ do
         finish_draft()
     end
 
-    -- The layout of the replies to a command, by what follows its header. One that is not kept lasts until the next
-    -- command is read.
+    -- The layout of the replies to a command, by what follows its header. It lasts until the next command is read.
     function layout_notes.layout_for(body)
-        local entry = memory.entry_of(body)
-        local layout = entry and memory.layouts[entry]
-        if layout then return layout end
         if body ~= draft_body then draft_layout(body) end
-        -- Where nothing else is kept, the command is read whenever it comes, and its layout with it.
-        if not entry or not (memory.lines[entry] or memory.steps[entry]) then return draft end
-        if not memory.take_room(draft_size + LAYOUT_ELEMENTS) then return draft end
-        layout = copy_of_draft()
-        memory.layouts[entry] = layout
-        return layout
+        return draft
     end
 
     local function head_of(layout)
         return layout.first and "reply to " .. layout.first.title .. ":" or "reply:"
-    end
-
-    -- The line on a reply with so plain a layout, to be filled with its values; false for any other layout: each output
-    -- is one number, and nothing but a number.
-    local function plain_line(layout)
-        local count = layout.size / OUTPUT
-        if count < 1 or count > MOST_VALUES then return false end
-        local pieces, needed = { head_of(layout) }, 0
-        for at = 1, layout.size, OUTPUT do
-            local parameter, encoding = layout[at + 1], layout[at + 2]
-            local type, enum = parameter.type, parameter.enum
-            local is_plain = READ_TYPE[type] and not parameter.length and not (enum and not enum.is_flags)
-            if not is_plain or encoding.handle or encoding.address then return false end
-            needed = math.max(needed, layout[at + 3] + SIZE_OF[type])
-            pieces[#pieces + 1] = count == 1 and " " or parameter.value_key
-            pieces[#pieces + 1] = type == DATAF and "%.7g" or "%d"
-            if parameter.unit then pieces[#pieces + 1] = " " .. gsub(parameter.unit, "%%", "%%%%") end
-        end
-        layout.needed = HEADER_SIZE + needed
-        return concat(pieces)
-    end
-
-    local values = {}
-
-    -- The line on a reply, where its layout is kept and a plain one; else nil.
-    function say_reply(layout, reply)
-        if layout == draft then return nil end
-        local line = layout.line
-        if line == nil then
-            line = plain_line(layout)
-            layout.line = line
-        end
-        if not line or reply.stop < layout.needed then return nil end
-        local text, count = reply.text, 0
-        for at = 1, layout.size, OUTPUT do
-            local type = layout[at + 1].type
-            local value = READ_TYPE[type](text, HEADER_SIZE + layout[at + 3])
-            if type == DATAF then
-                -- What %.7g writes in another way than number_text.
-                local size = value < 0 and -value or value
-                if value ~= value or size >= 1e7 and size < 1e15 and value % 1 == 0 then return nil end
-                if value == 0 then value = 0 end
-            end
-            count = count + 1
-            values[count] = value
-        end
-        return format(line, unpack(values, 1, count))
     end
 
     -- The values found; they are overwritten by those of the next reply.

@@ -5,7 +5,6 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import cycle, islice
 
 from support.frames import Segment
 
@@ -35,11 +34,6 @@ def dialogue(count: int) -> Iterator[Segment]:
 def unanswered(count: int) -> Iterator[Segment]:
     """Twice as many of these commands, whose replies never come: as many packets as in the dialogues."""
     return (segment for segment in dialogue(2 * count) if segment.from_host)
-
-
-def repeated(count: int) -> Iterator[Segment]:
-    """So many commands with their replies: 4,000 of the random ones, again and again."""
-    return islice(cycle(list(dialogue(4000))), 2 * count)
 
 
 def usual_dialogue(count: int) -> Iterator[Segment]:

@@ -106,10 +106,7 @@ def constant(name: str) -> Constant:
 
     Raises:
         KeyError: There is no such name. The error suggests the nearest ones.
-        TypeError: The name is no text.
     """
-    if not isinstance(name, str):
-        raise TypeError(f"the name of a constant is a text, not {name!r}")
     known = _constants()
     if name in known:
         return known[name]

@@ -41,12 +41,7 @@ def samples(strategy: SearchStrategy[T], seed: int) -> Iterator[T]:
 
     Yields:
         Examples, without end unless the strategy has none.
-
-    Raises:
-        TypeError: The seed is no whole number.
     """
-    if not isinstance(seed, int):
-        raise TypeError(f"a seed is a whole number, not {seed!r}")
     drawn: list[T] = []
 
     @settings(database=None, deadline=None, suppress_health_check=list(HealthCheck))

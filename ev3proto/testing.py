@@ -141,11 +141,6 @@ def _element_of(parameter: Parameter, announced: Type | None = None) -> Paramete
     return parameter._replace(type=kind, direction=direction, element=None)
 
 
-def _check_parameter(parameter: Parameter) -> None:
-    if not isinstance(parameter, Parameter):
-        raise TypeError(f"a parameter is a Parameter of the tables, not {type(parameter).__name__}")
-
-
 @cache
 def values_for(parameter: Parameter) -> SearchStrategy[OperationValue]:
     """Values of one parameter, as `ev3proto.operation` takes them.
@@ -153,7 +148,6 @@ def values_for(parameter: Parameter) -> SearchStrategy[OperationValue]:
     Inputs get numbers of the type's range, floats, names of the enumeration's members, texts and variables; outputs
     get variables; lists get a list of these (whole numbers and variables where another argument tells the type).
     """
-    _check_parameter(parameter)
     if parameter.type in LISTS:
         return st.lists(_plain_values(_element_of(parameter)), max_size=MOST_ELEMENTS)
     return _plain_values(parameter)
@@ -301,7 +295,6 @@ def encoded_arguments(parameter: Parameter) -> SearchStrategy[bytes]:
     Handle and address bits, labels and the old string form included. For a count: the number alone, without what it
     counts; for a list of values: one of its elements.
     """
-    _check_parameter(parameter)
     if parameter.type is Type.COUNT:
         return _forms_of_constants(parameter)
     if parameter.type is Type.VALUES:
@@ -381,11 +374,6 @@ ALL = Choice()
 """Everything."""
 
 
-def _check_choice(chosen: Choice) -> None:
-    if not isinstance(chosen, Choice):
-        raise TypeError(f"chosen is what ev3proto.testing.choice makes, not {chosen!r}")
-
-
 SYSTEM_AREA = "system"
 """What `choice` calls all system commands, which are in no area of the firmware."""
 
@@ -414,7 +402,6 @@ def choice(
 
     Raises:
         ValueError: One of them is not known, or no type of message is left.
-        TypeError: A name or a type is no text.
     """
     operations, system = _chosen([*names], [*areas], dialect)
     if operations is None:
@@ -464,8 +451,6 @@ def _named(names: list[str], dialect: str) -> tuple[tuple[str, ...], tuple[int, 
     operations: dict[str, None] = {}
     system: dict[int, None] = {}
     for name in names:
-        if not isinstance(name, str):
-            raise TypeError(f"a name is a text, not {name!r}")
         upper = name.upper()
         found = [full for full, entry in known.items() if upper in (full, entry.opcode.name)]
         numbers = [entry.number for entry in SYSTEM if entry.name == upper]
@@ -490,8 +475,6 @@ def _of_areas(areas: list[str], dialect: str) -> tuple[tuple[str, ...], tuple[in
 
 def _types(name: str) -> list[MessageType]:
     """The types of messages that a name stands for. Raises ValueError."""
-    if not isinstance(name, str):
-        raise TypeError(f"a type of message is a text, not {name!r}")
     found = [member for member in MessageType if name.upper() == member.name or name.lower() == member.kind]
     if not found:
         kinds = dict.fromkeys(member.kind for member in MessageType)
@@ -503,7 +486,6 @@ def _types(name: str) -> list[MessageType]:
 @cache
 def direct_commands(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[DirectCommand]:
     """Direct commands of a few operations, built from values."""
-    _check_choice(chosen)
     room = MAX_FRAME - HEADER_SIZE - MEMORY_SIZE
     return st.builds(
         lambda found, counter, reply, sizes: constructors.any_direct_command(
@@ -528,7 +510,6 @@ def _flags(members: Iterable[MessageType], name: str) -> SearchStrategy[bool]:
 
 def direct_replies(chosen: Choice = ALL) -> SearchStrategy[DirectReply]:
     """Replies to direct commands, with memory of any size that a frame has room for."""
-    _check_choice(chosen)
     return st.builds(
         constructors.direct_reply,
         st.binary(max_size=MAX_FRAME - HEADER_SIZE),
@@ -579,7 +560,6 @@ def _fields(draw: DrawFn, declared: tuple[Field, ...]) -> dict[str, FieldValue]:
 @st.composite
 def system_commands(draw: DrawFn, chosen: Choice = ALL) -> SystemCommand:
     """System commands, those of the bootloader included."""
-    _check_choice(chosen)
     entry = SYSTEM_BY_NUMBER[draw(st.sampled_from(chosen.system_commands))]
     fields = draw(_fields(entry.request))
     reply = draw(_flags(chosen.of(*_SYSTEM_COMMANDS), "wants_reply"))
@@ -589,7 +569,6 @@ def system_commands(draw: DrawFn, chosen: Choice = ALL) -> SystemCommand:
 @st.composite
 def system_replies(draw: DrawFn, chosen: Choice = ALL) -> SystemReply:
     """Replies to system commands with any status; failed ones end before any of their fields."""
-    _check_choice(chosen)
     entry = SYSTEM_BY_NUMBER[draw(st.sampled_from(chosen.system_commands))]
     error = draw(_flags(chosen.of(*_SYSTEM_REPLIES), "is_error"))
     status = draw(st.just(0) | st.sampled_from(list(SystemStatus)).map(int) | st.integers(0, 0xFF))
@@ -627,7 +606,6 @@ def _daisy_replies(draw: DrawFn, chosen: Choice) -> bytes:
 
 def daisy_messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[DaisyCommand | DaisyReply]:
     """Messages from brick to brick, both ways: operations, sensor reports, and payloads that are neither."""
-    _check_choice(chosen)
 
     def parsed(frame: bytes) -> DaisyCommand | DaisyReply:
         message = parse(frame, dialect=dialect)
@@ -641,7 +619,6 @@ def daisy_messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStr
 
 def messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[Message]:
     """Messages of every type, or of those that were chosen."""
-    _check_choice(chosen)
     ways: list[SearchStrategy[Message]] = []
     if chosen.of(*_DIRECT_COMMANDS):
         ways.append(direct_commands(dialect, chosen))
@@ -682,7 +659,6 @@ def frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[by
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
         chosen: Which frames: `choice(names=["SOUND.TONE"])`, `choice(types=["direct-command"])`.
     """
-    _check_choice(chosen)
     built = messages(dialect, chosen).map(lambda message: message.build())
     return built | _raw_direct_commands(dialect, chosen) if chosen.of(*_DIRECT_COMMANDS) else built
 
@@ -698,7 +674,6 @@ def mutated_frames(draw: DrawFn, dialect: str = "official", chosen: Choice = ALL
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
         chosen: Which frames, as for `frames`.
     """
-    _check_choice(chosen)
     frame = bytearray(draw(frames(dialect, chosen)))
     for edit in draw(st.lists(st.sampled_from(("change", "insert", "delete", "length")), min_size=1, max_size=3)):
         at = draw(st.integers(0, len(frame)))

@@ -104,7 +104,6 @@ def read(
         OSError: The file cannot be opened.
         CaptureError: The file is no capture, or tshark cannot be used.
         ValueError: The dialect or the engine is not known.
-        TypeError: The source is none of these.
 
     """
     check_dialect(dialect)
@@ -159,6 +158,4 @@ def from_pyshark(packets: Iterable[Any], *, dialect: str = "official", ports: Co
 def _opened(source: str | os.PathLike[str] | BinaryIO) -> CaptureFile:
     if isinstance(source, str | os.PathLike):
         return CaptureFile.at(source)
-    if not hasattr(source, "read"):
-        raise TypeError(f"a capture is a path or a binary stream, not {type(source).__name__}")
     return CaptureFile(source)

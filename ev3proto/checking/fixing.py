@@ -65,11 +65,6 @@ class Fix:
     unfixed: tuple[str, ...]
     report: Report
 
-    def __post_init__(self) -> None:
-        """Refuses a report that is none, before somebody asks what it says."""
-        if not isinstance(self.report, Report):
-            raise TypeError(f"a fix has a Report of the fixed frame, not {self.report!r}")
-
     def __str__(self) -> str:
         """What `ev3proto check --fix` prints of it."""
         from ev3proto.text.diagnostics import fixed

@@ -72,10 +72,7 @@ class Target:
 
         Raises:
             ValueError: It is none of these.
-            TypeError: It is no text.
         """
-        if not isinstance(text, str):
-            raise TypeError(f"a target is a text, not {type(text).__name__}")
         name, _, rest = text.partition(":")
         try:
             way = Way(name.lower())

@@ -112,14 +112,7 @@ def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
 
     Yields:
         A value for each output in global memory that the reply carries in whole; nothing for an error.
-
-    Raises:
-        TypeError: One of the two is something else.
     """
-    if not isinstance(command, DirectCommand):
-        raise TypeError(f"a reply is read through a DirectCommand, not {type(command).__name__}")
-    if not isinstance(reply, DirectReply):
-        raise TypeError(f"values are in a DirectReply, not in {type(reply).__name__}")
     if reply.is_error:
         return
     for operation in command.operations:

@@ -76,17 +76,6 @@ def test_a_variable_is_shown_whatever_it_is_made_of(index: int) -> None:
     assert repr(GV(0, handle="x")) == "GV(0, handle=True)"  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("name", [None, 1.5, b"SOUND.TONE"])
-def test_a_name_is_a_text(name: Any) -> None:
-    for make in (ev3proto.operation, ev3proto.system_command, ev3proto.system_reply):
-        with pytest.raises(BuildError, match=r"is a text, such as [A-Z_.]+, not (None|1\.5|b'SOUND\.TONE')$"):
-            make(name)
-    for look in (ev3proto.program.assemble, ev3proto.names.constant):
-        if not isinstance(name, bytes):
-            with pytest.raises(TypeError, match=f"is a text.*, not {name}$"):
-                look(name)
-
-
 def test_nobody_makes_a_command_of_nothing() -> None:
     sentence = "a command needs an operation: the brick refuses an empty one"
     for make in (ev3proto.command, ev3proto.direct_command):

@@ -169,10 +169,7 @@ def write_pcapng(
     Raises:
         ValueError: The carrier is not known.
         BuildError: A frame is too long, its length field is wrong, or its time is before the last one.
-        TypeError: The stream is none.
     """
-    if not hasattr(stream, "write"):
-        raise TypeError(f"a capture is written to a binary stream, not {type(stream).__name__}")
     writer = CaptureWriter(stream, carrier=carrier, begin_ns=begin_ns, step_ns=step_ns)
     for frame in frames:
         try:

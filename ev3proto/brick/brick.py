@@ -12,11 +12,9 @@ from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from random import Random
 from time import thread_time
 from typing import NamedTuple
 
-from ev3proto.brick.boxes import Mailboxes
 from ev3proto.brick.clock import (
     FIRST_STRETCH,
     LONG_STRETCH,
@@ -30,17 +28,9 @@ from ev3proto.brick.clock import (
     OPERATIONS_PER_TURN,
     TICK,
 )
-from ev3proto.brick.devices.buttons import Buttons
-from ev3proto.brick.devices.display import Display
-from ev3proto.brick.devices.display.screen_dialog import ScreenDialog
-from ev3proto.brick.devices.motors import Outputs
-from ev3proto.brick.devices.panel import Panel
-from ev3proto.brick.devices.sensors import Inputs
-from ev3proto.brick.devices.speaker import Sound
-from ev3proto.brick.devices.terminal import Terminal
+from ev3proto.brick.dispatch import dispatch_table
+from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.open_files import RecentFiles
-from ev3proto.brick.parts import Part
 from ev3proto.brick.running_programs import (
     CMD_SLOT,
     FAIL,
@@ -52,8 +42,6 @@ from ev3proto.brick.running_programs import (
     Program,
     ProgramObject,
 )
-from ev3proto.brick.settings import Settings
-from ev3proto.brick.storage import Storage
 from ev3proto.brick.system_commands import SystemCommands
 from ev3proto.checking.verdict import Reason, verdict
 from ev3proto.errors import as_bytes
@@ -98,7 +86,7 @@ class Outgoing(NamedTuple):
     frame: bytes
 
 
-class Brick:
+class Brick(Equipment):
     """A brick that has just been switched on.
 
     root     the folder that stands for /home/root/lms2012; None: there are no files
@@ -112,28 +100,11 @@ class Brick:
     def __init__(
         self, root: str | Path | None = None, *, dialect: str = "official", stretch: float | None = None
     ) -> None:
-        self.dialect = check_dialect(dialect)
         if stretch is not None and (not isinstance(stretch, int | float) or not stretch >= 0):
             raise ValueError(f"stretch must be seconds, 0 or more, or None, not {stretch!r}")
-        self.microseconds = 0
-        self.is_dead = self.is_computing = False
-        self.tests_until = 0
-        self.settings = Settings()
-        self.files = Storage(root)
-        self.recent = RecentFiles()
-        self.mailboxes = Mailboxes()
-        self.log_sync = (0, 0)
-        self.random = Random()
-        self.machine = Machine(self, self.dialect)
-        self.panel = Panel()
-        self.display = Display(self.settings, self.panel.battery)
-        self.dialog: ScreenDialog | None = None
-        self.buttons = Buttons(self._stop_user_program)
-        self.console = Terminal()
-        self.sound = Sound()
-        self.outputs = Outputs()
-        self.inputs = Inputs(self.outputs)
-        self.parts: list[Part] = [self.display, self.buttons, self.panel, self.sound, self.outputs, self.inputs]
+        super().__init__(root, check_dialect(dialect), self._stop_user_program)
+        self.is_computing = False
+        self.machine = Machine(self, dispatch_table(self.dialect))
         self._global_memory = bytearray(GRANTED_GLOBALS)
         self._waiting: deque[Incoming] = deque()
         self._waiting_bytes = 0
@@ -141,11 +112,7 @@ class Brick:
         self._command: _Command | None = None
         self._stretch = math.inf if stretch is None else min(stretch, _MOST_SECONDS)
         self._deadline = math.inf
-        self._system = SystemCommands(self)
-
-    def used_kilobytes(self) -> int:
-        """KB of the flash memory that users' files take."""
-        return -(-self.files.used // 1024)
+        self._system = SystemCommands(self, self.machine)
 
     # What stands round the machine
 
@@ -424,19 +391,6 @@ class Brick:
         """Tells the parts what time it is."""
         for part in self.parts:
             part.advance(self.microseconds)
-
-    def program_started(self, program: Program) -> None:
-        """What happens when a program, no direct command, has been started."""
-        for part in self.parts:
-            part.program_started(program)
-
-    def program_ended(self, program: Program) -> None:
-        """What happens when a program or a direct command has ended."""
-        if program.slot == USER_SLOT:
-            self.mailboxes.close_all()
-        if program.slot != CMD_SLOT:
-            for part in self.parts:
-                part.program_ended(program)
 
 
 @dataclass

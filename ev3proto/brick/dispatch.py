@@ -2,51 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator
 from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
-from ev3proto.brick.handlers import HANDLERS, UNKNOWN_COMMANDS, Function, Handler
+import ev3proto.brick.operations  # noqa: F401 - registers the handlers
+from ev3proto.brick.handlers import HANDLERS, UNKNOWN_COMMANDS, Dispatch, Entry, Family, Function, Handler
+from ev3proto.brick.machine import Machine
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
 
-if TYPE_CHECKING:
-    from ev3proto.brick.machine import Machine
-
-Reader = Callable[["Machine"], Any]
-
-
-class Entry(NamedTuple):
-    """How the machine executes one operation.
-
-    function  the handler
-    readers   one for each parameter; None where the handler reads its parameters itself
-    """
-
-    function: Function
-    readers: tuple[Reader, ...] | None
-
-
-class Family(NamedTuple):
-    """How the machine executes an opcode with CMD.
-
-    entries  by CMD
-    unknown  what it does with any other CMD; None: nothing
-    """
-
-    entries: Mapping[int, Entry]
-    unknown: Function | None
-
-
-Dispatch = tuple[Entry | Family | None, ...]
-"""By opcode; None for those that the machine does not have."""
+Reader = Callable[[Machine], Any]
 
 
 @cache
 def dispatch_table(dialect: str) -> Dispatch:
     """The table of a dialect. ValueError for an unknown dialect, or for a handler that cannot be called as declared."""
-    import ev3proto.brick.operations  # noqa: F401 - registers the handlers
-
     plain: dict[int, Entry] = {}
     families: dict[int, dict[int, Entry]] = {}
     unknown: dict[int, Function | None] = {}
@@ -75,8 +46,6 @@ def _missing(vm: Machine) -> None:
 
 
 def _readers(declaration: Declaration, handler: Handler) -> tuple[Reader, ...]:
-    from ev3proto.brick.machine import Machine
-
     numbers: dict[Type, Reader] = {
         Type.DATA8: Machine.int8,
         Type.DATA16: Machine.int16,
@@ -101,3 +70,9 @@ def _readers(declaration: Declaration, handler: Handler) -> tuple[Reader, ...]:
         return numbers[parameter.type]
 
     return tuple(reader(parameter) for parameter in declaration.parameters)
+
+
+def coverage(dialect: str = "official") -> Iterator[tuple[str, bool]]:
+    """Every operation of a dialect by name, and whether it has a handler. ValueError for an unknown dialect."""
+    for name in operations(dialect):
+        yield name, name in HANDLERS

@@ -25,12 +25,13 @@ to end the program (a direct command is answered with DIRECT_REPLY_ERROR). What 
 
 An opcode whose CMD is not known does nothing, and what were its parameters is executed as operations, as the firmware
 does. Where the firmware does something else, a function registered by `@handles_unknown("FILE")` does it. An operation
-without a handler fails, as those do that the firmware's tables have and its machine has not. `coverage` lists them.
+without a handler fails, as those do that the firmware's tables have and its machine has not:
+`ev3proto.brick.dispatch.coverage` lists them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from ev3proto.tables import operations
@@ -87,9 +88,27 @@ def handles_unknown(*opcodes: str) -> Callable[[Function], Function]:
     return register
 
 
-def coverage(dialect: str = "official") -> Iterator[tuple[str, bool]]:
-    """Every operation of a dialect by name, and whether it has a handler. ValueError for an unknown dialect."""
-    import ev3proto.brick.operations  # noqa: F401 - registers the handlers
+class Entry(NamedTuple):
+    """How the machine executes one operation.
 
-    for name in operations(dialect):
-        yield name, name in HANDLERS
+    function  the handler
+    readers   one for each parameter; None where the handler reads its parameters itself
+    """
+
+    function: Function
+    readers: tuple[Callable[[Any], Any], ...] | None
+
+
+class Family(NamedTuple):
+    """How the machine executes an opcode with CMD.
+
+    entries  by CMD
+    unknown  what it does with any other CMD; None: nothing
+    """
+
+    entries: Mapping[int, Entry]
+    unknown: Function | None
+
+
+Dispatch = tuple[Entry | Family | None, ...]
+"""By opcode; None for those that the machine does not have. `ev3proto.brick.dispatch` makes it."""

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from ev3proto.brick.conversions import wrap8, wrap16
-from ev3proto.brick.dispatch import Family, dispatch_table
+from ev3proto.brick.equipment import Equipment
+from ev3proto.brick.handlers import Dispatch, Family
 from ev3proto.brick.handles import ROOM, Array, Closable
 from ev3proto.brick.images import Image, Images, load
 from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
@@ -22,9 +22,6 @@ from ev3proto.schema.identification import ENCODINGS, SHORT_VALUES
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
 from ev3proto.tables.validation import LABELS
-
-if TYPE_CHECKING:
-    from ev3proto.brick.brick import Brick
 
 _SHORT_CONSTANT, _SHORT_LOCAL, _SHORT_GLOBAL, _LONG_CONSTANT, _OTHER = range(5)
 
@@ -80,7 +77,7 @@ class Machine:
     program: Program
     object: ProgramObject
 
-    def __init__(self, brick: Brick, dialect: str) -> None:
+    def __init__(self, brick: Equipment, dispatch: Dispatch) -> None:
         self.brick = brick
         self.slots: list[Program | None] = [None] * SLOTS
         self.code = bytearray()
@@ -89,7 +86,7 @@ class Machine:
         self.local_memory = bytearray()
         self.images = Images()
         self._scratch = bytearray(_SCRATCH)
-        self._dispatch = dispatch_table(dialect)
+        self._dispatch = dispatch
 
     # The clock
 

@@ -11,8 +11,10 @@ import os
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
+from ev3proto.brick.equipment import Equipment
+from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.path_names import is_allowed
 from ev3proto.brick.running_programs import USER_SLOT
@@ -22,9 +24,6 @@ from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemStatus
-
-if TYPE_CHECKING:
-    from ev3proto.brick.brick import Brick
 
 HANDLES = 64
 NO_HANDLE = 0xFF
@@ -123,8 +122,9 @@ def _answers(name: str) -> Callable[[Function], Function]:
 class SystemCommands:
     """The transfers under way, and a method for each system command."""
 
-    def __init__(self, brick: Brick) -> None:
+    def __init__(self, brick: Equipment, machine: Machine) -> None:
         self._brick = brick
+        self._machine = machine
         self._transfers: dict[int, Transfer] = {}
 
     def answer(self, channel: Hashable, frame: bytes) -> tuple[bool, bytes] | None:
@@ -282,7 +282,7 @@ class SystemCommands:
 
     def _is_growing(self, transfer: Transfer) -> bool:
         """Whether a user's program still has the file open to write, which only GETFILE minds."""
-        program = self._brick.machine.slots[USER_SLOT]
+        program = self._machine.slots[USER_SLOT]
         if transfer.command != "BEGIN_GETFILE" or program is None:
             return False
         files = (entry for entry in program.handles.entries() if isinstance(entry, OpenFile))

@@ -260,7 +260,7 @@ def read_script_file(path: Path | None) -> Script:
 
 
 def _show_coverage(dialect: str) -> None:
-    from ev3proto.brick.handlers import coverage as covered_operations
+    from ev3proto.brick.dispatch import coverage as covered_operations
 
     names = list(covered_operations(dialect))
     missing = [name for name, is_there in names if not is_there]

@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
+from ev3proto.brick.brick import Brick, Outgoing
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, PATIENCE
 from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import LENGTH_FIELD
-
-if TYPE_CHECKING:
-    from ev3proto.brick.brick import Brick, Outgoing
 
 _COMPUTING_PERIOD, _BUSY_PERIOD, _IDLE_PERIOD = 0.0, 0.002, 0.02
 """Seconds from one look at the clock to the next: while a direct command computes, while it waits, otherwise."""

@@ -7,15 +7,13 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO, cast
+from typing import BinaryIO, cast
 
-from ev3proto.generate.captures import PacketFile, carrier_writer
+from ev3proto.brick.servers.host import Connection, Say
+from ev3proto.generate.captures import PacketFile, carrier_writer, wifi
+from ev3proto.generate.captures.carrier_writer import CarrierWriter
 from ev3proto.tables.carriers import Carrier
 from ev3proto.whole_files import GrowingFile
-
-if TYPE_CHECKING:
-    from ev3proto.brick.servers.host import Connection, Say
-    from ev3proto.generate.captures.carrier_writer import CarrierWriter
 
 _FIRST_PORT, _PORTS = 49152, 16384
 """Ports of clients in the capture."""
@@ -44,8 +42,6 @@ class Recorder:
         carrier = Carrier(connection.carrier)
         writer: CarrierWriter
         if carrier == "wifi":
-            from ev3proto.generate.captures import wifi
-
             writer = wifi.Writer(_FIRST_PORT + (connection.number - 1) % _PORTS)
         else:
             writer = carrier_writer(carrier)

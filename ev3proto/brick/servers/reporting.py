@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from ev3proto.brick.servers.host import Connection
 from ev3proto.checking.checking import check
-from ev3proto.checking.report import Severity
+from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.errors import counted
 from ev3proto.schema.header import HEADER
+from ev3proto.text.diagnostics import diagnostics
 from ev3proto.text.spans import Line, Role
-
-if TYPE_CHECKING:
-    from ev3proto.brick.servers.host import Connection
-    from ev3proto.checking.report import Finding, Report
 
 _MOST_KINDS = 200
 """Different findings that are kept."""
@@ -89,8 +86,6 @@ class Reporter:
 
     def lines(self) -> Iterator[Line]:
         """What was found, for people: each kind of finding with the first frame that has it."""
-        from ev3proto.text.diagnostics import diagnostics
-
         many = f"{counted(self.frames, 'frame')} from clients"
         if not self._found:
             yield [(f"{many}: no findings", Role.PLAIN)]

@@ -29,17 +29,15 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from ev3proto.brick.brick import Brick
 from ev3proto.brick.devices.buttons import BUTTONS
 from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
 from ev3proto.brick.devices.sensors import PORTS
 from ev3proto.errors import near_misses
 from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.enumerations import TYPE
-
-if TYPE_CHECKING:
-    from ev3proto.brick.brick import Brick
 
 MOST_SCRIPT = 1 << 20
 """Bytes of a script."""

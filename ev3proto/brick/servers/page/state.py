@@ -5,18 +5,16 @@ from __future__ import annotations
 import base64
 import math
 import os
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ev3proto.brick.devices.buttons import BUTTONS
 from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
 from ev3proto.brick.devices.sensors import PORTS
 from ev3proto.brick.running_programs import RUNNING, USER_SLOT
+from ev3proto.brick.servers.host import Host
 from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.enumerations import CONN, LEDPATTERN, TYPE
-
-if TYPE_CHECKING:
-    from ev3proto.brick.servers.host import Host
 
 MOST_FILES = 500
 """Entries of a folder that are shown."""

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections import OrderedDict, deque
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from ev3proto.brick.servers.host import Connection
+from ev3proto.dialogue import Dialogue
+from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header
 from ev3proto.tables.frame import MAX_FRAME
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from ev3proto.brick.servers.host import Connection
+from ev3proto.text.dialogues import command_spans, dialogue_line
+from ev3proto.text.spans import Role, plain_text
 
 MOST_KEPT = 200
 """Dialogues that a page finds when it is opened."""
@@ -45,11 +45,6 @@ class Talk:
 
     def line(self, dialect: str) -> tuple[str, bool]:
         """What both say, decoded, and whether something went wrong."""
-        from ev3proto.dialogue import Dialogue
-        from ev3proto.schema.frame import parse
-        from ev3proto.text.dialogues import command_spans, dialogue_line
-        from ev3proto.text.spans import Role, plain_text
-
         dialogue = Dialogue()
         command = None if self.command is None else parse(self.command, strict=False, dialect=dialect)
         if command is not None:

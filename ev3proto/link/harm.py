@@ -5,12 +5,18 @@ Who replays a capture or lets strangers at a brick decides by it what to omit.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from enum import StrEnum
 
-from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
-from ev3proto.tables.declaration import Effect
+from ev3proto.checking.verdict import operation_offsets, verdict
+from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation, SystemCommand
+from ev3proto.schema.header import COMMAND_HEADER_SIZE
+from ev3proto.semantics.footprint import Footprint, footprints, whole_number
+from ev3proto.tables.declaration import Effect, Role
+from ev3proto.tables.encoding import CONSTANT, JUMP, TEXT
+from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_LOCALS
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
+from ev3proto.tables.validation import LABELS
 
 
 class Harm(StrEnum):
@@ -95,9 +101,66 @@ def _entries(message: Message) -> Iterable[tuple[str, tuple[Effect, ...]]]:
 
 
 def _is_unread(message: Message) -> bool:
-    """Whether a message has anything of which nobody knows what it does."""
+    """Returns whether anything in a message may run that its operations do not show."""
     if isinstance(message, DaisyCommand):
-        return not message.operations
+        return not message.operations or _has_hidden_code(message.operations)
+    if isinstance(message, DirectCommand) and (_has_hidden_code(message.operations) or _reads_otherwise(message)):
+        return True
     if isinstance(message, SystemCommand) and message.number not in SYSTEM_BY_NUMBER:
         return True
     return message.type is None or message.fault is not None
+
+
+def _has_hidden_code(operations: Sequence[Operation]) -> bool:
+    """Returns whether code may run that is no operation of the list: by a jump into one, or by one that rewrites code.
+
+    A jump by a variable may lead anywhere. A text stands in the code, so what is written to it is code as well; and
+    code is in the same memory as variables, of which the firmware checks no index.
+    """
+    starts = {operation.offset for operation in operations}
+    ends = {operation.offset + operation.length for operation in operations}
+    labels = {
+        whole_number(argument)
+        for operation in operations
+        for argument in operation.arguments
+        if argument.parameter.role is Role.LABEL
+    }
+    for operation in operations:
+        for argument in operation.arguments:
+            parameter = argument.parameter
+            if parameter.role is Role.JUMP:
+                if not _leads_to(argument, operation.offset + operation.length, starts | ends, labels):
+                    return True
+            elif (parameter.is_output or parameter.stores) and (argument.kind == TEXT or argument.form.address):
+                return True
+        if any(place.is_written and _is_beyond(place) for place in footprints(operation)):
+            return True
+    return False
+
+
+def _reads_otherwise(message: DirectCommand) -> bool:
+    """Returns whether older firmware takes a command and sees other operations in it.
+
+    It does not know some CMDs, and runs what should be their arguments.
+    """
+    frame = message.build()
+    if not verdict(frame).accepted:
+        return False
+    seen = [COMMAND_HEADER_SIZE + offset for offset in operation_offsets(frame[COMMAND_HEADER_SIZE:])]
+    return seen != [operation.offset for operation in message.operations]
+
+
+def _is_beyond(place: Footprint) -> bool:
+    """Returns whether an operation may write outside the memory that every direct command has."""
+    is_anywhere = place.argument.parameter.stores and place.is_open
+    return is_anywhere or place.end > (GRANTED_GLOBALS if place.is_global else MAX_LOCALS)
+
+
+def _leads_to(jump: Argument, after: int, places: set[int], labels: set[int | None]) -> bool:
+    """Returns whether a jump surely leads to one of some places, counted from `after`, or to one of some labels."""
+    form, value = jump.form, jump.value
+    if form.handle or form.address or not isinstance(value, int) or form.kind not in (CONSTANT, JUMP):
+        return False
+    if form.kind == JUMP and 0 < value < LABELS:
+        return value in labels
+    return after + value in places

@@ -1,0 +1,110 @@
+"""What a frame may do to a brick: nothing harmful runs that `harms_of` does not name."""
+
+from __future__ import annotations
+
+import pytest
+
+import ev3proto
+from ev3proto import LV, Operation, check, operation
+from ev3proto.link.harm import Harm, harms_of
+from ev3proto.schema.argument import encode_as
+
+
+def harms(frame: bytes) -> set[Harm]:
+    return set(harms_of(ev3proto.parse(frame, strict=False)))
+
+
+def command(*operations: Operation) -> bytes:
+    return ev3proto.direct_command(*operations, local_size=4).build()
+
+
+SKIPPED = operation("MOVE8_8", 1, LV(0))
+
+
+@pytest.mark.parametrize(
+    "frame",
+    [
+        "1500010000020440037d0184a4400f8132a6400f0a0060",  # jumps into a text, in which OUTPUT_START is
+        "1300010000041030034040407d0184a6440f0a0060",  # jumps by a variable
+    ],
+)
+def test_hidden_code_is_unknown(frame: str) -> None:
+    assert harms(bytes.fromhex(frame)) == {Harm.UNKNOWN}
+
+
+@pytest.mark.parametrize(
+    "jump",
+    [
+        operation("JR", 1),  # into SKIPPED
+        operation("JR", -1),  # into itself
+        operation("JR", 100),
+        operation("JR", -100),
+        operation("JR_TRUE", 1, LV(0)),
+        operation("JR_LT8", 1, 2, 1),
+        operation("JR", encode_as("LAB1", 3)),  # there is no such label
+        operation("JR", encode_as("LAB1", 100)),  # no label, but a distance
+        operation("JR", bytes((0x91, 3))),  # a handle, though a constant
+    ],
+)
+def test_jumps_to_anything_but_an_operation_are_unknown(jump: Operation) -> None:
+    assert harms(command(jump, SKIPPED)) == {Harm.UNKNOWN}
+
+
+@pytest.mark.parametrize(
+    "jump",
+    [
+        operation("JR", 0),
+        operation("JR", SKIPPED.length),
+        operation("JR", 2 * SKIPPED.length),  # to the end
+        operation("JR_TRUE", LV(0), -3),
+        operation("JR", encode_as("LAB1", 2)),
+    ],
+)
+def test_jumps_to_operations_are_harmless(jump: Operation) -> None:
+    assert harms(command(jump, SKIPPED, SKIPPED)) == (set() if jump.arguments[-1].kind != "label" else {Harm.UNKNOWN})
+    assert harms(command(jump, SKIPPED, SKIPPED, operation("LABEL", 2))) == set()
+
+
+@pytest.mark.parametrize(
+    "writer",
+    [
+        # Four bytes of code are written over an empty text and what follows it: OUTPUT_START(0, 1) runs.
+        operation("MOVE32_32", encode_as("LC4", 0x0100A601), encode_as("LCS", "")),
+        operation("STRINGS.DUPLICATE", "abc", encode_as("LCS", "xyz")),
+        operation("WRITE8", 1, 0, encode_as("LCS", "x")),
+        operation("MOVE32_32", 1, encode_as("LV4", 1 << 20)),
+        operation("MOVE32_32", 1, encode_as("GV2", 1020)),
+        operation("MOVE32_32", 1, bytes((0xC9, 0))),  # by an address
+        operation("WRITE8", 1, 100, LV(0)),
+        operation("WRITE8", 1, -1, LV(0)),
+        operation("WRITE8", 1, LV(4), LV(0)),
+    ],
+)
+def test_code_that_may_rewrite_code_is_unknown(writer: Operation) -> None:
+    assert harms(command(writer, operation("NOP"), operation("NOP"))) == {Harm.UNKNOWN}
+
+
+@pytest.mark.parametrize(
+    "writer",
+    [
+        operation("WRITE8", 1, 3, LV(0)),
+        operation("MOVE32_32", 1, LV(56)),
+        operation("UI_READ.GET_FW_VERS", 100, ev3proto.GV(0)),
+        operation("STRINGS.ADD", "a", "b", ev3proto.GV(0)),
+        operation("MOVE32_32", 1, b"\x00"),  # what is written to a number is lost
+    ],
+)
+def test_what_writes_to_variables_is_harmless(writer: Operation) -> None:
+    assert harms(command(writer)) == set()
+
+
+def test_code_that_older_firmware_reads_otherwise_is_unknown() -> None:
+    """It does not know UI_READ.GET_POWER and runs NOP, NOP, NOP, UI_BUTTON.FLUSH, OUTPUT_START(0, 1)."""
+    frame = bytes.fromhex("0f0001000000 00811d010101 8304a60001".replace(" ", ""))
+    assert check(frame).accepted
+    assert harms(frame) == {Harm.UNKNOWN}
+
+
+def test_what_is_jumped_to_counts() -> None:
+    motor = operation("OUTPUT_START", 0, 1)
+    assert harms(command(operation("JR", SKIPPED.length), SKIPPED, motor)) == {Harm.MOTORS}

@@ -248,6 +248,7 @@ def test_every_frame_comes_back_from_json(frame: bytes) -> None:
         LIST,
         LISTED,
         bytes.fromhex("08 00 01 00 00 04 00 81 01 60"),
+        bytes.fromhex("08 00 01 00 00 00 10 81 01 40"),
         bytes.fromhex("07 00 01 00 02 A4 70 FD 40"),
         bytes.fromhex("09 00 01 00 0A A0 00 01 A6 00 0F"),
         bytes.fromhex("08 00 01 00 0A A1 00 01 DE AD"),

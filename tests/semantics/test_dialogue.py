@@ -265,3 +265,14 @@ def test_a_handle_whose_command_was_not_seen_stands_for_no_file_that_is_known() 
     assert dialogue.follow(unseen).transfer is None
     piece = ev3proto.system_command("CONTINUE_DOWNLOAD", counter=3, handle=0, data=b"abc")
     assert dialogue.follow(piece).transfer is None
+
+
+def test_a_handle_that_the_brick_took_back_stands_for_no_file() -> None:
+    dialogue = ev3proto.Dialogue()
+    dialogue.follow(ev3proto.system_command("BEGIN_DOWNLOAD", counter=1, size=10, path="../prjs/a.rbf"))
+    dialogue.follow(ev3proto.system_reply("BEGIN_DOWNLOAD", counter=1, handle=3))
+    dialogue.follow(ev3proto.system_command("CONTINUE_DOWNLOAD", counter=2, handle=3, data=b"123456"))
+    failed = ev3proto.system_reply("CONTINUE_DOWNLOAD", counter=2, status=1, handle=3)
+    assert dialogue.follow(failed).transfer is not None
+    again = ev3proto.system_command("CONTINUE_DOWNLOAD", counter=3, handle=3, data=b"7890")
+    assert dialogue.follow(again).transfer is None

@@ -433,6 +433,19 @@ def test_a_brick_is_known_by_its_product(ask: Ask, product: int) -> None:
 
 
 @pytest.mark.parametrize("is_known", [True, False])
+def test_bulk_transfers_are_left_to_wireshark(ask: Ask, is_known: bool) -> None:
+    """Other programs that run on a brick have the brick's product number and speak their own protocol in these."""
+    capture = Capture(USBMON)
+    brick = known(capture) if is_known else Device(capture)
+    brick.kind = Device.BULK
+    for data in (voltage(1), bytes.fromhex("FFFF0000 80"), bytes.fromhex("0800 0100 80 0000 94 01 01")):
+        brick.send(data)
+        brick.receive(data)
+    assert ask(capture, "usb.transfer_type == 3") != []
+    assert ask(capture, "ev3") == []
+
+
+@pytest.mark.parametrize("is_known", [True, False])
 def test_what_is_behind_the_frame_is_padding(tshark: Tshark, is_known: bool) -> None:
     capture = Capture(USBMON)
     brick = known(capture) if is_known else Device(capture)

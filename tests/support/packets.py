@@ -173,15 +173,16 @@ def over(capture: Capture, carrier: Connection | SerialPort | Device, said: Iter
 
 
 class Device:
-    """A USB device that was plugged in before the capture began."""
+    """A USB device that was plugged in before the capture began; `kind` is how it transfers reports."""
 
-    INTERRUPT, CONTROL = 1, 2
+    INTERRUPT, CONTROL, BULK = 1, 2, 3
     OUT, IN = 0x01, 0x81
 
     def __init__(self, capture: Capture, number: int = 7, size: int = MAX_FRAME) -> None:
         self.capture = capture
         self.number = number
         self.size = size
+        self.kind = self.INTERRUPT
 
     def _add(self, event: bytes, kind: int, endpoint: int, data: bytes, setup: bytes = b"") -> int:
         """What Linux records of a request when it is submitted and when it is done."""
@@ -226,11 +227,11 @@ class Device:
 
     def send(self, data: bytes, padding: bytes = b"") -> int:
         """The host sends a report that starts with this; the rest is zero, or starts with `padding`."""
-        return self._add(b"S", self.INTERRUPT, self.OUT, (data + padding).ljust(self.size, b"\0")[: self.size])
+        return self._add(b"S", self.kind, self.OUT, (data + padding).ljust(self.size, b"\0")[: self.size])
 
     def receive(self, data: bytes, padding: bytes = b"") -> int:
         """The device sends such a report."""
-        return self._add(b"C", self.INTERRUPT, self.IN, (data + padding).ljust(self.size, b"\0")[: self.size])
+        return self._add(b"C", self.kind, self.IN, (data + padding).ljust(self.size, b"\0")[: self.size])
 
 
 # Bluetooth

@@ -40,8 +40,11 @@ do
     -- Reports of devices that nobody knows as bricks, of which a frame was taken.
     local taken
 
+    -- The number of the packet that a known brick sent or received last.
+    local marked
+
     local function forget_devices()
-        taken, met = {}, {}
+        taken, met, marked = {}, {}, nil
     end
     forget_devices()
 
@@ -83,12 +86,20 @@ do
         return captured
     end
 
-    -- Reports of a product that is known to be a brick. Its control transfers come here, too: they are no frames.
-    local function dissect_usb(tvb, pinfo, tree)
+    -- A report of a brick, whatever is in it. Returns 0 where there is no room for a frame.
+    local function dissect_known(tvb, pinfo, tree)
         if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
         local low, high = byte(bytes_of(tvb, 0, LENGTH_FIELD), 1, LENGTH_FIELD)
         if not is_length(low, high) then return dissect_other_report(tvb, low + high * 0x100, pinfo, tree) end
         return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
+    end
+
+    -- Wireshark hands over everything that a known product transfers, without saying how. Bulk transfers are not ours:
+    -- other programs for the brick use them under the same product number. So the packet is only marked here; for
+    -- interrupt transfers Wireshark then calls the heuristic below.
+    local function mark_known(_, pinfo)
+        marked = pinfo.number
+        return 0
     end
 
     local function meet_odd(talk)
@@ -154,9 +165,11 @@ do
         return is_taken and message or nil
     end
 
-    -- Reports of a device whose product is not in the capture, as in most captures that began after plugging in.
+    -- Reports of a known brick, or of a device whose product is not in the capture, as in most captures that began
+    -- after plugging in.
     local function guess_usb(tvb, pinfo, tree)
         local number, device, message = pinfo.number, device_key(pinfo), nil
+        if number == marked then return dissect_known(tvb, pinfo, tree) > 0 end
         if pinfo.visited then
             message = taken[number] and read_report(tvb)
         else
@@ -177,5 +190,5 @@ do
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 
-    add_carrier({ dissectors = { [8] = dissect_usb }, forget = forget_devices, register = register })
+    add_carrier({ dissectors = { [8] = mark_known }, forget = forget_devices, register = register })
 end

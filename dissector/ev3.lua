@@ -3179,7 +3179,7 @@ local OPERATIONS = {
         dialects = { "xtended", "compat" },
     },
     {
-        0xA0, "OUTPUT_GET_TYPE", "Tells the type of motor at a port, in headers only: no firmware runs it",
+        0xA0, "OUTPUT_GET_TYPE", "Tells the type of motor at a port: documented, and never implemented by any firmware",
         [[
             { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
             {
@@ -3337,7 +3337,7 @@ local OPERATIONS = {
         ]],
     },
     {
-        0xAB, "OUTPUT_POSITION", "Tells the position of motors, in headers only: no firmware runs it",
+        0xAB, "OUTPUT_POSITION", "Tells the position of motors: documented, and never implemented by any firmware",
         [[
             { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain" },
             {
@@ -4435,7 +4435,10 @@ local OPERATIONS = {
         0xD9, "MAILBOX_WRITE", "Sends values to a mailbox of another brick, Bluetooth only",
         [[
             { "BRICKNAME", IN, STRING, "name of the other brick, empty: all connected ones" },
-            { "HARDWARE", IN, DATA8, "which way to communicate", enum = ENUMERATIONS.HWTYPE },
+            {
+                "HARDWARE", IN, DATA8, "read by the firmware and never used", enum = ENUMERATIONS.HWTYPE,
+                special = { [0] = "as compilers write" },
+            },
             { "BOXNAME", IN, STRING, "name of the mailbox" },
             { "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT },
             {

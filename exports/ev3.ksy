@@ -4289,7 +4289,9 @@ types:
     doc: "Sends values to a mailbox of another brick, Bluetooth only"
     seq:
       - {id: brickname, type: argument(false), doc: "name of the other brick, empty: all connected ones"}
-      - {id: hardware, type: argument(false), doc: which way to communicate (a member of HWTYPE)}
+      - id: hardware
+        type: argument(false)
+        doc: "read by the firmware and never used (0: as compilers write; a member of HWTYPE)"
       - {id: boxname, type: argument(false), doc: name of the mailbox}
       - {id: type_, type: argument(false), doc: type of the values (a member of DATA_FORMAT)}
       - id: values_count

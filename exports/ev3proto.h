@@ -2878,7 +2878,7 @@ enum {
 
 enum {
     /*
-     * Tells the type of motor at a port, in headers only: no firmware runs it (no firmware has it)
+     * Tells the type of motor at a port: documented, and never implemented by any firmware (no firmware has it)
      *   LAYER  DATA8      brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8      port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
      *   TYPE   out DATA8  type of the motor (a member of TYPE)
@@ -2964,7 +2964,7 @@ enum {
     opOUTPUT_READY = 0xAA,
 
     /*
-     * Tells the position of motors, in headers only: no firmware runs it (no firmware has it)
+     * Tells the position of motors: documented, and never implemented by any firmware (no firmware has it)
      *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NOS    DATA8       ports as a bit mask: A 1, B 2, C 4, D 8 (0 to 15)
      *   POS    out DATA32  position (degrees)
@@ -3670,7 +3670,7 @@ enum {
     /*
      * Sends values to a mailbox of another brick, Bluetooth only
      *   BRICKNAME  string  name of the other brick, empty: all connected ones
-     *   HARDWARE   DATA8   which way to communicate (a member of HWTYPE)
+     *   HARDWARE   DATA8   read by the firmware and never used (0: as compilers write; a member of HWTYPE)
      *   BOXNAME    string  name of the mailbox
      *   TYPE       DATA8   type of the values (a member of DATA_FORMAT)
      *   VALUES     count   how many values of TYPE follow, one only for a string (each is what TYPE says)

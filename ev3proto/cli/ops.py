@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import click
@@ -14,9 +14,10 @@ from ev3proto.cli.output import Printer, complain
 from ev3proto.errors import near_misses
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.descriptions import element, facts
-from ev3proto.tables import AREAS, area_of, operations
-from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter
-from ev3proto.tables.system import SYSTEM, Field, SystemCommand
+from ev3proto.tables import AREAS, OPCODES, area_of, operations
+from ev3proto.tables.declaration import DIALECTS, UNRELEASED, Declaration, Parameter
+from ev3proto.tables.frame import TYPE_ADVICE, TYPE_MEANINGS
+from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand, SystemStatus
 from ev3proto.text.spans import Line, Role
 
 
@@ -182,23 +183,96 @@ class SystemEntry:
         }
 
 
-def _entries(dialect: str) -> list[Entry | SystemEntry]:
+class NameEntry:
+    """A status of system replies or a type of message, as `ops` shows it."""
+
+    area = "system"
+
+    def __init__(self, name: str, number: int, kind: str, text: str, notes: Iterable[str] = ()) -> None:
+        self.name = name
+        self.number = number
+        self.aliases: tuple[str, ...] = (name,)
+        self.text = text
+        self.kind = kind
+        self.notes = tuple(notes)
+
+    @property
+    def texts(self) -> tuple[str, str, str]:
+        """What is searched: the name, the meaning, the notes."""
+        return self.name, f"{self.text} {self.kind}", " ".join(self.notes)
+
+    def line(self) -> Line:
+        """One line in a list."""
+        return [
+            (f"0x{self.number:02X} ", Role.ASIDE),
+            (f"{self.name} ({self.kind})".ljust(32), Role.OPERATION),
+            (f" {self.text}", Role.PLAIN),
+        ]
+
+    def page(self) -> Iterator[Line]:
+        """All there is to know."""
+        yield [(self.name, Role.OPERATION), (f"  {self.text}", Role.PLAIN)]
+        yield [(f"  {self.kind} 0x{self.number:02X}", Role.ASIDE)]
+        for note in self.notes:
+            yield [(f"  {note}", Role.MEANING)]
+
+    def record(self) -> dict[str, Any]:
+        """The same for other tools."""
+        return {
+            "name": self.name,
+            "number": self.number,
+            "kind": self.kind,
+            "text": self.text,
+            "notes": list(self.notes),
+        }
+
+
+AnyEntry = Entry | SystemEntry | NameEntry
+
+
+def _statuses() -> Iterator[NameEntry]:
+    for status in SystemStatus:
+        text = f"The system command {'failed' if status.is_failure else 'worked'}"
+        notes = [f"{entry.name}: {meaning}" for entry in SYSTEM for known, meaning in entry.statuses if known is status]
+        if status in UNUSED_STATUSES:
+            notes = ["no command of the published firmware answers with it"]
+        yield NameEntry(status.name, status, "status", text, notes)
+
+
+def _unreleased() -> Iterator[NameEntry]:
+    for opcode in OPCODES:
+        if opcode.dialects == UNRELEASED:
+            yield NameEntry(opcode.name, opcode.number, "opcode of no firmware", opcode.text, [opcode.note])
+
+
+def _message_types() -> Iterator[NameEntry]:
+    for member, text in TYPE_MEANINGS.items():
+        yield NameEntry(
+            member.name, member, "message type", text, [TYPE_ADVICE[member]] if member in TYPE_ADVICE else []
+        )
+
+
+def _entries(dialect: str) -> list[AnyEntry]:
     return [
         *(Entry(declaration, dialect) for declaration in operations(dialect).values()),
         *(SystemEntry(entry) for entry in SYSTEM),
+        *_unreleased(),
+        *_statuses(),
+        *_message_types(),
     ]
 
 
-def _exact(entries: list[Entry | SystemEntry], words: tuple[str, ...]) -> list[Entry | SystemEntry]:
+def _exact(entries: list[AnyEntry], words: tuple[str, ...]) -> list[AnyEntry]:
     """The entries that are meant by name or number; a family's name means all of its commands."""
     name = ".".join(words).upper().replace(" ", ".")
     found = [entry for entry in entries if name in entry.aliases]
     if not found and re.fullmatch(r"0X[0-9A-F]+|[0-9]{1,3}", name):
-        found = [entry for entry in entries if entry.number == int(name, 16 if name.startswith("0X") else 10)]
+        coded = [entry for entry in entries if not isinstance(entry, NameEntry)]
+        found = [entry for entry in coded if entry.number == int(name, 16 if name.startswith("0X") else 10)]
     return found
 
 
-def _ranked(entries: list[Entry | SystemEntry], words: tuple[str, ...]) -> list[Entry | SystemEntry]:
+def _ranked(entries: list[AnyEntry], words: tuple[str, ...]) -> list[AnyEntry]:
     """The entries that have all words: those that have them in their name first, then those that mean them."""
     wanted = [word for each in words for word in _words(each)]
     ranked = []

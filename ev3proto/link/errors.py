@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ev3proto.errors import counted
+from ev3proto.tables.system import status_meaning
 
 if TYPE_CHECKING:
     from ev3proto.checking.report import Report
@@ -69,32 +70,6 @@ DirCmdError, SysCmdError = DirectCommandError, SystemCommandError
 
 _MOST_FINDINGS = 3
 
-_ADVICE_OF_COMMANDS = {
-    ("BEGIN_DOWNLOAD", "UNKNOWN_HANDLE"): "no such file can be made",
-    ("BEGIN_DOWNLOAD", "NO_HANDLES_AVAILABLE"): "the name has characters that it does not take, or too many files are"
-    " open",
-    ("BEGIN_UPLOAD", "UNKNOWN_HANDLE"): "there is no such file",
-    ("BEGIN_UPLOAD", "NO_HANDLES_AVAILABLE"): "the name has characters that it does not take, or too many files are"
-    " open",
-    ("LIST_FILES", "UNKNOWN_ERROR"): "there is no such folder",
-    ("CREATE_DIR", "NO_PERMISSION"): "it exists already, or the folder that it should be in does not",
-    ("DELETE_FILE", "NO_PERMISSION"): "there is none, or it is a folder that is not empty",
-}
-"""What the firmware means by a status of one command."""
-
-_ADVICE = {
-    "UNKNOWN_HANDLE": "the file is not open any more",
-    "HANDLE_NOT_READY": "the file is busy; try again",
-    "CORRUPT_FILE": "the file cannot be read",
-    "NO_HANDLES_AVAILABLE": "too many files are open on the brick; restart it",
-    "NO_PERMISSION": "the brick does not allow it there",
-    "ILLEGAL_PATH": "there is no such file or folder; paths are absolute or relative to /home/root/lms2012/sys",
-    "FILE_EXITS": "it exists already; delete it first",
-    "SIZE_ERROR": "there is no room for it on the brick, or its size is wrong; delete files that are not needed",
-    "ILLEGAL_FILENAME": "the name has characters that the brick does not take",
-    "ILLEGAL_CONNECTION": "this works by USB only",
-}
-
 
 def _refusal(report: Report) -> str:
     sentence = "the brick answered DIRECT_REPLY_ERROR"
@@ -112,5 +87,5 @@ def _refusal(report: Report) -> str:
 def _failure(reply: SystemReply, about: str) -> str:
     name = f"status {reply.status_code}" if reply.status is None else reply.status.name
     what = reply.command or f"system command 0x{reply.number:02X}"
-    advice = _ADVICE_OF_COMMANDS.get((what, name)) or _ADVICE.get(name)
-    return f"{about}{': ' if about else ''}the brick answered {what} with {name}{f': {advice}' if advice else ''}"
+    meaning = status_meaning(reply.number, reply.status_code)
+    return f"{about}{': ' if about else ''}the brick answered {what} with {name}{f': {meaning}' if meaning else ''}"

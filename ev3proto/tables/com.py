@@ -420,7 +420,13 @@ COM = (
         "Sends values to a mailbox of another brick, Bluetooth only",
         (
             In("BRICKNAME", STRING, "name of the other brick, empty: all connected ones", note=FIRST_BYTE),
-            HARDWARE,
+            In(
+                "HARDWARE",
+                DATA8,
+                "read by the firmware and never used",
+                enum=HWTYPE,
+                special={0: "as compilers write"},
+            ),
             BOX_NAME,
             In("TYPE", DATA8, "type of the values", enum=DATA_FORMAT),
             Count("VALUES", "how many values of TYPE follow, one only for a string", "TYPE"),

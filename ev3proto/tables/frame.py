@@ -88,3 +88,28 @@ DIRECT_COMMAND_TYPES = {True: MessageType.DIRECT_COMMAND_REPLY, False: MessageTy
 
 SYSTEM_COMMAND_TYPES = {True: MessageType.SYSTEM_COMMAND_REPLY, False: MessageType.SYSTEM_COMMAND_NO_REPLY}
 """The type of a system command, by whether the brick is to answer it."""
+
+TYPE_MEANINGS = {
+    MessageType.DIRECT_COMMAND_REPLY: "Byte code for the virtual machine, to be answered",
+    MessageType.DIRECT_COMMAND_NO_REPLY: "Byte code for the virtual machine, not to be answered",
+    MessageType.SYSTEM_COMMAND_REPLY: "A system command, to be answered",
+    MessageType.SYSTEM_COMMAND_NO_REPLY: "A system command, not to be answered",
+    MessageType.DIRECT_REPLY: "The answer to a direct command: its global memory",
+    MessageType.DIRECT_REPLY_ERROR: "A direct command was refused, or an operation failed; the brick gives no reason",
+    MessageType.SYSTEM_REPLY: "The answer to a system command: number, status, fields",
+    MessageType.SYSTEM_REPLY_ERROR: "A system command failed; its status says why",
+    MessageType.DAISY_COMMAND_REPLY: "A command for another brick of the chain, to be answered",
+    MessageType.DAISY_COMMAND_NO_REPLY: "A command for another brick of the chain, not to be answered",
+    MessageType.DAISY_REPLY: "The answer of another brick of the chain",
+    MessageType.DAISY_REPLY_ERROR: "Another brick of the chain refused a command",
+}
+"""What each type of message is."""
+
+TYPE_ADVICE = {
+    MessageType.DIRECT_REPLY_ERROR: (
+        "`ev3proto check FRAME` says which byte of the command the brick refuses; where it finds no error, an operation"
+        " failed while it was executed: an empty port, a missing file, a wrong handle"
+    ),
+    MessageType.SYSTEM_REPLY_ERROR: "`ev3proto help` explains the status: `ev3proto help UNKNOWN_HANDLE`",
+}
+"""What to do about a type of reply that says that something failed."""

@@ -79,9 +79,10 @@ OUTPUT = (
     Opcode(
         0xA0,
         "OUTPUT_GET_TYPE",
-        "Tells the type of motor at a port, in headers only: no firmware runs it",
+        "Tells the type of motor at a port: documented, and never implemented by any firmware",
         (LAYER, NO, Out("TYPE", DATA8, "type of the motor", enum=TYPE)),
         dialects=UNRELEASED,
+        note="INPUT_DEVICE.GET_TYPEMODE with ports 16 to 19 tells the type of the motor at A to D",
     ),
     Opcode(
         0xA1,
@@ -157,9 +158,10 @@ OUTPUT = (
     Opcode(
         0xAB,
         "OUTPUT_POSITION",
-        "Tells the position of motors, in headers only: no firmware runs it",
+        "Tells the position of motors: documented, and never implemented by any firmware",
         (LAYER, NOS, Out("POS", DATA32, "position", unit="degrees")),
         dialects=UNRELEASED,
+        note="OUTPUT_GET_COUNT tells the position of a motor as a sensor, OUTPUT_READ that since the last reset",
     ),
     limited(0xAC, "OUTPUT_STEP_POWER", "Turns motors by an angle with unregulated power", POWER, TACHO_LIMITS),
     limited(0xAD, "OUTPUT_TIME_POWER", "Runs motors for a time with unregulated power", POWER, TIME_LIMITS),

@@ -40,30 +40,6 @@ class Field(NamedTuple):
     most: int | None = None
 
 
-class SystemCommand(NamedTuple):
-    """One system command: number, name, one line of meaning, the fields of request and reply.
-
-    answered    False for the ones that the brick never replies to
-    bootloader  True for those that only the brick's firmware updater knows (USB only)
-    transfer    the part it plays in moving a file: `begin`, `continue` or `close`; None for the others
-    usb_only    True for those that the firmware takes by USB only
-    effects     what it does to the brick that outlasts it
-    is_long     True for those whose frame may be longer than MAX_FRAME: the firmware takes the rest in pieces
-    """
-
-    number: int
-    name: str
-    text: str
-    request: tuple[Field, ...] = ()
-    reply: tuple[Field, ...] = ()
-    answered: bool = True
-    bootloader: bool = False
-    transfer: str | None = None
-    usb_only: bool = False
-    effects: tuple[Effect, ...] = ()
-    is_long: bool = False
-
-
 class SystemStatus(IntEnum):
     """The byte that says how a system command went. FILE_EXITS is the firmware's spelling."""
 
@@ -85,6 +61,32 @@ class SystemStatus(IntEnum):
     def is_failure(self) -> bool:
         """True when the command did not do what it was asked; END_OF_FILE is how every upload ends."""
         return self not in (SystemStatus.SUCCESS, SystemStatus.END_OF_FILE)
+
+
+class SystemCommand(NamedTuple):
+    """One system command: number, name, one line of meaning, the fields of request and reply.
+
+    answered    False for the ones that the brick never replies to
+    bootloader  True for those that only the brick's firmware updater knows (USB only)
+    transfer    the part it plays in moving a file: `begin`, `continue` or `close`; None for the others
+    usb_only    True for those that the firmware takes by USB only
+    effects     what it does to the brick that outlasts it
+    is_long     True for those whose frame may be longer than MAX_FRAME: the firmware takes the rest in pieces
+    statuses    what the statuses other than SUCCESS mean that the firmware answers with
+    """
+
+    number: int
+    name: str
+    text: str
+    request: tuple[Field, ...] = ()
+    reply: tuple[Field, ...] = ()
+    answered: bool = True
+    bootloader: bool = False
+    transfer: str | None = None
+    usb_only: bool = False
+    effects: tuple[Effect, ...] = ()
+    is_long: bool = False
+    statuses: tuple[tuple[SystemStatus, str], ...] = ()
 
 
 _PATH = Field("path", Kind.TEXT, "where the file or folder is, absolute or relative to /home/root/lms2012/sys")
@@ -113,6 +115,21 @@ SYSTEM = (
         transfer="begin",
         effects=(Effect.WRITES_FILES,),
         is_long=True,
+        statuses=(
+            (SystemStatus.END_OF_FILE, "the file is complete: its size is 0, or all of it came with this frame"),
+            (
+                SystemStatus.UNKNOWN_HANDLE,
+                "no such file can be made: it is a folder, or the file system refuses the name",
+            ),
+            (
+                SystemStatus.SIZE_ERROR,
+                "there is not enough room for a file of that size, or the frame had more data than announced",
+            ),
+            (
+                SystemStatus.NO_HANDLES_AVAILABLE,
+                "all handles are in use: files were begun and never completed or closed",
+            ),
+        ),
     ),
     SystemCommand(
         0x93,
@@ -123,6 +140,14 @@ SYSTEM = (
         transfer="continue",
         effects=(Effect.WRITES_FILES,),
         is_long=True,
+        statuses=(
+            (SystemStatus.END_OF_FILE, "that was the rest, and the file is closed; bytes beyond its size are dropped"),
+            (
+                SystemStatus.UNKNOWN_HANDLE,
+                "no file is open under that handle: it is complete, closed, or was never begun",
+            ),
+            (SystemStatus.UNKNOWN_ERROR, "the handle is known, but its file is not open"),
+        ),
     ),
     SystemCommand(
         0x94,
@@ -131,6 +156,11 @@ SYSTEM = (
         (_MAX_BYTES, _PATH),
         (_SIZE, _REPLY_HANDLE, _DATA),
         transfer="begin",
+        statuses=(
+            (SystemStatus.END_OF_FILE, "all of the file is in this reply"),
+            (SystemStatus.UNKNOWN_HANDLE, "there is no such file"),
+            (SystemStatus.NO_HANDLES_AVAILABLE, "all handles are in use"),
+        ),
     ),
     SystemCommand(
         0x95,
@@ -139,6 +169,11 @@ SYSTEM = (
         (_HANDLE, _MAX_BYTES),
         (_REPLY_HANDLE, _DATA),
         transfer="continue",
+        statuses=(
+            (SystemStatus.END_OF_FILE, "that was the rest of the file"),
+            (SystemStatus.HANDLE_NOT_READY, "the handle is known, but its file is not open"),
+            (SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),
+        ),
     ),
     SystemCommand(
         0x96,
@@ -147,6 +182,11 @@ SYSTEM = (
         (_MAX_BYTES, _PATH),
         (_SIZE, _REPLY_HANDLE, _DATA),
         transfer="begin",
+        statuses=(
+            (SystemStatus.END_OF_FILE, "all that the file has so far is in this reply"),
+            (SystemStatus.HANDLE_NOT_READY, "there is no such file"),
+            (SystemStatus.UNKNOWN_HANDLE, "all handles are in use"),
+        ),
     ),
     SystemCommand(
         0x97,
@@ -155,6 +195,11 @@ SYSTEM = (
         (_HANDLE, _MAX_BYTES),
         (_SIZE, _REPLY_HANDLE, _DATA),
         transfer="continue",
+        statuses=(
+            (SystemStatus.END_OF_FILE, "that was all that the file has so far"),
+            (SystemStatus.HANDLE_NOT_READY, "the handle is known, but its file is not open"),
+            (SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),
+        ),
     ),
     SystemCommand(
         0x98,
@@ -164,6 +209,7 @@ SYSTEM = (
         # The firmware's structure has a handle in the reply, the published text has none: both occur.
         (Field("handle", Kind.U8, "the file that was closed", optional=True),),
         transfer="close",
+        statuses=((SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),),
     ),
     SystemCommand(
         0x99,
@@ -172,6 +218,10 @@ SYSTEM = (
         (_MAX_BYTES, _PATH),
         (Field("list_size", Kind.U32, "bytes of the whole listing"), _REPLY_HANDLE, _LIST),
         transfer="begin",
+        statuses=(
+            (SystemStatus.END_OF_FILE, "all of the listing is in this reply"),
+            (SystemStatus.UNKNOWN_ERROR, "there is no such folder, or no handle is free"),
+        ),
     ),
     SystemCommand(
         0x9A,
@@ -180,9 +230,37 @@ SYSTEM = (
         (_HANDLE, _MAX_BYTES),
         (_REPLY_HANDLE, _LIST),
         transfer="continue",
+        statuses=(
+            (SystemStatus.END_OF_FILE, "that was the rest of the listing"),
+            (SystemStatus.UNKNOWN_ERROR, "the handle holds no listing"),
+        ),
     ),
-    SystemCommand(0x9B, "CREATE_DIR", "Makes a folder", (_PATH,), effects=(Effect.WRITES_FILES,)),
-    SystemCommand(0x9C, "DELETE_FILE", "Deletes a file or an empty folder", (_PATH,), effects=(Effect.DELETES_FILES,)),
+    SystemCommand(
+        0x9B,
+        "CREATE_DIR",
+        "Makes a folder",
+        (_PATH,),
+        effects=(Effect.WRITES_FILES,),
+        statuses=(
+            (
+                SystemStatus.NO_PERMISSION,
+                "it cannot be made: it exists, its parent does not, or it is not allowed there",
+            ),
+        ),
+    ),
+    SystemCommand(
+        0x9C,
+        "DELETE_FILE",
+        "Deletes a file or an empty folder",
+        (_PATH,),
+        effects=(Effect.DELETES_FILES,),
+        statuses=(
+            (
+                SystemStatus.NO_PERMISSION,
+                "it cannot be removed: it does not exist, is not empty, or it is not allowed there",
+            ),
+        ),
+    ),
     SystemCommand(
         0x9D,
         "LIST_OPEN_HANDLES",
@@ -211,6 +289,7 @@ SYSTEM = (
         _PIN,
         usb_only=True,
         effects=(Effect.CHANGES_SETTINGS,),
+        statuses=((SystemStatus.ILLEGAL_CONNECTION, "this works by USB only"),),
     ),
     SystemCommand(
         0xA0,
@@ -288,5 +367,22 @@ SYSTEM = (
 SYSTEM_BY_NUMBER = {entry.number: entry for entry in SYSTEM}
 """The same by number; names are not unique, BEGIN_DOWNLOAD is the bootloader's too."""
 
+
+def status_meaning(number: int, status: int) -> str | None:
+    """What a status means as the answer to a system command; None where the firmware does not answer so."""
+    entry = SYSTEM_BY_NUMBER.get(number)
+    return None if entry is None else dict[int, str](entry.statuses).get(status)
+
+
 LONG_COMMANDS = frozenset(entry.number for entry in SYSTEM if entry.is_long)
 """Numbers of those whose frame may be longer than MAX_FRAME."""
+
+UNUSED_STATUSES = frozenset(
+    {
+        SystemStatus.CORRUPT_FILE,
+        SystemStatus.ILLEGAL_PATH,
+        SystemStatus.FILE_EXITS,
+        SystemStatus.ILLEGAL_FILENAME,
+    }
+)
+"""Statuses that have a name, and that no command of the published firmware answers with."""

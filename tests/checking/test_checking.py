@@ -148,6 +148,18 @@ def test_options() -> None:
     )
 
 
+def test_what_is_documented_and_never_implemented() -> None:
+    (finding,) = check(bytes.fromhex("08000100000400A00060")).findings
+    assert (finding.code, finding.offset) == ("E201", 7)
+    assert finding.message == "0xA0 is OUTPUT_GET_TYPE, which is documented, and which no firmware implements"
+    assert finding.help == "INPUT_DEVICE.GET_TYPEMODE with ports 16 to 19 tells the type of the motor at A to D"
+
+
+def test_mailbox_write_takes_the_hardware_that_compilers_write() -> None:
+    """opMAILBOX_WRITE("", 0, "abc", DATA_S, 1, "hi")."""
+    assert codes(bytes.fromhex("1400 0000 80 0000 D9 8400 00 8461626300 04 01 84686900")) == []
+
+
 # The corpus
 
 

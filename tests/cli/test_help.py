@@ -43,6 +43,30 @@ def test_help_of_anything(words: list[str], start: str) -> None:
     assert done.stdout.startswith(start)
 
 
+def test_help_of_a_status_says_what_it_means_for_each_command() -> None:
+    assert run("help", "UNKNOWN_HANDLE").stdout.splitlines()[:4] == [
+        "UNKNOWN_HANDLE  The system command failed",
+        "  status 0x01",
+        "  BEGIN_DOWNLOAD: no such file can be made: it is a folder, or the file system refuses the name",
+        "  CONTINUE_DOWNLOAD: no file is open under that handle: it is complete, closed, or was never begun",
+    ]
+    never = "no command of the published firmware answers with it"
+    for name in ("CORRUPT_FILE", "ILLEGAL_PATH", "FILE_EXITS", "ILLEGAL_FILENAME"):
+        assert run("help", name).stdout.splitlines()[2].strip() == never
+
+
+def test_help_of_a_refused_command_says_what_to_do() -> None:
+    said = run("help", "DIRECT_REPLY_ERROR").stdout
+    assert "message type 0x04" in said
+    assert "`ev3proto check FRAME` says which byte of the command the brick refuses" in said
+
+
+def test_help_of_what_is_documented_and_never_implemented() -> None:
+    said = run("help", "OUTPUT_GET_TYPE").stdout
+    assert "documented, and never implemented by any firmware" in said
+    assert "INPUT_DEVICE.GET_TYPEMODE with ports 16 to 19" in said
+
+
 def test_ops_searches_words() -> None:
     def found(*words: str) -> list[str]:
         return [line.split()[1] for line in run("ops", *words).stdout.splitlines()]

@@ -14,7 +14,7 @@ from ev3proto.schema.identification import ENCODINGS
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import CMD
 from ev3proto.tables import OPCODES
-from ev3proto.tables.declaration import Effect, Type
+from ev3proto.tables.declaration import UNRELEASED, Effect, Type
 from ev3proto.tables.encoding import CONSTANT
 
 
@@ -104,7 +104,10 @@ def _fault(context: CheckContext, fault: Fault) -> Finding:
 
 def _unknown_opcode(context: CheckContext, start: int) -> Finding:
     number = context.frame[start]
-    others = [opcode for opcode in OPCODES if opcode.number == number and opcode.dialects]
+    others = [opcode for opcode in OPCODES if opcode.number == number]
+    if others and others[0].dialects == UNRELEASED:
+        message = f"0x{number:02X} is {others[0].name}, which is documented, and which no firmware implements"
+        return codes.UNKNOWN_OPCODE.finding(start, 1, message, others[0].note)
     if others:
         message = (
             f"0x{number:02X} is {others[0].name} for the dialects {' and '.join(others[0].dialects)}, and not an opcode"

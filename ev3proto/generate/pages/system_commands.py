@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ev3proto.generate.dissector.names import filter_name
 from ev3proto.generate.pages.examples import explained, system_example
 from ev3proto.generate.pages.markdown import block, code, link, page, plain, sentence, table
-from ev3proto.tables.system import SYSTEM, Field, SystemCommand, SystemStatus
+from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand, SystemStatus
 
 
 def text() -> str:
@@ -30,11 +30,22 @@ def _lines() -> Iterator[str]:
         yield from _entry(entry)
     yield "## Statuses"
     yield ""
-    meaning = {True: "the command failed", False: "it did not fail"}
     yield from table(
         ("number", "name", ""),
-        ((f"0x{status.value:02X}", code(status.name), meaning[status.is_failure]) for status in SystemStatus),
+        ((f"0x{status.value:02X}", code(status.name), _outcome(status)) for status in SystemStatus),
     )
+    yield "What a status means depends on the command:"
+    yield ""
+    meanings = (
+        (code(entry.name), code(status.name), plain(meaning)) for entry in SYSTEM for status, meaning in entry.statuses
+    )
+    yield from table(("command", "status", "it means"), meanings)
+
+
+def _outcome(status: SystemStatus) -> str:
+    if status in UNUSED_STATUSES:
+        return "no command of the published firmware answers with it"
+    return "the command failed" if status.is_failure else "the command worked"
 
 
 def _heading(entry: SystemCommand) -> str:

@@ -179,7 +179,7 @@ def mailbox_write(
 
     Args:
         brickname: Name of the other brick, empty: all connected ones; string.
-        hardware: Which way to communicate; a member of HWTYPE; DATA8.
+        hardware: Read by the firmware and never used; 0: as compilers write; a member of HWTYPE; DATA8.
         boxname: Name of the mailbox; string.
         type: Type of the values; a member of DATA_FORMAT; DATA8.
         values: How many values of TYPE follow, one only for a string; a list, of the type that type says.

@@ -10,10 +10,10 @@ from typing import NamedTuple
 from ev3proto.bounded import Bounded
 from ev3proto.brick.handles import ROOM
 from ev3proto.brick.running_programs import RUNNING, Program, ProgramObject
-from ev3proto.checking.verdict import Reason, code_verdict
 from ev3proto.errors import DecodeError
 from ev3proto.program import CodeObject, parse
 from ev3proto.program.parameters import table_bytes
+from ev3proto.program.walk import walk
 from ev3proto.tables.program import ObjectKind
 
 FIRST_ADDRESS = 0x40000000
@@ -55,17 +55,6 @@ class Images:
         return self._images.get(address)
 
 
-def _is_sound(part: CodeObject, dialect: str) -> bool:
-    """Whether the validator lets an object's code pass, which minds less than who wants to read all of it."""
-    if part.fault is None:
-        return True
-    if part.flaw.headless:
-        return False
-    code = b"".join(operation.raw for operation in part.operations) + part.rest
-    found = code_verdict(code, dialect)
-    return found.accepted or found.reason is Reason.AFTER_END
-
-
 def _first_operation(part: CodeObject) -> int:
     """Where an object's operations begin: after the table of parameters that a subcall has."""
     return part.offset + (len(table_bytes(part.parameters)) if part.kind is ObjectKind.SUBCALL else 0)
@@ -84,7 +73,7 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
         parsed = parse(image.data, strict=False, dialect=dialect)
     except DecodeError:
         return None
-    if not all(_is_sound(part, dialect) for part in parsed.objects):
+    if not walk(image.data, dialect).accepted:
         return None
     needed = parsed.global_size + sum(part.local_size for part in parsed.objects)
     if needed > ROOM or not parsed.objects:

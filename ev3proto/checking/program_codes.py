@@ -19,13 +19,19 @@ def _code(code: str, title: str, explanation: str, example: bytes, counterexampl
     return entry
 
 
-def _image(main: str, sub: str = "0181 08 0A", *, locals_: int = 4, globals_: int = 4) -> bytes:
-    """An image of a thread and, where it has code, a subcall, from their codes in hex."""
-    codes = [bytes.fromhex(text) for text in (main, sub) if text]
+def _image(
+    main: str, sub: str = "0181 08 0A", *, locals_: int = 4, globals_: int = 4, offset: int = 0, count: int = 0
+) -> bytes:
+    """An image of a thread and, where it has code, a subcall, from their codes in hex.
+
+    `offset` is added to the one that each header says; `count` objects there are even where they have no code.
+    """
+    codes = [bytes.fromhex(text) for text in (main, sub) if text] or [b""] * count
     at = 16 + 12 * len(codes)
     table = b""
     for number, code in enumerate(codes):
-        table += at.to_bytes(4, "little") + bytes(2) + number.to_bytes(2, "little") + locals_.to_bytes(4, "little")
+        start = (at + offset).to_bytes(4, "little")
+        table += start + bytes(2) + number.to_bytes(2, "little") + locals_.to_bytes(4, "little")
         at += len(code)
     head = b"LEGO" + at.to_bytes(4, "little") + b"\x6d\x00" + len(codes).to_bytes(2, "little")
     return head + globals_.to_bytes(4, "little") + table + b"".join(codes)
@@ -37,8 +43,8 @@ DAMAGED = _code(
     "E001",
     "the image is damaged",
     """
-    The header, the table of objects or a table of parameters does not fit what is in the file: it was cut off, or
-    something was written over it. The brick does not start such a program, or runs whatever stands at the wrong place.
+    The header does not fit what is in the file: it has no objects, or it was cut off, or something was written over
+    it. The brick does not start such a program.
     """,
     _FINE[:-1],
     _FINE,
@@ -47,9 +53,11 @@ REFUSED = _code(
     "E002",
     "the brick refuses the program",
     """
-    Before a program is started, the firmware reads the code of every object from its start to its end. An operation
-    that it does not know, a first constant out of the range of its type, a variable that is not aligned, or code
-    after the end of the object: any of them is enough, and the program is not run at all.
+    Before a program is started, the firmware reads all code from the end of the headers to the end of the image, object
+    after object, wherever the headers say that the codes are. An operation that it does not know, a first constant out
+    of the range of its type, a variable that is not aligned, or bytes after the last object: any of them is enough, and
+    the program is not run at all. Commands that came after the release of 2013 are known where the image says that it
+    is for a newer firmware, by a version of 105 to 109.
     """,
     _image("30 05 60 DF 0A"),
     _FINE,
@@ -125,11 +133,11 @@ UNREACHABLE = _code(
     _FINE,
 )
 NO_END = _code(
-    "E010",
+    "W010",
     "an object without its end",
     """
     An object ends with OBJECT_END, a subcall with RETURN before it. Without that the brick runs on in the code of the
-    object that follows.
+    object that follows. The validator does not mind: it, too, reads on there.
     """,
     _image("30 05 60", ""),
     _image("30 05 60 0A", ""),
@@ -144,3 +152,35 @@ LEFT_OVER = _code(
     _image("0A 01", ""),
     _image("0A", ""),
 )
+OTHER_CODE = _code(
+    "W012",
+    "an object whose header points elsewhere",
+    """
+    The firmware validates codes one after the other, in the order of the objects, and runs what the headers point to.
+    This header points to a place where no code begins that was validated, so the object does something else than the
+    verdict is about.
+    """,
+    _image("30 05 60 0A", "", offset=1),
+    _image("30 05 60 0A", ""),
+)
+NOTHING_TO_RUN = _code(
+    "W013",
+    "nothing to run",
+    """
+    The firmware accepts a program without any code. Object 1 is started with the program, and has none.
+    """,
+    _image("", "", offset=0, count=1),
+    _image("0A", ""),
+)
+UNREAD = _code(
+    "W014",
+    "an operation that cannot be read",
+    """
+    The firmware's validator lets a CMD pass that its family does not have, and takes what follows for the next
+    operation. What the brick does when it comes to that is not documented.
+    """,
+    _image("8D 1F 0A", ""),
+    _FINE,
+)
+NOT_AS_WRITTEN = (NO_END, OTHER_CODE, NOTHING_TO_RUN, UNREAD)
+"""What the firmware accepts, and then does not do what the source says. `run` warns of it, too."""

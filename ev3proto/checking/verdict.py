@@ -116,15 +116,16 @@ def _sizes() -> tuple[int, ...]:
 
 
 _SIZES = _sizes()
-_OBJECT_END = with_effect(Effect.ENDS_CODE).opcode.number
+OBJECT_END = with_effect(Effect.ENDS_CODE).opcode.number
+"""The opcode that ends a code."""
 
 # Rule 1. More zeros than an operation reads after the parameter that reaches beyond the end.
-_BEYOND = bytes((_OBJECT_END,)) + bytes(160)
+_BEYOND = bytes((OBJECT_END,)) + bytes(160)
 
 _Kinds = tuple[int, ...]
 
 
-class _Validator:
+class Validator:
     """The tables of one dialect's validator."""
 
     def __init__(self, dialect: str, is_latest: bool = False) -> None:
@@ -150,21 +151,15 @@ class _Validator:
             starts: A list that gets the offset of every operation.
         """
         data = frame[:end] + _BEYOND
-        opcodes = self.opcodes
         while at < end:
             start = at
             if starts is not None:
                 starts.append(start)
-            code = data[start]
-            kinds = opcodes[code]
-            if kinds is not None:
-                if code == _OBJECT_END:
-                    # Rule 2.
-                    return ACCEPTED if start + 1 == end else Verdict(False, start, Reason.AFTER_END, start + 1)
-                found = _parameters(data, start + 1, end, kinds, is_good=not kinds)
-            else:
-                found = self._command(data, start + 1, end, code)
-            if isinstance(found, _Refusal):
+            if data[start] == OBJECT_END:
+                # Rule 2.
+                return ACCEPTED if start + 1 == end else Verdict(False, start, Reason.AFTER_END, start + 1)
+            found = self.step(data, start, end)
+            if isinstance(found, Refusal):
                 return Verdict(False, start, found.reason, found.blamed, found.spins)
             at = found
             if at > end:
@@ -172,7 +167,20 @@ class _Validator:
                 return Verdict(False, start, Reason.CUT_OFF, end)
         return ACCEPTED
 
-    def _command(self, data: bytes, at: int, end: int, code: int) -> int | _Refusal:
+    def step(self, data: bytes, at: int, end: int) -> int | Refusal:
+        """The offset after the operation at an offset, or why it is refused.
+
+        Args:
+            data: The frame or the image, and zeros after it.
+            at: The offset of the opcode.
+            end: Where the code ends; the operation may end further on.
+        """
+        kinds = self.opcodes[data[at]]
+        if kinds is not None:
+            return _parameters(data, at + 1, end, kinds, is_good=not kinds)
+        return self._command(data, at + 1, end, data[at])
+
+    def _command(self, data: bytes, at: int, end: int, code: int) -> int | Refusal:
         """The offset after an operation with CMD, or why it is refused.
 
         CMD is a parameter of 8 bits (rules 3 to 7), whose value chooses those that follow (rule 8).
@@ -180,17 +188,17 @@ class _Validator:
         commands = self.families[code]
         if commands is None:
             # Rule 2.
-            return _Refusal(Reason.OPCODE, at - 1)
+            return Refusal(Reason.OPCODE, at - 1)
         number, after = _value(data, at)
         first = data[at]
         if first & _LONG:
             reason = _refused(first, number, _DATA8)
             if reason is not None:
-                return _Refusal(reason, at)
+                return Refusal(reason, at)
         return _parameters(data, after, end, commands[number & 0xFF], is_good=True)
 
 
-class _Refusal(NamedTuple):
+class Refusal(NamedTuple):
     """Why an operation is refused, the offset of what is to blame, and whether the brick spins before it says so."""
 
     reason: Reason
@@ -198,7 +206,7 @@ class _Refusal(NamedTuple):
     spins: bool = False
 
 
-def _parameters(data: bytes, at: int, end: int, kinds: _Kinds, *, is_good: bool) -> int | _Refusal:
+def _parameters(data: bytes, at: int, end: int, kinds: _Kinds, *, is_good: bool) -> int | Refusal:
     """The offset after the parameters of an operation, or why it is refused.
 
     Args:
@@ -213,14 +221,14 @@ def _parameters(data: bytes, at: int, end: int, kinds: _Kinds, *, is_good: bool)
         first = data[at]
         if kind >= _COUNT:
             found = _special(data, at, end, kind, before)
-            if isinstance(found, _Refusal):
+            if isinstance(found, Refusal):
                 return found
             at = found
         elif first < _LONG:
             # A short constant is within every range (rule 5), a short variable passes (rule 4). The bit of a global
             # variable, which the validator takes for a part of its index, is a multiple of 4.
             if first & _VARIABLE and first & _MISALIGNED[kind]:
-                return _Refusal(Reason.ALIGNMENT, at)
+                return Refusal(Reason.ALIGNMENT, at)
             before = at
             at += 1
         elif is_good and not first & _VARIABLE:
@@ -232,12 +240,12 @@ def _parameters(data: bytes, at: int, end: int, kinds: _Kinds, *, is_good: bool)
             value, at = _long_value(data, at)
             reason = _refused(first, value, kind)
             if reason is not None:
-                return _Refusal(reason, before)
+                return Refusal(reason, before)
         is_good = True
     return at
 
 
-def _special(data: bytes, at: int, end: int, kind: int, before: int) -> int | _Refusal:
+def _special(data: bytes, at: int, end: int, kind: int, before: int) -> int | Refusal:
     """The same for a label, a count of parameters, a list of values.
 
     Args:
@@ -251,7 +259,7 @@ def _special(data: bytes, at: int, end: int, kind: int, before: int) -> int | _R
     if kind == _VALUES:
         # Rule 10. Each value takes a byte at least: more of them than there are bytes end beyond the code.
         count = _value(data, before)[0] & 0xFFFFFFFF
-        return _Refusal(Reason.CUT_OFF, before, count >= SPINNING) if count > end - at else _skip(data, at, end, count)
+        return Refusal(Reason.CUT_OFF, before, count >= SPINNING) if count > end - at else _skip(data, at, end, count)
     value, after = _value(data, at)
     if kind == _COUNT:
         # Rule 9. What does not pass leaves the operation good all the same (rule 3), and empty.
@@ -259,10 +267,10 @@ def _special(data: bytes, at: int, end: int, kind: int, before: int) -> int | _R
         return _skip(data, after, end, value) if is_count else after
     if not first & _VARIABLE:
         # Rule 11.
-        return after if 0 <= value < LABELS else _Refusal(Reason.LABEL, at)
+        return after if 0 <= value < LABELS else Refusal(Reason.LABEL, at)
     # Rules 4 and 7.
     is_handle = first & _LONG and first & HANDLE_BIT
-    return _Refusal(Reason.ALIGNMENT, at) if is_handle and value & _MISALIGNED_HANDLE else after
+    return Refusal(Reason.ALIGNMENT, at) if is_handle and value & _MISALIGNED_HANDLE else after
 
 
 def _refused(first: int, value: int, kind: int) -> Reason | None:
@@ -340,8 +348,9 @@ def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Kinds]]:
 
 
 @cache
-def _validator(dialect: str, is_latest: bool = False) -> _Validator:
-    return _Validator(dialect, is_latest)
+def validator(dialect: str, is_latest: bool = False) -> Validator:
+    """The validator of a dialect, made once. That of the latest firmware knows the commands of all."""
+    return Validator(dialect, is_latest)
 
 
 _DIRECT = {member.value for member in MessageType if member.kind == "direct-command"}
@@ -355,16 +364,8 @@ def operation_offsets(code: bytes, dialect: str = "official") -> list[int]:
         dialect: "official", "xtended" or "compat": the firmware whose validator it is.
     """
     starts: list[int] = []
-    _validator(dialect).scan(code, 0, len(code), starts)
+    validator(dialect).scan(code, 0, len(code), starts)
     return starts
-
-
-def code_verdict(code: bytes, dialect: str = "official") -> Verdict:
-    """What the validator says to the code of one object of a program, OBJECT_END included; offsets are those in it.
-
-    The validator is that of the latest firmware, which knows all commands: programs say which firmware they are for.
-    """
-    return _validator(dialect, is_latest=True).scan(code, 0, len(code))
 
 
 def verdict(frame: bytes, dialect: str = "official") -> Verdict:
@@ -383,7 +384,6 @@ def verdict(frame: bytes, dialect: str = "official") -> Verdict:
     Raises:
         ValueError: The dialect is unknown.
     """
-    validator = _validator(dialect)
     size = len(frame)
     if size < HEADER_SIZE or frame[HEADER_SIZE - 1] not in _DIRECT:
         return Verdict(False, min(size, HEADER_SIZE - 1), Reason.NO_COMMAND, min(size, HEADER_SIZE - 1))
@@ -397,7 +397,7 @@ def verdict(frame: bytes, dialect: str = "official") -> Verdict:
         global_size, _ = read_memory(frame)
         if global_size > GRANTED_GLOBALS:
             return Verdict(False, HEADER_SIZE, Reason.GLOBALS, HEADER_SIZE)
-        found = validator.scan(frame, COMMAND_HEADER_SIZE, min(size, stated))
+        found = validator(dialect).scan(frame, COMMAND_HEADER_SIZE, min(size, stated))
         if not found.accepted or size >= stated:
             return found
     return Verdict(False, size, Reason.INCOMPLETE, size)

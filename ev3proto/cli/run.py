@@ -155,18 +155,19 @@ def _start(brick: Brick, image: bytes, name: str) -> Program | None:
     """Starts the program as PROGRAM_START would; None, and a sentence, for an image that the brick refuses."""
     from ev3proto.brick.images import Image
     from ev3proto.brick.running_programs import USER_SLOT
-    from ev3proto.errors import DecodeError
-    from ev3proto.program import parse
+    from ev3proto.checking.program_codes import DAMAGED, NOT_AS_WRITTEN, REFUSED
+    from ev3proto.program import check_program
 
+    report = check_program(image, dialect=brick.dialect)
+    told = NOT_AS_WRITTEN if report.accepted else (DAMAGED, REFUSED)
+    for finding in report.findings:
+        if finding.code in {code.code for code in told}:
+            complain(f"{finding.severity}[{finding.code}]: offset {finding.offset}: {finding.message}")
     project = f"../prjs/{re.sub(r'[^A-Za-z0-9_-]', '_', name)[:_MOST_NAME] or 'program'}/"
     brick.files.make_folder(project.rstrip("/").encode())
     if brick.machine.start_program(USER_SLOT, Image(image, project)):
         return brick.machine.program_in(USER_SLOT)
-    try:
-        parse(image, dialect=brick.dialect)
-        complain("the brick refuses the program: it needs more memory than there is, or has no object")
-    except DecodeError as error:
-        complain(f"the brick refuses the program: {error}")
+    complain("the brick refuses the program" + (": it needs more memory than there is" if report.accepted else ""))
     return None
 
 

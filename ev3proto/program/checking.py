@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import pairwise
 
 from ev3proto.checking import program_codes as codes
 from ev3proto.checking.codes import Code
 from ev3proto.checking.report import Finding
-from ev3proto.checking.verdict import code_verdict
 from ev3proto.errors import DecodeError, as_bytes, counted
 from ev3proto.messages import Argument, Operation
-from ev3proto.program.header import IMAGE_HEADER_SIZE
+from ev3proto.program.header import IMAGE_HEADER_SIZE, OBJECT_HEADER_SIZE
 from ev3proto.program.image import parse
 from ev3proto.program.objects import CodeObject, Program
-from ev3proto.program.parameters import table_bytes
 from ev3proto.program.report import ProgramReport
 from ev3proto.program.retyped import CALL
 from ev3proto.program.source.disassembly import goal_of
+from ev3proto.program.walk import SIZE_AT, Walk, walk
 from ev3proto.tables.declaration import Direction, Effect
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.program import ObjectKind
@@ -36,7 +34,8 @@ def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "offi
 
     Returns:
         The findings, and the verdict: `rejected_at` is the offset of the first operation that the firmware's validator
-        stops at.
+        objects to, 4 where that is the header. Of an image older than the release of 2013 it is 8, the offset of its
+        version: the firmware objects to that, and accepts it.
     """
     image = as_bytes(image, "an image")
     try:
@@ -44,33 +43,39 @@ def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "offi
     except DecodeError as error:
         finding = codes.DAMAGED.finding(error.offset, 0, error.reason, "give the whole image")
         return ProgramReport(image, False, 0, (finding,))
-    findings = sorted(_Check(image, program, dialect).findings(), key=lambda it: (it.offset, it.code))
-    refusals = [it.offset for it in findings if it.code in (codes.REFUSED.code, codes.DAMAGED.code)]
-    return ProgramReport(image, not refusals, min(refusals, default=None), tuple(findings))
+    found = walk(image, dialect)
+    findings = sorted(_Check(image, program, found).findings(), key=lambda it: (it.offset, it.code))
+    return ProgramReport(image, found.accepted, found.position, tuple(findings))
 
 
 class _Check:
     """The findings of one program."""
 
-    def __init__(self, image: bytes, program: Program, dialect: str) -> None:
+    def __init__(self, image: bytes, program: Program, found: Walk) -> None:
         self._image = image
         self._program = program
-        self._dialect = dialect
+        self._walk = found
         self._by_number = {part.number: part for part in program.objects}
-        starts = sorted({part.offset for part in program.objects})
-        self._limits = dict(pairwise((*starts, len(image))))
+        self._starts = {
+            (read.start, part.kind is ObjectKind.SUBCALL)
+            for read, part in zip(found.objects, program.objects, strict=False)
+        }
 
     def findings(self) -> Iterator[Finding]:
         """All of them; those of code that several objects share once."""
-        for fault in self._program.defects.faults:
-            yield codes.DAMAGED.finding(fault.offset, 0, fault.reason, "give the whole image")
-        if self._program.defects.has_no_offsets:
-            yield codes.DAMAGED.finding(
-                IMAGE_HEADER_SIZE, 0, "the headers of all objects say offset 0, where no code is", "assemble it again"
-            )
+        if not self._walk.accepted:
+            refusal = self._refusal(self._walk.position or 0, str(self._walk.reason))
+            yield refusal
+            if refusal.code == codes.DAMAGED.code:
+                return
+        stated = self._program.defects.stated_size
+        if stated is not None and stated < len(self._image):
+            yield self._left_over(stated, len(self._image) - stated)
         for offset, data in self._program.defects.gaps:
             yield self._left_over(offset, len(data))
         for part in self._program.objects:
+            if self._walk.accepted:
+                yield from self._other_code(part)
             if part.shares is None:
                 yield from self._object(part)
 
@@ -78,42 +83,60 @@ class _Check:
         verb, them = ("belongs", "it") if size == 1 else ("belong", "them")
         return codes.LEFT_OVER.finding(offset, size, f"{counted(size, 'byte')} {verb} to no object", f"omit {them}")
 
-    def _object(self, part: CodeObject) -> Iterator[Finding]:
-        if part.flaw.headless and part.fault is not None:
-            yield codes.DAMAGED.finding(part.fault.offset, 0, part.fault.reason, "give the object its code")
-            return
-        yield from self._refusal(part)
-        for operation in part.operations:
-            yield from self._operation(operation, part)
-        yield from self._end(part)
-        yield from _way(part)
-
-    def _refusal(self, part: CodeObject) -> Iterator[Finding]:
-        """What the firmware's validator says to the code of an object."""
-        table = len(table_bytes(part.parameters)) if part.kind is ObjectKind.SUBCALL else 0
-        start, end = part.offset + table, self._limits[part.offset]
-        found = code_verdict(self._image[start:end], self._dialect)
-        if found.accepted:
-            return
-        at = start + (found.rejected_at or 0)
-        why = str(found.reason.value) if found.reason else "unknown"
-        operation = next((it for it in part.operations if it.offset == at), None)
-        if part.fault is not None:
-            why = part.fault.reason
-        name = operation.full_name if operation is not None else f"0x{self._image[at]:02X}"
-        yield codes.REFUSED.finding(
+    def _refusal(self, at: int, why: str) -> Finding:
+        """What the firmware's validator stops at."""
+        if at == SIZE_AT:
+            return codes.DAMAGED.finding(at, 0, why, "give the whole image")
+        steps = (step for part in self._program.objects for step in part.operations)
+        operation = next((step for step in steps if step.offset == at), None)
+        if operation is None:
+            # What cannot be read has a better reason than the validator's.
+            fault = next((part.fault for part in self._program.objects if part.fault and part.fault.offset == at), None)
+            why = fault.reason if fault is not None else why
+        newer = "; firmware of 2013 does not know it" if operation and operation.declaration.is_newer else ""
+        return codes.REFUSED.finding(
             at,
             operation.length if operation is not None else 1,
-            f"the brick refuses object {part.number} at {name}: {why}",
-            "fix the operation, or what stands before it",
+            f"the brick refuses object {len(self._walk.objects)} at"
+            f" {operation.full_name if operation is not None else f'0x{self._image[at]:02X}'}: {why}{newer}",
+            "fix the operation, or what precedes it",
             operation.full_name if operation is not None else None,
         )
 
+    def _other_code(self, part: CodeObject) -> Iterator[Finding]:
+        """What the brick runs without having validated it: it validates codes in their order, wherever headers point."""
+        at = IMAGE_HEADER_SIZE + (part.number - 1) * OBJECT_HEADER_SIZE
+        read = self._walk.objects[part.number - 1]
+        if (part.offset, part.kind is ObjectKind.SUBCALL) not in self._starts:
+            instead = "" if read.start is None else f", and validates the code at {read.start}"
+            yield codes.OTHER_CODE.finding(
+                at,
+                4,
+                f"the brick runs object {part.number} from offset {part.offset}{instead}",
+                "let the header say where the code of the object is",
+            )
+        elif part.number == 1 and not part.operations and (part.fault is None or part.flaw.headless):
+            yield codes.NOTHING_TO_RUN.finding(
+                at, 4, "the code of object 1, which is started with the program, is empty", "give it an operation"
+            )
+
+    def _object(self, part: CodeObject) -> Iterator[Finding]:
+        for operation in part.operations:
+            yield from self._operation(operation, part)
+        if self._walk.accepted or part.fault is None:
+            yield from self._end(part)
+        yield from _way(part)
+
     def _end(self, part: CodeObject) -> Iterator[Finding]:
         steps = part.operations
-        if part.fault is not None:
-            return
-        if not steps or steps[-1].name != _OBJECT_END:
+        if part.fault is not None and not part.fault.truncated and not part.flaw.headless:
+            yield codes.UNREAD.finding(
+                part.fault.offset,
+                0,
+                f"the brick accepts object {part.number}, and what it runs here is unknown: {part.fault.reason}",
+                "use an operation that the firmware has",
+            )
+        elif (steps and steps[-1].name != _OBJECT_END) or (not steps and part.number > 1 and part.rest):
             at = steps[-1].offset if steps else part.offset
             yield codes.NO_END.finding(
                 at,
@@ -121,7 +144,7 @@ class _Check:
                 f"object {part.number} does not end with OBJECT_END",
                 "put an OBJECT_END after its last operation",
             )
-        if part.rest:
+        elif part.rest and not part.flaw.headless:
             yield self._left_over(part.offset + len(part.code) - len(part.rest), len(part.rest))
 
     # Operations

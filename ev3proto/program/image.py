@@ -18,6 +18,7 @@ from ev3proto.program.header import (
 from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects, Program
 from ev3proto.program.parameters import ProgramParameter, read_table
 from ev3proto.program.retyped import with_types
+from ev3proto.program.walk import walk
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.instructions import InstructionSet, instruction_set
 from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS, SIGN, ObjectKind, kind_of
@@ -27,9 +28,6 @@ MAX_IMAGE = 1 << 25
 
 _COUNT_AT = len(SIGN) + Int32ul.sizeof() + Int16ul.sizeof()
 """Offset of the number of objects."""
-
-_FIRST_LOOK = 64
-"""Bytes among which the end of a code is looked for first."""
 
 _OBJECT_END = "OBJECT_END"
 _JUMPS = "JR"
@@ -69,20 +67,22 @@ class _Reader:
             for index in range(known)
         ]
         stated = tuple(offset for offset, *_ in entries)
-        if not any(stated):
-            entries = self._in_their_order(entries, table_end)
+        if not all(stated):
+            entries = self._where_validated(entries)
         starts = sorted({offset for offset, *_ in entries if table_end <= offset < end})
         self._ends = dict(zip(starts, [*starts[1:], end], strict=True)) if starts else {}
         objects = self._objects(entries)
         first = starts[0] if starts else end
         gaps = ((table_end, self.image[table_end:first]),) if first > table_end else ()
         regular = tuple(regular_offsets([_entry(part) for part in objects]))
+        offsets = tuple(offset for offset, *_ in entries)
         defects = Defects(
             tuple(self.faults),
             size if size != end else None,
             count if known < count else None,
-            stated if stated != regular or gaps else None,
+            offsets if offsets != regular or gaps else None,
             gaps,
+            stated if stated != offsets else None,
         )
         return Program(
             version=version,
@@ -107,37 +107,14 @@ class _Reader:
     def _fault(self, offset: int, reason: str, truncated: bool = False) -> None:
         self.faults.append(Fault(offset, reason, truncated))
 
-    def _in_their_order(self, entries: list[tuple[int, int, int, int]], at: int) -> list[tuple[int, int, int, int]]:
-        """The entries with the offsets of their codes, where all headers say 0, as those of one published image do.
-
-        The codes stand in the order of the objects, each up to its OBJECT_END. Where they do not, the entries stay.
-        """
-        found = []
-        for _, owner, triggers, local_size in entries:
-            if at >= len(self.image):
-                return entries
-            found.append((at, owner, triggers, local_size))
-            at = self._code_end(at, kind_of(owner, triggers) is ObjectKind.SUBCALL)
-        return found
-
-    def _code_end(self, start: int, is_subcall: bool) -> int:
-        """Where the code that starts at an offset ends: after its own OBJECT_END, or with the image."""
-        size = _FIRST_LOOK
-        while True:
-            code = self.image[start : start + size]
-            at = 0
-            try:
-                if is_subcall:
-                    _, at = read_table(code, 0, len(code))
-                operations = tuple(self._instructions.scan(code, at, len(code))[0])
-            except DecodeError:
-                operations = ()
-            count = _own_operations(operations)
-            if count is not None:
-                return start + _end_of(operations[:count], at)
-            if start + size >= len(self.image):
-                return len(self.image)
-            size *= 4
+    def _where_validated(self, entries: list[tuple[int, int, int, int]]) -> list[tuple[int, int, int, int]]:
+        """The entries with the offsets that the firmware gives to those that say 0, as one published image has them."""
+        offsets = [read.offset for read in walk(self.image, self._instructions.dialect).objects]
+        offsets += [0] * (len(entries) - len(offsets))
+        return [
+            (offset or validated, owner, triggers, local_size)
+            for (offset, owner, triggers, local_size), validated in zip(entries, offsets, strict=True)
+        ]
 
     def _objects(self, entries: list[tuple[int, int, int, int]]) -> list[CodeObject]:
         codes = self._codes(entries)
@@ -354,7 +331,6 @@ def image_of(
     global_size: int,
     entries: Sequence[Entry],
     defects: Defects = NO_DEFECTS,
-    headers: Sequence[int] | None = None,
 ) -> bytes:
     """The image of objects.
 
@@ -363,7 +339,6 @@ def image_of(
         global_size: Bytes of global memory, 0 to 4294967295.
         entries: The objects, in the order of their numbers.
         defects: Where the codes stand, if not in their order without gaps.
-        headers: The offsets in the headers, where they are not those of the codes.
 
     Returns:
         The image.
@@ -374,10 +349,9 @@ def image_of(
     if len(entries) > MAX_OBJECTS:
         raise BuildError(f"a program cannot have {len(entries)} objects: at most {MAX_OBJECTS}")
     offsets = tuple(regular_offsets(entries)) if defects.offsets is None else defects.offsets
-    if defects.has_no_offsets:
-        headers, offsets = offsets, tuple(regular_offsets(entries))
-    if len(offsets) != len(entries):
-        raise BuildError(f"the program has {len(entries)} objects, and its defects name {len(offsets)} offsets")
+    for stated in (offsets, defects.headers):
+        if stated is not None and len(stated) != len(entries):
+            raise BuildError(f"the program has {len(entries)} objects, and its defects name {len(stated)} offsets")
     body = b"".join(piece for _, piece in _pieces(entries, offsets, defects))
     size = IMAGE_HEADER_SIZE + len(entries) * OBJECT_HEADER_SIZE + len(body)
     head = SIGN + PACKED_HEADER.pack(
@@ -393,7 +367,7 @@ def image_of(
             _field("triggers", entry.triggers, 0xFFFF),
             _field("local_size", entry.local_size, MAX_MEMORY),
         )
-        for entry, offset in zip(entries, offsets if headers is None else headers, strict=True)
+        for entry, offset in zip(entries, offsets if defects.headers is None else defects.headers, strict=True)
     )
     return head + table + body
 

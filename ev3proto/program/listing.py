@@ -72,8 +72,8 @@ def _head(program: Program) -> Iterator[Line]:
         (f"  version 0x{program.version:02X}{by}, {counted(len(program.objects), 'object')},", Role.PLAIN),
         (f" {counted(program.global_size, 'byte')} of globals", Role.PLAIN),
     ]
-    if program.defects.has_no_offsets:
-        yield [("its headers say offset 0 for all objects: their codes are taken in their order", Role.ASIDE)]
+    if program.defects.headers is not None:
+        yield [("headers that say offset 0 mean the code that is next", Role.ASIDE)]
 
 
 def _object_head(part: CodeObject, name: str) -> Iterator[Line]:

@@ -84,8 +84,9 @@ class Defects(NamedTuple):
     faults        what is wrong with the image as a whole; what is wrong with an object is at the object
     stated_size   the field of the size, where it does not say what the image has
     stated_count  the field of the number of objects, where the table is cut off
-    offsets       of every object's code, as the headers say, where they are not in their order without gaps
+    offsets       of every object's code, where they are not in their order without gaps
     gaps          offset and bytes of what belongs to no object
+    headers       the offsets that the headers say, where the firmware takes others: for 0 it takes the next code
     """
 
     faults: tuple[Fault, ...] = ()
@@ -93,11 +94,7 @@ class Defects(NamedTuple):
     stated_count: int | None = None
     offsets: tuple[int, ...] | None = None
     gaps: tuple[tuple[int, bytes], ...] = ()
-
-    @property
-    def has_no_offsets(self) -> bool:
-        """Whether the headers of all objects say 0, while the codes stand in their order as ever."""
-        return bool(self.offsets) and not any(self.offsets or ()) and not self.gaps
+    headers: tuple[int, ...] | None = None
 
 
 NO_DEFECTS = Defects()

@@ -12,10 +12,16 @@ SIGN = b"LEGO"
 DEFAULT_VERSION = 0x6D
 """The version that an image gets unless the user says another: byte code 1.09. The machine does not depend on it."""
 
+RELEASE_VERSION = 0x68
+"""The version of the release of 2013, whose validator does not know the newer commands."""
+
+OLD_VERSIONS = range(1, RELEASE_VERSION)
+"""Versions that the validator objects to, and accepts all the same."""
+
 VERSIONS = {
     0x00: "EV3 Classroom",
     0x39: "EV3-G",
-    0x68: "the release of 2013, EV3-Basic",
+    RELEASE_VERSION: "the release of 2013, EV3-Basic",
     DEFAULT_VERSION: "the sources of release 1.09",
 }
 """Who writes which version, as far as that is known."""

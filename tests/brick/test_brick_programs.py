@@ -144,6 +144,7 @@ def test_parameters_go_to_a_subcall_and_come_back(brick: Brick) -> None:
         + b"longer\0"
         + bytes.fromhex("68")
         + op("JR", -2)
+        + op("OBJECT_END")
     )
     start(brick, image((0, 0, 0, call), (0, 1, 28, table + body), globals=16))
     brick.advance(0.01)

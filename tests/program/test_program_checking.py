@@ -83,3 +83,78 @@ def test_the_numbers_in_helps_were_tried() -> None:
     assert help_of("E007", image[:12] + (5).to_bytes(4, "little") + image[16:]) is None
     assert help_of("E005", PROGRAM_CODES["E005"].example) == "give 1 parameter"
     assert help_of("E005", PROGRAM_CODES["E005"].counterexample) is None
+
+
+# The firmware's walk
+
+
+def words_of(image: bytes) -> tuple[bool, int | None, list[str]]:
+    report = check_program(image)
+    return report.accepted, report.rejected_at, [finding.code for finding in report.findings]
+
+
+def with_word(image: bytes, at: int, value: int, size: int = 4) -> bytes:
+    return image[:at] + value.to_bytes(size, "little") + image[at + size :]
+
+
+THREAD = image_of((0, 0, "01 0A"))
+SUBCALL = image_of((0, 0, "01 0A"), (0, 1, "02 84 08 43 08 0A"))
+PAIR = image_of((0, 0, "01 0A"), (0, 0, "01 01 0A"))
+
+
+@pytest.mark.parametrize(
+    ("image", "accepted", "position", "codes"),
+    [
+        # The size is the end: what follows it is not looked at, what is missing is.
+        (THREAD + b"\xff\xff", True, None, ["W011"]),
+        (THREAD[:-1], False, 4, ["E001"]),
+        (with_word(THREAD, 4, 27), False, 4, ["E001"]),
+        (image_of(), False, 4, ["E001"]),
+        # An offset of 0 is the next code, every other one is not followed.
+        (with_word(PAIR, 16, 0), True, None, []),
+        (with_word(with_word(PAIR, 16, 0), 28, 0), True, None, []),
+        (with_word(PAIR, 28, 41), True, None, ["W010", "W011", "W012"]),
+        (with_word(PAIR, 28, 40), True, None, ["W011"]),
+        (with_word(PAIR, 28, 900), True, None, ["W011", "W012"]),
+        # A subcall in front of the index is an alias; at the index, or after it, its table is read there.
+        (image_of((0, 0, "01 0A"), (0, 1, "00 08 0A"), (0, 1, None)), True, None, []),
+        (SUBCALL, True, None, []),
+        (
+            with_word(image_of((0, 0, "01 0A"), (0, 1, "02 84 08 43 08 0A")), 28, 45),
+            True,
+            None,
+            ["W010", "W011", "W012"],
+        ),
+        # Code without its end runs on into what follows; gaps between codes are code.
+        (image_of((0, 0, "01"), (0, 0, "01 0A")), True, None, ["W010", "W012"]),
+        (image_of((0, 0, "01 30")), False, 29, ["E002"]),
+        (image_of((0, 0, "0A 01")), False, 28, ["E002", "W011"]),
+        (image_of((0, 0, "0A 01 DF 0A")), False, 28, ["E002", "W011"]),
+        (image_of((0, 0, "01 DF 0A"), (0, 0, "DF 0A")), False, 41, ["E002"]),
+        # An operation may read on into the next object.
+        (image_of((0, 0, "30 01"), (0, 0, "60 0A"), global_size=1), True, None, ["W010", "W012"]),
+        # Nothing is read at all.
+        (bytes.fromhex("4c45474f1e0000006a0001006a0000001c000000000001006a000000080a"), True, None, ["W013"]),
+        (image_of((0, 0, "")), True, None, ["W013"]),
+        # Versions before the release of 2013 are objected to, and accepted.
+        (with_word(THREAD, 8, 103, 2), True, 8, []),
+        (with_word(THREAD, 8, 104, 2), True, None, []),
+        (with_word(THREAD, 8, 0, 2), True, None, []),
+        (with_word(image_of((0, 0, "DF 0A")), 8, 57, 2), False, 28, ["E002"]),
+        # An unknown CMD has no parameters.
+        (image_of((0, 0, "8D 1F 0A")), True, None, ["W014"]),
+    ],
+)
+def test_the_verdict_is_that_of_the_firmware(
+    image: bytes, accepted: bool, position: int | None, codes: list[str]
+) -> None:
+    found = words_of(image)
+    assert found[:2] == (accepted, position)
+    assert sorted(set(found[2])) == codes
+
+
+def test_newer_commands_are_known_to_the_firmware_that_the_image_is_for() -> None:
+    code = operation("UI_READ.GET_POWER", *map(GV, (0, 4, 8, 12))).raw.hex()
+    image = image_of((0, 0, f"{code} 0A"), global_size=16)
+    assert check_program(with_word(image, 8, 0x6D, 2)).accepted
+    assert not check_program(with_word(image, 8, 0x68, 2)).accepted

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto, run_ev3proto_text
-from support.programs import IMAGE, SHORTEST, SOURCE
+from support.programs import IMAGE, SHORTEST, SOURCE, image_of
 
 import ev3proto
 from ev3proto import SystemStatus
@@ -229,3 +229,13 @@ def test_a_program_is_shown_that_files_recovered(capture: Path, tmp_path: Path) 
 
 def test_programs_are_looked_for_in_captures_only(image: Path) -> None:
     assert run_ev3proto_text("decode", "--programs", image).returncode == 2
+
+
+def test_run_and_check_say_the_same(tmp_path: Path) -> None:
+    path = tmp_path / "x.rbf"
+    for code, word, status in (("30 01 60", "W010", 0), ("DF 0A", "E002", 1)):
+        path.write_bytes(image_of((0, 0, code), global_size=1))
+        assert f"[{word}]: offset 28: " in run_ev3proto_text("check", path).stdout
+        result = run_ev3proto_text("run", path, "--limit", "1")
+        assert f"[{word}]: offset 28: " in result.stderr
+        assert ("the brick refuses the program" in result.stderr) == bool(status)

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from ev3proto.errors import BuildError, counted
 from ev3proto.program.image import Entry, image_of, regular_offsets
-from ev3proto.program.objects import NO_DEFECTS, Defects
+from ev3proto.program.objects import Defects
 from ev3proto.program.parameters import ProgramParameter, code_of, table_bytes
 from ev3proto.program.source.checks import Checks, named_number
 from ev3proto.program.source.encoding import (
@@ -524,20 +524,20 @@ class Assembler:
         offsets = [
             settings.numbers.get("offset", offset) for settings, offset in zip(self._of_objects, regular, strict=True)
         ]
-        is_regular = offsets == regular and not said.gaps
-        defects = NO_DEFECTS
-        if not is_regular or "size" in said.numbers or "count" in said.numbers:
-            defects = Defects(
-                stated_size=said.numbers.get("size"),
-                stated_count=said.numbers.get("count"),
-                offsets=None if is_regular else tuple(offsets),
-                gaps=tuple(said.gaps),
-            )
-        headers = None
+        headers = [
+            settings.numbers.get("header", offset) for settings, offset in zip(self._of_objects, offsets, strict=True)
+        ]
         if len(self._names.objects) < len(entries):
             headers, entries = self._as_the_last(offsets, entries)
+        defects = Defects(
+            stated_size=said.numbers.get("size"),
+            stated_count=said.numbers.get("count"),
+            offsets=None if offsets == regular and not said.gaps else tuple(offsets),
+            gaps=tuple(said.gaps),
+            headers=None if headers == offsets else tuple(headers),
+        )
         version = said.numbers.get("version", DEFAULT_VERSION) if self._version is None else self._version
-        return image_of(version, said.numbers.get("globals", self._globals.size), entries, defects, headers)
+        return image_of(version, said.numbers.get("globals", self._globals.size), entries, defects)
 
     def _as_the_last(self, offsets: list[int], entries: list[Entry]) -> tuple[list[int], list[Entry]]:
         """Offsets and entries where objects of the same name have the header of the last of them."""

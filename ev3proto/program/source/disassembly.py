@@ -129,7 +129,6 @@ class Writer:
         self.codes = [ObjectCode(part) for part in program.objects]
         self.names = [f"{_NAMES[part.kind]}{part.number}" for part in program.objects]
         self._is_shortest = _is_shortest(program)
-        self._has_no_offsets = program.defects.has_no_offsets
         self._locals_end = 0
         self._globals: dict[int, str] = {}
         self._locals: dict[int, str] = {}
@@ -209,9 +208,10 @@ class Writer:
             yield f"{MARK} owner {part.owner}"
         if part.triggers != usual_triggers:
             yield f"{MARK} triggers {part.triggers}"
-        if self._has_no_offsets:
-            yield f"{MARK} offset 0"
-        elif self._program.defects.offsets is not None:
+        defects = self._program.defects
+        if defects.headers is not None:
+            yield f"{MARK} header {defects.headers[part.number - 1]}"
+        if defects.offsets is not None:
             yield f"{MARK} offset {part.offset}"
         if part.shares is not None:
             yield f"{MARK} shares {part.shares}"

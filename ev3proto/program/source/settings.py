@@ -29,6 +29,7 @@ OBJECT_NUMBERS = {
     "triggers": 0xFFFF,
     "locals": MAX_MEMORY,
     "offset": MAX_MEMORY,
+    "header": MAX_MEMORY,
     "shares": MAX_OBJECTS,
 }
 """Settings of the object that follows."""

@@ -1,0 +1,120 @@
+"""The firmware's validator over a program: one index runs from the end of the headers to the end that the header says.
+
+The brick starts what it accepts. Codes are read one after the other, in the order of the headers, as if there were no
+gaps between them; the offsets in the headers are hardly looked at. So a program may pass and then run other bytes than
+those that were validated.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import NamedTuple
+
+from ev3proto.checking.verdict import OBJECT_END, Reason, Refusal, validator
+from ev3proto.program.header import IMAGE_HEADER_SIZE, OBJECT_HEADER_SIZE, PACKED_HEADER, PACKED_OBJECT
+from ev3proto.program.parameters import has_size
+from ev3proto.tables.program import DEFAULT_VERSION, OLD_VERSIONS, RELEASE_VERSION, SIGN, ObjectKind, kind_of
+
+SIZE_AT = len(SIGN)
+"""Offset of the size of the image, which is blamed for whatever the header has wrong."""
+
+VERSION_AT = SIZE_AT + 4
+"""Offset of the version."""
+
+_BEYOND = bytes(256)
+"""Zeros after the image: more than an operation reads after the parameter that reaches beyond the end."""
+
+
+class HeaderReason(Enum):
+    """Why the header of a program is refused."""
+
+    SMALL = "the header states {stated} bytes, fewer than the headers of {count} objects take"
+    EMPTY = "the program has no objects"
+    SHORT = "the header states {stated} bytes; the image has {size}"
+
+
+class ObjectRead(NamedTuple):
+    """What the validator reads for an object.
+
+    offset    of the object's code: as its header says, or where the validator is when that says 0
+    start     where it starts to read; None where it reads nothing
+    end       where it stops
+    is_ended  whether it found an OBJECT_END
+    """
+
+    offset: int
+    start: int | None
+    end: int
+    is_ended: bool = False
+
+
+class Walk(NamedTuple):
+    """What the validator says to an image.
+
+    accepted  whether the brick starts the program
+    position  offset of what it objects to: an operation, a field of the header; None where there is nothing. A version
+              from before the release is objected to, and accepted
+    reason    why it refuses
+    objects   what it read for each object, as far as it came
+    """
+
+    accepted: bool
+    position: int | None = None
+    reason: str | None = None
+    objects: tuple[ObjectRead, ...] = ()
+
+
+def walk(image: bytes, dialect: str = "official") -> Walk:
+    """What the validator says to an image whose header is there.
+
+    A version between that of 2013's release and the latest says that the program is for a firmware with newer commands.
+    """
+    stated, version, count, _ = PACKED_HEADER.unpack_from(image, SIZE_AT)
+    at = IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * count
+    refused = (
+        HeaderReason.EMPTY
+        if not count
+        else HeaderReason.SMALL
+        if stated < at
+        else HeaderReason.SHORT
+        if len(image) < stated
+        else None
+    )
+    if refused is not None:
+        return Walk(False, SIZE_AT, refused.value.format(stated=stated, count=count, size=len(image)))
+    step = validator(dialect, is_latest=RELEASE_VERSION < version <= DEFAULT_VERSION).step
+    data = image + _BEYOND
+    objects: list[ObjectRead] = []
+    last = None
+    for number in range(count):
+        offset, owner, triggers, _ = PACKED_OBJECT.unpack_from(image, IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * number)
+        offset = offset or at
+        start = at
+        if kind_of(owner, triggers) is ObjectKind.SUBCALL:
+            if offset < at:
+                objects.append(ObjectRead(offset, None, at))
+                continue
+            at = _table_end(data, at)
+        is_ended = False
+        while at < stated and not is_ended:
+            last = at
+            is_ended = data[at] == OBJECT_END
+            found = step(data, at, stated)
+            if isinstance(found, Refusal):
+                objects.append(ObjectRead(offset, start, at))
+                return Walk(False, at, found.reason.value, tuple(objects))
+            at = found
+        objects.append(ObjectRead(offset, start, at, is_ended))
+    if at != stated and last is not None:
+        return Walk(False, last, Reason.CUT_OFF.value if at > stated else Reason.AFTER_END.value, tuple(objects))
+    return Walk(True, VERSION_AT if version in OLD_VERSIONS else None, None, tuple(objects))
+
+
+def _table_end(data: bytes, at: int) -> int:
+    """The offset after a table of parameters, which may reach beyond the end of the image."""
+    count = data[at] if at < len(data) else 0
+    at += 1
+    for _ in range(count):
+        code = data[at] if at < len(data) else 0
+        at += 2 if has_size(code) else 1
+    return at

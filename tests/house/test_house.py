@@ -73,3 +73,15 @@ def test_nothing_leans_upwards() -> None:
 def test_the_tables_import_nothing_of_the_project() -> None:
     others = {other for part, path in _modules() if part == "tables" for other in _imports(path)}
     assert others == {"tables"}
+
+
+def test_no_group_is_repeated_possessively() -> None:
+    """Before 3.11.5, Python matches too little with `(?:ab?|c)*+`: the atomic group `(?>(?:ab?|c)*)` says the same."""
+    group = re.compile(r"[^(]\)(?:[*+?]|\{+\d*,?\d*\}+)\+(?![\s\w])")
+    found = [
+        f"{path.relative_to(PACKAGE)}:{number}"
+        for _, path in _modules()
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if not line.lstrip().startswith("#") and group.search(line)
+    ]
+    assert found == []

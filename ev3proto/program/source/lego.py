@@ -42,9 +42,9 @@ _WORD = re.compile(
     r"""(?P<newline>\r\n|\r|\n)
       | (?P<blank>[ \t(),\f\v\x1a\ufeff]+ | //[^\r\n]*)
       | (?P<comment>/\*)
-      | (?P<text>'(?:''|\\\\|\\'|[^'\r\n])*+')
+      | (?P<text>'(?>(?:''|\\\\|\\'|[^'\r\n])*)')
       | (?P<brace>[{}])
-      | (?P<word>(?:(?!//|/\*)[^\s(),'{}])++)""",
+      | (?P<word>(?>(?:(?!//|/\*)[^\s(),'{}])+))""",
     re.VERBOSE,
 )
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)

@@ -48,7 +48,7 @@ MAX_DEPTH = 50
 """How deep expressions may stand in each other."""
 
 _TOKEN = re.compile(
-    r"""(?:[ \t\r\n\f\v\x1a\ufeff]++ | //[^\r\n]*+)*+
+    r"""(?>(?:[ \t\r\n\f\v\x1a\ufeff]++ | //[^\r\n]*+)*)
       (?:(?P<name>[A-Za-z_]\w*+)
       | (?P<mark>[{}(),:@&!+*-])
       | (?P<float>(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][+-]?\d+)?F(?![\w.]))
@@ -60,8 +60,8 @@ _TOKEN = re.compile(
       | (?P<end>\Z))""",
     re.VERBOSE | re.ASCII,
 )
-_RAW = re.compile(r"bytes\((?:[0-9A-Fa-f]{2}|\s)*+\)")
-_BLANK = re.compile(r"(?:[ \t\r\n\f\v\x1a\ufeff]++|//[^\r\n]*+)*+")
+_RAW = re.compile(r"bytes\((?>(?:[0-9A-Fa-f]{2}|\s)*)\)")
+_BLANK = re.compile(r"(?>(?:[ \t\r\n\f\v\x1a\ufeff]++|//[^\r\n]*+)*)")
 _STRAY_WORD = re.compile(r"[\w.]+")
 _ESCAPED = re.compile(r"\\(?P<known>[nqrt\\])?", re.DOTALL)
 _END = ""

@@ -66,7 +66,7 @@ _LEAD = late_pattern(
 _REMARK = late_pattern(
     r"(?://|(?<=[\s,;)}\]])(?:#(?![xX$\d])|;(?=\s*[^\W\d_]{2})|--(?=\s)|'(?=\s*[A-Za-z]{3})|\\{1,2}\s|%(?=\s)))"
 )
-_COMMENT = late_pattern(r"/\*(?:(?!\*/).)*+(?:\*/)?")
+_COMMENT = late_pattern(r"/\*(?>(?:(?!\*/).)*)(?:\*/)?")
 _SUBSCRIPT = late_pattern(r"(?:\b[A-Za-z_][\w.>-]{0,40})?\[\s?(?P<index>0|[1-9]\d{0,4})\]\s{0,4}(?:=>?|:|\t)\s{0,4}")
 _NUMBERED = late_pattern(
     r"^\s*\[?(?P<index>0|[1-9]\d{0,4})\]?\s?[\t,;]\s*(?=(?:0x)?[0-9a-fA-F]{1,3}(?:[\t,; (]{1,8}\S{1,6}){0,2}\s*$)"

@@ -23,9 +23,9 @@ _TYPE_AT = HEADER_SIZE - 1
 
 _BYTE = "[0-9a-fA-F]{2}"
 _HEX = (
-    rf"(?:(?P<plain>{_BYTE}(?P<mark>[ :-]?){_BYTE}(?:(?P=mark){_BYTE}){{3,}}+)"
-    rf"|0[xX]\|(?P<lesson>{_BYTE}(?:[:|]{_BYTE}){{4,}}+)\|?"
-    rf"|(?P<prefixed>0[xX]{_BYTE}(?P<comma>,? |,)0[xX]{_BYTE}(?:(?P=comma)0[xX]{_BYTE}){{3,}}+))(?!\w)"
+    rf"(?:(?P<plain>{_BYTE}(?P<mark>[ :-]?){_BYTE}(?>(?:(?P=mark){_BYTE}){{3,}}))"
+    rf"|0[xX]\|(?P<lesson>{_BYTE}(?>(?:[:|]{_BYTE}){{4,}}))\|?"
+    rf"|(?P<prefixed>0[xX]{_BYTE}(?P<comma>,? |,)0[xX]{_BYTE}(?>(?:(?P=comma)0[xX]{_BYTE}){{3,}})))(?!\w)"
 )
 _ALONE = late_pattern(rf"{_HEX}\s*")
 _AFTER = late_pattern(rf"(?<=[\s:=(\[{{<\"'`]){_HEX}")

@@ -17,8 +17,8 @@ from ev3proto.text.paste.pieces import Found, short
 _START = late_pattern(r"(?<!\w)b(?P<bytes>[\"'])|(?P<text>[\"'])(?=[ -~]?\\x)")
 _ESCAPE = r"\\(?:x[0-9a-fA-F]{2}|[0-3]?[0-7]{1,2}|[ -/89:-wy-~])"
 _BODY = {
-    "'": late_pattern(rf"(?:[ -&(-\[\]-~]|{_ESCAPE})*+"),
-    '"': late_pattern(rf"(?:[ !#-\[\]-~]|{_ESCAPE})*+"),
+    "'": late_pattern(rf"(?>(?:[ -&(-\[\]-~]|{_ESCAPE})*)"),
+    '"': late_pattern(rf"(?>(?:[ !#-\[\]-~]|{_ESCAPE})*)"),
 }
 # An ellipsis that may have cut an escape in two.
 _CUT = late_pattern(r"(?:\\x?[0-9a-fA-F]?)?(?:\.{3}|…)")

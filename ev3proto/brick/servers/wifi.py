@@ -91,6 +91,7 @@ class Wifi:
             client.begin()
         elif len(self._queued) < MOST_QUEUED:
             self._queued.append(client)
+            client.pause()
             self._host.say_once(
                 "a client waits for another one to go: the real brick, too, serves one at a time (see --clients)"
             )
@@ -156,8 +157,8 @@ class _Client(asyncio.Protocol):
         assert isinstance(transport, asyncio.Transport)
         self._transport = transport
         transport.set_write_buffer_limits(MOST_UNREAD)
-        transport.pause_reading()
-        self._wifi.came(self)
+        # Python before 3.11.5 begins to read after this call, and whoever waits must not be read.
+        asyncio.get_running_loop().call_soon(self._wifi.came, self)
 
     def data_received(self, data: bytes) -> None:
         if self._connection is not None:
@@ -187,7 +188,7 @@ class _Client(asyncio.Protocol):
         """Its turn has come."""
         assert self._transport is not None
         self._timer = asyncio.get_running_loop().call_later(UNLOCK_TIME, self.drop)
-        self._transport.resume_reading()
+        self.resume()
 
     def drop(self) -> None:
         """Ends the connection at once."""

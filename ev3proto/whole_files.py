@@ -6,7 +6,6 @@ Files that others read while they grow, such as recordings, grow by whole pieces
 
 from __future__ import annotations
 
-import io
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -72,19 +71,14 @@ def write_whole(path: Path, data: bytes) -> None:
         stream.write(data)
 
 
-class GrowingFile(io.BufferedIOBase):
+class GrowingFile:
     """A file that grows from flush to flush: what was written between two of them is in it whole, or not at all."""
 
     def __init__(self, path: Path) -> None:
         """Opens the file, and empties it. Raises OSError where it cannot be written."""
-        super().__init__()
         self._file = path.open("wb", buffering=0)
         self._waiting: list[bytes] = []
         self._size = 0
-
-    def writable(self) -> bool:
-        """True, as for every output."""
-        return True
 
     def write(self, data: ReadableBuffer, /) -> int:
         """Takes bytes, which are in the file after the next flush."""
@@ -116,4 +110,3 @@ class GrowingFile(io.BufferedIOBase):
                 self.flush()
             finally:
                 self._file.close()
-        super().close()

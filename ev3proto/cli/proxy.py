@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ipaddress
 import sys
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 from pathlib import Path
 from random import Random
 from typing import TYPE_CHECKING, BinaryIO, cast
@@ -178,4 +178,4 @@ def _recorded_to(record: str, stack: ExitStack) -> BinaryIO:
         if sys.stdout is None:
             raise OutputError(None, "standard output is closed")
         return sys.stdout.buffer
-    return cast(BinaryIO, stack.enter_context(GrowingFile(Path(record))))
+    return cast(BinaryIO, stack.enter_context(closing(GrowingFile(Path(record)))))

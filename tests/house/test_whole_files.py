@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import subprocess
@@ -149,3 +150,10 @@ def test_a_recording_grows_by_whole_pieces(tmp_path: Path) -> None:
         file.write(b"9")
         file.close()
     assert contents(tmp_path) == {"x": b"123456789"}
+
+
+@pytest.mark.filterwarnings("error::pytest.PytestUnraisableExceptionWarning")
+def test_a_recording_that_cannot_be_opened(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError):
+        GrowingFile(tmp_path / "none" / "x")
+    gc.collect()

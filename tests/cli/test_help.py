@@ -134,6 +134,9 @@ NEEDS_MORE = re.compile(
 MAY_FIND = ("ev3proto check", "ev3proto decode", "ev3proto replay")
 """Commands whose exit status says what they found: a fault, a reply that is another."""
 
+NOT_AS_ROOT = "as root, Wireshark 4.4 and later load no Lua plugins"
+"""What `dissector install` says to root, who has everything in its place then, and no Wireshark that would load it."""
+
 
 @pytest.fixture(scope="module")
 def desk(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -166,5 +169,8 @@ def test_the_examples_run(path: str, desk: Path) -> None:
         else:
             done = run(*shlex.split(example)[1:], cwd=desk, env=environment)
         # What is checked may have a fault: that is what the example shows.
-        assert done.returncode in ((0, 1) if path in MAY_FIND else (0,)), (example, done.stderr)
+        expected = {0, 1} if path in MAY_FIND else {0}
+        if os.geteuid() == 0 and NOT_AS_ROOT in done.stderr:
+            expected = {1}
+        assert done.returncode in expected, (example, done.stderr)
         assert "Traceback" not in done.stderr

@@ -104,7 +104,7 @@ class _Check:
         )
 
     def _other_code(self, part: CodeObject) -> Iterator[Finding]:
-        """What the brick runs without having validated it: it validates codes in their order, wherever headers point."""
+        """What the brick runs without having validated it, because a header points elsewhere."""
         at = IMAGE_HEADER_SIZE + (part.number - 1) * OBJECT_HEADER_SIZE
         read = self._walk.objects[part.number - 1]
         if (part.offset, part.kind is ObjectKind.SUBCALL) not in self._starts:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 import pytest
 
 from ev3proto.brick.devices.display import HEIGHT, WIDTH, Canvas, Display
-from ev3proto.brick.devices.display.characters import braille, half_blocks
+from ev3proto.brick.devices.display.braille import braille
 from ev3proto.brick.devices.display.fonts import FONTS
 from ev3proto.brick.devices.display.graph import Graph, Scale
 from ev3proto.brick.devices.display.icons import ICONS
@@ -389,8 +389,5 @@ class TestLookingAtIt:
         body = zlib.decompress(data[at + 4 : at + 4 + int.from_bytes(data[at - 4 : at], "big")])
         assert body.hex() == "003fffcf" * 2 + "000000ff" * 2
 
-    def test_as_half_blocks(self) -> None:
-        assert list(half_blocks([b"\xa0", b"\xc0", b"\x80"], 4)) == ["█▄▀ ", "▀   "]
-
     def test_as_braille(self) -> None:
-        assert list(braille([b"\x80", b"\x40", b"\x00", b"\xc0"], 4)) == ["⣑⠀"]
+        assert braille([b"\x80", b"\x40", b"\x00", b"\xc0"], 4) == ["⣑⠀"]

@@ -80,7 +80,9 @@ def _init(kind: Type) -> Callable[[Machine], None]:
 
 
 for _suffix, _kind, _ in SIZES:
+    # ARRAY.CREATE8, ARRAY.CREATE16, ARRAY.CREATE32, ARRAY.CREATEF
     handles(f"ARRAY.CREATE{_suffix}")(_create(_kind))
+    # ARRAY.INIT8, ARRAY.INIT16, ARRAY.INIT32, ARRAY.INITF
     handles(f"ARRAY.INIT{_suffix}", raw=True)(_init(_kind))
 
 

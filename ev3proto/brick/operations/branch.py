@@ -63,4 +63,7 @@ def _jump_by(read: Callable[[Machine], float], relation: Callable[[Any, Any], bo
 
 for _name, _relation in RELATIONS.items():
     for _suffix, _read in NUMBERS.items():
+        # JR_LT8, JR_LT16, JR_LT32, JR_LTF, JR_GT8, JR_GT16, JR_GT32, JR_GTF, JR_EQ8, JR_EQ16, JR_EQ32,
+        # JR_EQF, JR_NEQ8, JR_NEQ16, JR_NEQ32, JR_NEQF, JR_LTEQ8, JR_LTEQ16, JR_LTEQ32, JR_LTEQF, JR_GTEQ8,
+        # JR_GTEQ16, JR_GTEQ32, JR_GTEQF
         handles(f"JR_{_name}{_suffix}", raw=True)(_jump_by(_read, _relation))

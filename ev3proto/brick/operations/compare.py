@@ -31,5 +31,9 @@ def _select(size: int) -> Callable[[Machine], None]:
 
 for _suffix, _type, _ in SIZES:
     for _name, _relation in RELATIONS.items():
+        # CP_LT8, CP_GT8, CP_EQ8, CP_NEQ8, CP_LTEQ8, CP_GTEQ8, CP_LT16, CP_GT16, CP_EQ16, CP_NEQ16,
+        # CP_LTEQ16, CP_GTEQ16, CP_LT32, CP_GT32, CP_EQ32, CP_NEQ32, CP_LTEQ32, CP_GTEQ32, CP_LTF, CP_GTF,
+        # CP_EQF, CP_NEQF, CP_LTEQF, CP_GTEQF
         handles(f"CP_{_name}{_suffix}")(_compare(_relation))
+    # SELECT8, SELECT16, SELECT32, SELECTF
     handles(f"SELECT{_suffix}", raw=True)(_select(_type.size))

@@ -73,6 +73,8 @@ for _suffix, _kind in _INTEGERS.items():
         ("XOR", int.__xor__),
         ("RL", _shift),
     ):
+        # ADD8, SUB8, MUL8, DIV8, OR8, AND8, XOR8, RL8, ADD16, SUB16, MUL16, DIV16, OR16, AND16, XOR16,
+        # RL16, ADD32, SUB32, MUL32, DIV32, OR32, AND32, XOR32, RL32
         handles(_name + _suffix)(_integer_operation(_kind, _function))
 
 for _name, _function in (
@@ -142,22 +144,22 @@ def _single_argument(function: Callable[[float], float]) -> Callable[[Machine, f
     return operate
 
 
-for _command, _calculate in (
-    ("EXP", _defined(math.exp)),
-    ("FLOOR", _whole(math.floor)),
-    ("CEIL", _whole(math.ceil)),
-    ("ROUND", soft_float.round_half_away),
-    ("SQRT", _defined(math.sqrt)),
-    ("LOG", _logarithm(math.log10)),
-    ("LN", _logarithm(math.log)),
-    ("SIN", _of_degrees(math.sin)),
-    ("COS", _of_degrees(math.cos)),
-    ("TAN", _of_degrees(math.tan)),
-    ("ASIN", _in_degrees(math.asin)),
-    ("ACOS", _in_degrees(math.acos)),
-    ("ATAN", _in_degrees(math.atan)),
+for _name, _calculate in (
+    ("MATH.EXP", _defined(math.exp)),
+    ("MATH.FLOOR", _whole(math.floor)),
+    ("MATH.CEIL", _whole(math.ceil)),
+    ("MATH.ROUND", soft_float.round_half_away),
+    ("MATH.SQRT", _defined(math.sqrt)),
+    ("MATH.LOG", _logarithm(math.log10)),
+    ("MATH.LN", _logarithm(math.log)),
+    ("MATH.SIN", _of_degrees(math.sin)),
+    ("MATH.COS", _of_degrees(math.cos)),
+    ("MATH.TAN", _of_degrees(math.tan)),
+    ("MATH.ASIN", _in_degrees(math.asin)),
+    ("MATH.ACOS", _in_degrees(math.acos)),
+    ("MATH.ATAN", _in_degrees(math.atan)),
 ):
-    handles(f"MATH.{_command}")(_single_argument(_calculate))
+    handles(_name)(_single_argument(_calculate))
 
 
 @handles("MATH.ABS", raw=True)
@@ -216,6 +218,7 @@ def _integer_modulo(kind: Type) -> Callable[[Machine, int, int, Place], None]:
 
 
 for _suffix, _kind in _INTEGERS.items():
+    # MATH.MOD8, MATH.MOD16, MATH.MOD32
     handles(f"MATH.MOD{_suffix}")(_integer_modulo(_kind))
 
 

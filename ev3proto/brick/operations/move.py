@@ -54,6 +54,8 @@ def _convert_float(target: str) -> Callable[[Machine], None]:
 
 for _source, _type in _TYPES.items():
     for _target in _TYPES:
+        # MOVE8_8, MOVE8_16, MOVE8_32, MOVE8_F, MOVE16_8, MOVE16_16, MOVE16_32, MOVE16_F, MOVE32_8,
+        # MOVE32_16, MOVE32_32, MOVE32_F, MOVEF_8, MOVEF_16, MOVEF_32, MOVEF_F
         _name = f"MOVE{_source}_{_target}"
         if _source == _target:
             handles(_name, raw=True)(_copy(_type.size))
@@ -89,5 +91,7 @@ def _write_element(size: int) -> Callable[[Machine], None]:
 
 
 for _suffix, _type in _TYPES.items():
+    # READ8, READ16, READ32, READF
     handles(f"READ{_suffix}", places=("SOURCE",))(_read_element(_type.size))
+    # WRITE8, WRITE16, WRITE32, WRITEF
     handles(f"WRITE{_suffix}", raw=True)(_write_element(_type.size))

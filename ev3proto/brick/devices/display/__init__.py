@@ -1,8 +1,6 @@
 """The display of the virtual brick: pixels, letters, icons, pictures, graphs, and how to look at it."""
 
 from ev3proto.brick.devices.display.canvas import HEIGHT, WIDTH, Canvas
-from ev3proto.brick.devices.display.characters import braille, half_blocks
 from ev3proto.brick.devices.display.display import Display
-from ev3proto.brick.devices.display.png import write_png
 
-__all__ = ["HEIGHT", "WIDTH", "Canvas", "Display", "braille", "half_blocks", "write_png"]
+__all__ = ["HEIGHT", "WIDTH", "Canvas", "Display"]

@@ -35,9 +35,8 @@ from ev3proto.messages import (
     SystemReply,
     Variable,
 )
-from ev3proto.program.image import Entry, image_of
+from ev3proto.program.image import Entry, Program, image_of
 from ev3proto.program.image import parse as parse_program
-from ev3proto.program.objects import Program
 from ev3proto.program.parameters import ProgramParameter, code_of, has_size, table_bytes
 from ev3proto.schema import constructors
 from ev3proto.schema.frame import parse

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ev3proto.bounded import Budget
 from ev3proto.capture.record import Record, Route, new_answered
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, unpack_header, unpack_memory
 from ev3proto.semantics.pairing import Pairing
+from ev3proto.semantics.transfers import Transfers
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MessageType
-
-if TYPE_CHECKING:
-    from ev3proto.semantics.transfers import Transfers
 
 MOST_PENDING = 4096
 """Commands of one conversation whose reply is awaited; a long capture may have a million that are never answered."""
@@ -110,8 +106,6 @@ class Conversation:
     def _follow_transfer(self, record: Record) -> None:
         transfers = self._transfers
         if transfers is None:
-            from ev3proto.semantics.transfers import Transfers
-
             transfers = self._transfers = Transfers(self._budget)
         message = record.message
         if isinstance(message, SystemCommand):

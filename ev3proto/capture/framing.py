@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from ev3proto.capture.finding import Finder, Found
 from ev3proto.errors import DecodeError, counted
+from ev3proto.schema.discovery import UNLOCK
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, is_frame_size, unpack_length
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
@@ -430,7 +431,6 @@ class Cutter:
             return PartKind.ACCEPT, end + self._is_zero(buffer, end)
         if not buffer.startswith(_REQUEST, at):
             return None
-        from ev3proto.schema.discovery import UNLOCK  # few captures have one, and it takes a while to load
 
         try:
             unlock, end = UNLOCK.read(buffer, at)

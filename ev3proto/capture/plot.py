@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ev3proto.capture.series import Series
+from ev3proto.capture.timeline.chart import VERSION
 from ev3proto.capture.timeline.chart_files import MOST_TITLE, PNG_SCALE, require_library
 from ev3proto.capture.timeline.wording import clean
 
@@ -32,8 +33,6 @@ def draw(found: Series, suffix: str, title: str) -> bytes:
         raise ValueError(f"a plot is written to a file that ends in .svg or .png, not in {suffix or 'nothing'}")
     require_library()
     import vl_convert
-
-    from ev3proto.capture.timeline.chart import VERSION
 
     chart = specification(found, clean(title, MOST_TITLE))
     if suffix == ".svg":

@@ -5,16 +5,16 @@ from __future__ import annotations
 import os
 from collections.abc import Collection, Generator, Iterable, Iterator
 from types import TracebackType
-from typing import Any, BinaryIO, Literal, Self
+from typing import Any, BinaryIO, Self
 
 from ev3proto.bounded import DEFAULT_MEMORY
+from ev3proto.capture.builtin import events
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.capture.record import Event, Record
+from ev3proto.capture.wireshark.pyshark_packets import pyshark_events
 from ev3proto.tables import check_dialect
 from ev3proto.tables.discovery import TCP_PORT
-
-Engine = Literal["builtin", "wireshark"]
 
 
 class Capture:
@@ -82,18 +82,16 @@ def read(
     *,
     dialect: str = "official",
     ports: Collection[int] = (TCP_PORT,),
-    engine: Engine = "builtin",
-    tshark: str | None = None,
     memory: int = DEFAULT_MEMORY,
 ) -> Capture:
     """A capture file's records: pcap, pcapng or btsnoop, packed with gzip or not, recognised by its first bytes.
+
+    `ev3proto.pyshark.read` reads all that Wireshark knows.
 
     Args:
         source: A path, a binary stream at its start (which stays open), or a CaptureFile that was looked at before.
         dialect: The firmware whose instruction set to read by.
         ports: TCP ports on which bricks listen.
-        engine: "builtin", or "wireshark": tshark takes the packets apart, for every link type that Wireshark knows.
-        tshark: Path of the tshark for that engine, where it is not on the path.
         memory: Bytes that all that waits for more of the capture may take together: commands without a reply,
             segments ahead of their turn, and so on. The oldest goes first; `account.forgotten` counts them.
 
@@ -102,21 +100,12 @@ def read(
 
     Raises:
         OSError: The file cannot be opened.
-        CaptureError: The file is no capture, or tshark cannot be used.
-        ValueError: The dialect or the engine is not known.
+        CaptureError: The file is no capture.
+        ValueError: The dialect is not known.
 
     """
     check_dialect(dialect)
     account = Account()
-    if engine == "wireshark":
-        from ev3proto.capture.wireshark import wireshark_events
-
-        found = wireshark_events(source, account, dialect=dialect, ports=ports, tshark=tshark, memory=memory)
-        return Capture(found, account)
-    if engine != "builtin":
-        raise ValueError(f"there is no engine {engine!r}: it must be builtin or wireshark")
-    from ev3proto.capture.builtin import events
-
     file = source if isinstance(source, CaptureFile) else _opened(source)
     try:
         packets = file.packets()
@@ -133,7 +122,7 @@ def from_pyshark(packets: Iterable[Any], *, dialect: str = "official", ports: Co
         for record in ev3proto.capture.from_pyshark(packets):
             print(record.message)
 
-    It takes ten times as long as the engine "wireshark", because pyshark gives all that tshark knows of a packet.
+    It takes ten times as long as `ev3proto.pyshark.read`, because pyshark gives all that tshark knows of a packet.
 
     Args:
         packets: A capture of pyshark, or its packets. pyshark's mode must be XML, which is its default. Its tshark must
@@ -148,8 +137,6 @@ def from_pyshark(packets: Iterable[Any], *, dialect: str = "official", ports: Co
         ValueError: The dialect is not known.
 
     """
-    from ev3proto.capture.wireshark.pyshark_packets import pyshark_events
-
     check_dialect(dialect)
     account = Account()
     return Capture(pyshark_events(packets, account, dialect=dialect, ports=ports), account)

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from enum import StrEnum
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
+from ev3proto.dialogue import Exchange, Transfer, Value, values_of
 from ev3proto.messages import Message
+from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.tables.carriers import Carrier
-
-if TYPE_CHECKING:
-    from ev3proto.dialogue import Exchange, Transfer, Value
-    from ev3proto.schema.discovery import Beacon, Unlock
 
 NANOSECONDS = 1_000_000_000
 """In a second."""
@@ -144,16 +143,12 @@ class Record:
     def values(self) -> list[Value]:
         """For a reply: what it says, by name; else an empty list."""
         if self._values is None:
-            from ev3proto.dialogue import values_of  # which takes a while to load; many only look at messages
-
             self._values = values_of(self.message, None if self.request is None else self.request.message)
         return self._values
 
     @property
     def exchange(self) -> Exchange:
         """The message with all that a dialogue knows of it."""
-        from ev3proto.dialogue import Exchange
-
         request = None if self.request is None else self.request.message
         return Exchange(self.message, request, self.values, self.transfer)
 
@@ -315,8 +310,6 @@ def elapsed(time_ns: int, start_ns: int) -> str:
 
 def utc(time_ns: int) -> str:
     """`2024-01-31T09:12:31.011558Z`, with nanoseconds where the time has them."""
-    from datetime import UTC, datetime  # which takes a while to load
-
     seconds, rest = divmod(time_ns, NANOSECONDS)
     digits = f"{rest:09}"
     try:

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -164,6 +165,7 @@ class CaptureSource:
     def _opened(self) -> Capture:
         from ev3proto.capture import read
         from ev3proto.capture.text_log import read_log
+        from ev3proto.pyshark import read as read_by_tshark
 
         options = self.options
         if self.lines is None and options.engine == BUILTIN:
@@ -171,13 +173,9 @@ class CaptureSource:
         if self.lines is not None:
             self._capture = read_log(self._pieces(self.lines), dialect=options.dialect, memory=options.memory * MIB)
             return self._capture
-        self._capture = read(
-            self.file or _stream(self.name),
-            dialect=options.dialect,
-            ports=options.ports,
-            engine=options.engine,  # type: ignore[arg-type]
-            tshark=options.tshark,
-            memory=options.memory * MIB,
+        opened = read if options.engine == BUILTIN else partial(read_by_tshark, tshark=options.tshark)
+        self._capture = opened(
+            self.file or _stream(self.name), dialect=options.dialect, ports=options.ports, memory=options.memory * MIB
         )
         return self._capture
 

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import click
 
+from ev3proto.capture import Announcement, Event, Skipped, TextKind
+from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.cli.captures import MIB, MOST_COMPLAINTS, CaptureOptions, reading_options
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain
 from ev3proto.cli.show import Show
-
-if TYPE_CHECKING:
-    from ev3proto.capture import Announcement, Event
-    from ev3proto.capture.dialogues import RequestReply
+from ev3proto.pyshark.live import Live
+from ev3proto.pyshark.program import EngineError
 
 PATIENCE_NS = 2_000_000_000
 """After so long without a reply a command is shown without one, as soon as anything else happens."""
@@ -47,9 +46,6 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
       ev3proto live -i usbmon1 --filter 'op like "SOUND.*" || error'
       ev3proto live -i lo --port 5556 --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    from ev3proto.capture.wireshark import EngineError
-    from ev3proto.capture.wireshark.live import Live
-
     names = ", ".join(dict.fromkeys(interfaces))
     try:
         capture = Live(
@@ -85,8 +81,6 @@ class _Watching:
 
     def show(self, events: Iterator[Event]) -> None:
         """Shows all events until there are no more."""
-        from ev3proto.capture.dialogues import dialogues
-
         for pair in dialogues(self._beside(events), PATIENCE_NS):
             if self._is_wanted(pair):
                 self._show.dialogue(pair, self._start_ns or 0)
@@ -95,8 +89,6 @@ class _Watching:
 
     def _beside(self, events: Iterator[Event]) -> Iterator[Event]:
         """The events, of which those that are part of no dialogue are shown."""
-        from ev3proto.capture import Announcement, Skipped
-
         for event in events:
             if self._start_ns is None:
                 self._start_ns = event.time_ns
@@ -114,8 +106,6 @@ class _Watching:
         return chosen is None or chosen.of_dialogue(pair)
 
     def _is_new(self, announcement: Announcement) -> bool:
-        from ev3proto.capture import TextKind
-
         if announcement.said is not TextKind.BEACON:
             return True
         is_new = announcement.data not in self._beacons

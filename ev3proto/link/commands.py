@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from ev3proto.checking.checking import check
 from ev3proto.compose import Draft, Label, command
 from ev3proto.errors import BuildError
 from ev3proto.link.errors import DirectCommandError, SystemCommandError
@@ -59,8 +60,6 @@ class Prepared:
         if isinstance(message, SystemReply):
             self._check_status(message)
         elif message.type is MessageType.DIRECT_REPLY_ERROR:
-            from ev3proto.checking.checking import check
-
             raise DirectCommandError(request, reply[HEADER_SIZE:], check(request, dialect=self.dialect))
         if self.is_named:
             return values_of(message, parse(request, strict=False, dialect=self.dialect))

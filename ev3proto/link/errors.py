@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from ev3proto.checking.report import Report
 from ev3proto.errors import counted
+from ev3proto.messages import SystemReply
 from ev3proto.tables.system import status_meaning
-
-if TYPE_CHECKING:
-    from ev3proto.checking.report import Report
-    from ev3proto.messages import SystemReply
 
 
 class LinkError(Exception):

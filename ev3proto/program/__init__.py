@@ -19,8 +19,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from ev3proto.program.header import HEADER
-from ev3proto.program.image import IMAGE, build, parse
-from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects, Program
+from ev3proto.program.image import IMAGE, Program, build, parse
+from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects
 from ev3proto.program.parameters import ProgramParameter
 from ev3proto.tables.program import DEFAULT_VERSION, ObjectKind
 

@@ -10,8 +10,8 @@ from ev3proto.checking.report import Finding
 from ev3proto.errors import DecodeError, as_bytes, counted
 from ev3proto.messages import Argument, Operation
 from ev3proto.program.header import IMAGE_HEADER_SIZE, OBJECT_HEADER_SIZE
-from ev3proto.program.image import parse
-from ev3proto.program.objects import CodeObject, Program
+from ev3proto.program.image import Program, parse
+from ev3proto.program.objects import CodeObject
 from ev3proto.program.report import ProgramReport
 from ev3proto.program.retyped import CALL
 from ev3proto.program.source.disassembly import goal_of

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from construct import Int16ul, Int32ul
@@ -15,13 +16,13 @@ from ev3proto.program.header import (
     PACKED_HEADER,
     PACKED_OBJECT,
 )
-from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects, Program
+from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects
 from ev3proto.program.parameters import ProgramParameter, read_table
 from ev3proto.program.retyped import with_types
 from ev3proto.program.walk import walk
 from ev3proto.schema.bytewise import Bytewise
 from ev3proto.schema.instructions import InstructionSet, instruction_set
-from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS, SIGN, ObjectKind, kind_of
+from ev3proto.tables.program import DEFAULT_VERSION, MAX_MEMORY, MAX_OBJECTS, SIGN, ObjectKind, kind_of
 
 MAX_IMAGE = 1 << 25
 """Bytes of the largest image that is read: more than the brick has memory for."""
@@ -32,6 +33,37 @@ _COUNT_AT = len(SIGN) + Int32ul.sizeof() + Int16ul.sizeof()
 _OBJECT_END = "OBJECT_END"
 _JUMPS = "JR"
 """What the names of jumps start with."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Program:
+    """A program for the brick's virtual machine.
+
+    version      100 times the version of the byte code, 0 to 65535; the machine does not depend on it
+    global_size  bytes of global memory, 0 to 4294967295
+    objects      threads, subcalls and blocks, numbered from 1; the first is started with the program
+    defects      what the image has beside that; NO_DEFECTS for nearly all
+    """
+
+    version: int = DEFAULT_VERSION
+    global_size: int = 0
+    objects: tuple[CodeObject, ...] = ()
+    defects: Defects = NO_DEFECTS
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        """Everything that is wrong with the image, in the order of the offsets."""
+        found = [*self.defects.faults, *(part.fault for part in self.objects if part.fault is not None)]
+        return tuple(sorted(set(found)))
+
+    @property
+    def fault(self) -> Fault | None:
+        """The first of them, None when nothing is wrong."""
+        return next(iter(self.faults), None)
+
+    def build(self) -> bytes:
+        """The image. Raises BuildError when no image can carry the program."""
+        return build(self)
 
 
 class _Code(NamedTuple):

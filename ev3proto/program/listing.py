@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ev3proto.errors import counted
 from ev3proto.messages import Operation
-from ev3proto.program.objects import CodeObject, Program
+from ev3proto.program.image import Program
+from ev3proto.program.objects import CodeObject
 from ev3proto.program.source.disassembly import ObjectCode, Writer
 from ev3proto.tables.declaration import Direction
 from ev3proto.tables.encoding import CONSTANT

@@ -1,4 +1,4 @@
-"""What people hold of a program: the program, its objects, the parameters they declare. Immutable, typed, printable."""
+"""What people hold of a program: its objects, the parameters they declare, its defects. Immutable, typed, printable."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ev3proto.errors import Fault
 from ev3proto.messages import NO_FLAW, Flaw, Operation
 from ev3proto.program.parameters import ProgramParameter, table_bytes
-from ev3proto.tables.program import DEFAULT_VERSION, ObjectKind, aligned, kind_of
+from ev3proto.tables.program import ObjectKind, aligned, kind_of
 
 
 class ParameterPlace(NamedTuple):
@@ -98,36 +98,3 @@ class Defects(NamedTuple):
 
 
 NO_DEFECTS = Defects()
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Program:
-    """A program for the brick's virtual machine.
-
-    version      100 times the version of the byte code, 0 to 65535; the machine does not depend on it
-    global_size  bytes of global memory, 0 to 4294967295
-    objects      threads, subcalls and blocks, numbered from 1; the first is started with the program
-    defects      what the image has beside that; NO_DEFECTS for nearly all
-    """
-
-    version: int = DEFAULT_VERSION
-    global_size: int = 0
-    objects: tuple[CodeObject, ...] = ()
-    defects: Defects = NO_DEFECTS
-
-    @property
-    def faults(self) -> tuple[Fault, ...]:
-        """Everything that is wrong with the image, in the order of the offsets."""
-        found = [*self.defects.faults, *(part.fault for part in self.objects if part.fault is not None)]
-        return tuple(sorted(set(found)))
-
-    @property
-    def fault(self) -> Fault | None:
-        """The first of them, None when nothing is wrong."""
-        return next(iter(self.faults), None)
-
-    def build(self) -> bytes:
-        """The image. Raises BuildError when no image can carry the program."""
-        from ev3proto.program.image import build
-
-        return build(self)

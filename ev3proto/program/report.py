@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from typing import NoReturn
 
 from ev3proto.checking.report import Finding, Report
+from ev3proto.text.diagnostics import ROLES
 from ev3proto.text.spans import Line, Role, plain_text
+from ev3proto.text.visible import visible
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,8 +18,6 @@ class ProgramReport(Report):
 
     def __str__(self) -> str:
         """What `ev3proto check` prints of it."""
-        from ev3proto.text.visible import visible
-
         return "\n".join(visible(plain_text(line)) for line in program_findings(self, self.findings))
 
     @property
@@ -37,8 +37,6 @@ def program_findings(report: Report, findings: Iterable[Finding], place: str = "
     Yields:
         Two lines for each finding, and one for the verdict.
     """
-    from ev3proto.text.diagnostics import ROLES
-
     for finding in findings:
         yield [
             (f"{finding.severity}[{finding.code}]", ROLES[finding.severity]),

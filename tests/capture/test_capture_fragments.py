@@ -16,6 +16,7 @@ from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture import Announcement, Event, Record, Skipped, read
 from ev3proto.capture import Capture as Captured
 from ev3proto.capture.carriers.wifi.fragments import MOST_SECONDS
+from ev3proto.pyshark import read as read_by_tshark
 
 TONE = bytes.fromhex("0e00020080 0000 94010582b80182fa00")
 VOLTAGE = bytes.fromhex("0800010000 0400 810160")
@@ -84,7 +85,7 @@ def test_both_engines_put_parts_together(
         (BEACON, (13,)),
     ]
     assert captured.account.forgotten == 0
-    theirs = list(read(path, engine="wireshark", tshark=str(tshark.path)).events())
+    theirs = list(read_by_tshark(path, tshark=str(tshark.path)).events())
     assert found(theirs) == found(events)
     assert [event.route for event in theirs] == [event.route for event in events]
     assert isinstance(events[2], Record)
@@ -99,7 +100,7 @@ def test_a_frame_in_parts_of_several_segments(tshark: Tshark, monkeypatch: pytes
         for packet in fragments(talk.segment(True, data), 24, identity):
             capture.add(packet)
     events, _ = ours(capture)
-    theirs = read(tshark.place(capture.data(), "split.pcap"), engine="wireshark", tshark=str(tshark.path))
+    theirs = read_by_tshark(tshark.place(capture.data(), "split.pcap"), tshark=str(tshark.path))
     assert found(events) == found(list(theirs.events()))
     assert [data for data, _, _ in found(events)] == [VOLTAGE, TONE, VOLTAGE, TONE]
 
@@ -188,7 +189,7 @@ def test_parts_whose_rest_never_comes(tshark: Tshark, monkeypatch: pytest.Monkey
     talk.receive(ANSWER)
     events, _ = ours(capture)
     path = tshark.place(capture.data(), "lost.pcap")
-    theirs = list(read(path, engine="wireshark", tshark=str(tshark.path)).events())
+    theirs = list(read_by_tshark(path, tshark=str(tshark.path)).events())
     assert found(events) == found(theirs)
     assert [numbers for _, numbers, _ in found(events)] == [(1,), (3,)]
 

@@ -24,8 +24,9 @@ from support.wireshark import Tshark
 from ev3proto.capture import Account, Announcement, CaptureError, Direction, Event, Record, Skipped, from_pyshark, read
 from ev3proto.capture import Capture as Captured
 from ev3proto.capture.formats import CaptureFile
-from ev3proto.capture.wireshark.program import Program
 from ev3proto.generate.dissector.build import build
+from ev3proto.pyshark import read as read_by_tshark
+from ev3proto.pyshark.program import Program
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 
@@ -74,7 +75,7 @@ def opened(tshark: Tshark, monkeypatch: pytest.MonkeyPatch) -> Open:
 
     def open_capture(source: Path | bytes, *, ports: tuple[int, ...] = (5555,), dialect: str = "official") -> Captured:
         path = tshark.place(source, "" if isinstance(source, Path) else f"{abs(hash(source)):x}.pcap")
-        return read(path, engine="wireshark", tshark=str(tshark.path), ports=ports, dialect=dialect)
+        return read_by_tshark(path, tshark=str(tshark.path), ports=ports, dialect=dialect)
 
     return open_capture
 
@@ -399,7 +400,7 @@ def test_a_file_that_is_no_capture(opened: Open) -> None:
 
 def test_a_file_that_is_not_there(tshark: Tshark) -> None:
     with pytest.raises(FileNotFoundError):
-        read("nothing/here.pcap", engine="wireshark", tshark=str(tshark.path))
+        read_by_tshark("nothing/here.pcap", tshark=str(tshark.path))
 
 
 # tshark itself
@@ -450,11 +451,11 @@ def test_a_dissector_that_is_installed_is_used(tshark: Tshark) -> None:
     program.write_text(text)
     program.chmod(0o755)
     path = tshark.place(CAPTURES / "daisy.pcap")
-    assert len(list(read(path, engine="wireshark", tshark=str(program)))) == 8
+    assert len(list(read_by_tshark(path, tshark=str(program)))) == 8
 
     (plugins / "ev3.lua").write_text(build().replace("ev3.prefs.bytes", "ev3.prefs.older"))
     with pytest.raises(CaptureError, match="the one that is installed is older than this ev3proto"):
-        list(read(path, engine="wireshark", tshark=str(program)))
+        list(read_by_tshark(path, tshark=str(program)))
 
 
 @pytest.fixture
@@ -474,7 +475,7 @@ def imitation(tmp_path: Path) -> Callable[[str], str]:
 
 def complaint(program: str) -> str:
     with pytest.raises(CaptureError) as caught:
-        list(read(CAPTURES / "daisy.pcap", engine="wireshark", tshark=program).events())
+        list(read_by_tshark(CAPTURES / "daisy.pcap", tshark=program).events())
     return str(caught.value)
 
 
@@ -485,7 +486,7 @@ def test_streams_are_copied_for_tshark(
     program = imitation(f'while [ "$1" != -r ]; do shift; done; cat "$2" > {tmp_path / "seen"}')
     data = (CAPTURES / "daisy.pcap").read_bytes()
     for source in (io.BytesIO(data), CaptureFile(io.BytesIO(gzip.compress(data)))):
-        assert list(read(source, engine="wireshark", tshark=program)) == []
+        assert list(read_by_tshark(source, tshark=program)) == []
         assert (tmp_path / "seen").read_bytes() == data
         assert list(tmp_path.glob("ev3proto-*")) == []
 
@@ -529,7 +530,7 @@ def test_what_came_before_tshark_died_is_given(imitation: Callable[..., str]) ->
     )
     index = '{"index":{"_index":"packets"}}'
     program = imitation(f"printf '%s\\n' '{index}' '{row}'; echo 'tshark: Something went wrong.' >&2; exit 2")
-    captured = read(CAPTURES / "daisy.pcap", engine="wireshark", tshark=program)
+    captured = read_by_tshark(CAPTURES / "daisy.pcap", tshark=program)
     (record,), said = ended(captured)
     assert said == "tshark says: Something went wrong"
     assert isinstance(record, Record)

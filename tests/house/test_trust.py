@@ -26,6 +26,7 @@ from ev3proto.capture import Record, read
 from ev3proto.checking.checking import check
 from ev3proto.checking.fixing import fix
 from ev3proto.dialogue import Exchange
+from ev3proto.pyshark import read as read_by_tshark
 from ev3proto.schema.frame import frame_schema
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.pairing import Pairing
@@ -336,7 +337,7 @@ def test_tshark_shares_the_limit(tshark: Tshark, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(tempfile, "tempdir", str(tshark.folder))  # where this tshark finds the dissector
     path = tshark.folder / "pending.pcap"
     path.write_bytes(commands(3000))
-    capture = read(path, engine="wireshark", tshark=str(tshark.path), memory=1 << 20)
+    capture = read_by_tshark(path, tshark=str(tshark.path), memory=1 << 20)
     assert sum(1 for event in capture if isinstance(event, Record)) > 2900
     assert 1400 < capture.account.forgotten < 1900
 
@@ -351,7 +352,7 @@ def test_half_frames_share_it_with_tshark_too(tshark: Tshark, monkeypatch: pytes
         one.send(tone)
         one.send(tone[:9])
     path.write_bytes(found.data())
-    capture = read(path, engine="wireshark", tshark=str(tshark.path), memory=5000)
+    capture = read_by_tshark(path, tshark=str(tshark.path), memory=5000)
     events = list(capture.events())
     assert sum(isinstance(event, Record) for event in events) == 100
     assert capture.account.forgotten == 80  # 250 bytes each

@@ -11,6 +11,7 @@ from ev3proto.capture.framing import Cutter, PartKind, StreamPart
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Announcement, Event, Route, Skipped, TextKind
 from ev3proto.errors import counted
+from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameSchema
 from ev3proto.schema.header import HEADER_SIZE, frame_size
 
@@ -142,8 +143,6 @@ class Stream:
             else:
                 account.texts += size
                 if kind is PartKind.UNLOCK:
-                    from ev3proto.schema.discovery import Unlock
-
                     events.append(Announcement(TextKind.UNLOCK, data, Unlock.parse(data), numbers, time_ns, route))
                 elif kind is PartKind.ACCEPT:
                     events.append(Announcement(TextKind.ACCEPT, data, None, numbers, time_ns, route))

@@ -7,11 +7,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from lark import Lark, Token
-    from lark.exceptions import UnexpectedInput
+from lark import Lark, Token, Transformer, v_args
+from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
 
 MAX_LENGTH = 4096
 """Characters that a filter may have."""
@@ -177,7 +176,6 @@ def parse_filter(text: str) -> Condition:
         raise FilterError(
             MAX_LENGTH + 1, f"the filter has {len(text)} characters, but it can have at most {MAX_LENGTH}"
         )
-    from lark.exceptions import UnexpectedInput
 
     try:
         tree: Any = _parser().parse(text)
@@ -189,9 +187,6 @@ def parse_filter(text: str) -> Condition:
 
 @cache
 def _parser() -> Lark:
-    # It takes longer to import than most frames take to read: only those who filter should wait for it.
-    from lark import Lark, Transformer, v_args
-
     @v_args(inline=True)
     class Builder(Transformer):  # type: ignore[type-arg]
         """Makes the tree while the text is read, so that nothing here calls itself."""
@@ -298,8 +293,6 @@ _PIECE = re.compile(r"[\w.:-]+|[=!<>&|~]+|.", re.DOTALL)
 
 
 def _explained(text: str, error: UnexpectedInput) -> FilterError:
-    from lark.exceptions import UnexpectedCharacters, UnexpectedToken
-
     if isinstance(error, UnexpectedToken):
         at, terminals = error.token.start_pos, error.accepts or error.expected
         if error.token.type == "$END" or at is None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import gzip
 import io
 import os
 import stat
+import zlib
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
@@ -85,9 +87,6 @@ class CaptureFile:
         self.contents: io.BufferedReader[Any] = io.BufferedReader(self._source)
         self._gzip_trouble: tuple[type[Exception], ...] = ()
         if self._is_packed:
-            import gzip
-            import zlib
-
             self._gzip_trouble = EOFError, zlib.error, gzip.BadGzipFile
             self._source = _Source(gzip.GzipFile(fileobj=self.contents).read1)
             self.contents = io.BufferedReader(self._source)

@@ -8,8 +8,10 @@ from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
+from ev3proto.capture.timeline.chart import VERSION, specification
 from ev3proto.capture.timeline.layout import lay_out
 from ev3proto.capture.timeline.marks import Timeline
+from ev3proto.capture.timeline.page import page
 from ev3proto.capture.timeline.wording import clean
 from ev3proto.extras import install_command
 from ev3proto.whole_files import write_whole
@@ -82,9 +84,6 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
     require_library()
     import vl_convert
 
-    from ev3proto.capture.timeline.chart import VERSION, specification
-    from ev3proto.capture.timeline.page import page
-
     title = clean(title, MOST_TITLE)
     picture = lay_out(timeline, title)
     chart = specification(picture)
@@ -100,8 +99,6 @@ def render(timeline: Timeline, form: Form, title: str) -> bytes:
 def _javascript() -> str:
     """The libraries that the page needs, made into one script, which takes seconds."""
     import vl_convert
-
-    from ev3proto.capture.timeline.chart import VERSION
 
     return vl_convert.javascript_bundle(_SNIPPET, vl_version=VERSION)
 

@@ -13,7 +13,8 @@ from decimal import Decimal
 
 from ev3proto.errors import BuildError
 from ev3proto.messages import Argument, Operation
-from ev3proto.program.objects import CodeObject, Program
+from ev3proto.program.image import Program
+from ev3proto.program.objects import CodeObject
 from ev3proto.program.parameters import ProgramParameter, code_of
 from ev3proto.program.source.encoding import JUMP_SIZES, LABEL, integer, shortest_jump, variable
 from ev3proto.program.source.jumps import shrink

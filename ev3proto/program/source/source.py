@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from ev3proto.errors import BuildError
-from ev3proto.program.image import parse
-from ev3proto.program.objects import Program
+from ev3proto.program.image import Program, parse
 from ev3proto.program.source.assembling import Assembler
 from ev3proto.program.source.errors import Lines, SourceError, SourceWarning
 from ev3proto.program.source.lego import LegoParser

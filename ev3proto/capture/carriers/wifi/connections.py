@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from functools import cache
+from types import ModuleType
 
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.streams import Context, Stream
+from ev3proto.capture.carriers.wifi import layers
 from ev3proto.capture.carriers.wifi.claim import ConnectionClaim
 from ev3proto.capture.carriers.wifi.fragments import Fragment, Fragments
 from ev3proto.capture.carriers.wifi.internet import (
@@ -26,7 +28,7 @@ from ev3proto.capture.carriers.wifi.internet import (
     source_port,
     target_of,
     target_port,
-    transport,
+    usual_transport,
 )
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly, Segment
 from ev3proto.capture.carriers.wifi.ways import frame_goes_to_brick, text_goes_to_brick
@@ -34,11 +36,9 @@ from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, TextKind
 from ev3proto.errors import DecodeError, counted
+from ev3proto.schema.discovery import Beacon, is_beacon
 from ev3proto.tables.carriers import Carrier, Link
 from ev3proto.tables.discovery import BEACON_PORT, UNLOCK_REQUEST
-
-if TYPE_CHECKING:
-    from ev3proto.schema.discovery import Beacon
 
 MOST_CONNECTIONS = 1024
 """Connections that are followed at the same time; those unused for longest are given up."""
@@ -56,6 +56,20 @@ _TURNS = SYN | RST
 
 _MOST_IP = 1 << 16
 """More bytes than a packet of IP can have."""
+
+
+@cache
+def _layers() -> ModuleType:
+    """What takes unusual packets apart. Its dpkt takes 35 ms to load, which most captures have no use for."""
+    return layers
+
+
+def _transport(link: int, data: bytes) -> Transport | None:
+    """What a packet of one of the links carries; None where there is none that can be read."""
+    found = usual_transport(link, data)
+    if found is None:
+        found = _layers().dissected(link, data)
+    return found
 
 
 class _Connection:
@@ -141,7 +155,7 @@ class Connections:
     def feed(self, packet: Packet) -> Iterable[Event]:
         """The events that are complete with a packet."""
         number, time_ns, data, size, interface, _ = packet
-        found = transport(interface.link, data)
+        found = _transport(interface.link, data)
         if found is None:
             return self._put_together(packet)
         ends, carried, sequence, acknowledged, flags = found
@@ -167,19 +181,18 @@ class Connections:
 
     def _put_together(self, packet: Packet) -> Iterable[Event]:
         """Takes a packet without a segment or a datagram: part of one, where it has one, or of others."""
-        from ev3proto.capture.carriers.wifi.layers import MOST_LAYERS, left_in
-
+        layers = _layers()
         link: int = packet.interface.link
         self._account.other += len(packet.data)
-        for _ in range(MOST_LAYERS):
-            left = left_in(link, packet.data)
+        for _ in range(layers.MOST_LAYERS):
+            left = layers.left_in(link, packet.data)
             if isinstance(left, str):
                 self._account.meet_packed(left)
             whole = self._fragments.add(left, packet.time_ns) if isinstance(left, Fragment) else None
             if whole is None:
                 break
             packet, link = packet._replace(data=whole, size=len(whole)), Link.RAW_IP
-            found = transport(link, whole)
+            found = _transport(link, whole)
             if found is not None:
                 # It counts as what it is. What stood around its parts stays with others.
                 self._account.other -= len(whole)
@@ -352,8 +365,6 @@ class Connections:
     # UDP
 
     def _datagram(self, packet: Packet, ends: Ends, data: bytes) -> Iterable[Event]:
-        from ev3proto.schema.discovery import Beacon, is_beacon  # which takes a while to load
-
         is_for_beacons = _BEACON_PORT in (source_port(ends), target_port(ends))
         is_announced = is_for_beacons and is_beacon(data, is_cut=len(packet.data) < packet.size)
         if not data or not (is_announced or target_of(ends) in self._answered):
@@ -389,9 +400,9 @@ class Connections:
 def _missing(packet: Packet) -> int:
     """How many bytes of what a packet carries were not captured."""
     link, data = packet.interface.link, packet.data
-    captured = transport(link, data)
+    captured = _transport(link, data)
     # With anything in the place of what is missing it has the size that its headers say.
-    filled = transport(link, data.ljust(min(packet.size, len(data) + _MOST_IP), b"\0"))
+    filled = _transport(link, data.ljust(min(packet.size, len(data) + _MOST_IP), b"\0"))
     return 0 if captured is None or filled is None else len(filled[1]) - len(captured[1])
 
 

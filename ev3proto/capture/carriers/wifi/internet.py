@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import struct
 from collections.abc import Callable
 from typing import Any
@@ -59,8 +60,8 @@ It is no class of its own, because one is made for each packet: `pytest benchmar
 """
 
 
-def transport(link: int, data: bytes) -> Transport | None:
-    """What a packet of one of the links carries; None where there is none that can be read."""
+def usual_transport(link: int, data: bytes) -> Transport | None:
+    """What a packet carries that is made up as nearly all are; None where it is not."""
     layout = _LAYOUTS.get(link)
     if layout is not None and len(data) >= layout[0] + _LEAST:
         # Without dpkt's objects it takes a tenth of the time: `pytest benchmarks -k capture`.
@@ -70,10 +71,7 @@ def transport(link: int, data: bytes) -> Transport | None:
             head = _IP_SIZE + (flags >> 12 << 2)
             if _LEAST <= head <= length:
                 return ends, data[before + head : before + length], sequence, acknowledged, flags & FLAGS
-    # All others are taken apart by dpkt, which takes a while to import.
-    from ev3proto.capture.carriers.wifi.layers import dissected
-
-    return dissected(link, data)
+    return None
 
 
 def source_of(ends: Ends) -> Place:
@@ -120,6 +118,4 @@ def shown(place: Place) -> str:
     address, port = place[:-PORT_SIZE], int.from_bytes(place[-PORT_SIZE:], "big")
     if len(address) == 4:
         return f"{'.'.join(map(str, address))}:{port}"
-    import socket
-
     return f"[{socket.inet_ntop(socket.AF_INET6, address)}]:{port}"

@@ -16,8 +16,8 @@ from threading import Thread, current_thread, main_thread
 from typing import IO
 
 from ev3proto.capture.wireshark.events import fields
-from ev3proto.capture.wireshark.program import EngineError, Program
 from ev3proto.capture.wireshark.row import Row
+from ev3proto.pyshark.program import EngineError, Program
 
 PATIENCE = 10
 """Seconds that tshark gets to end by itself, once it was asked to or its output has ended."""

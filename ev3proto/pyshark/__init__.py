@@ -1,4 +1,4 @@
-"""For programs that read or capture with pyshark: what to give it, and the messages that are in its packets.
+"""Captures that tshark takes apart: `read` runs it; the rest is for programs that read or capture with pyshark.
 
     import pyshark
     import ev3proto.pyshark
@@ -8,7 +8,7 @@
         for record in ev3proto.pyshark.messages(packet):
             print(packet.number, record.message, record.values)
 
-The same goes for `LiveCapture`. Needs `pip install 'ev3proto[wireshark]'` and tshark.
+The same goes for `LiveCapture`. This needs `pip install 'ev3proto[wireshark]'` and tshark.
 """
 
 from __future__ import annotations
@@ -21,12 +21,13 @@ from typing import Any
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Record
 from ev3proto.capture.wireshark.events import Events, fields
-from ev3proto.capture.wireshark.program import Program
 from ev3proto.capture.wireshark.pyshark_packets import frame_of, row_of
+from ev3proto.pyshark.program import Program
+from ev3proto.pyshark.reading import read
 from ev3proto.tables import check_dialect
 from ev3proto.tables.discovery import TCP_PORT
 
-__all__ = ["Messages", "messages", "parameters"]
+__all__ = ["Messages", "messages", "parameters", "read"]
 
 _KEPT = ExitStack()
 """The dissector's file, which is there as long as the program runs."""
@@ -58,7 +59,7 @@ def parameters(
     program = Program(tshark)
     words = _KEPT.enter_context(program.words(check_dialect(dialect), ports))
     if use_ek:
-        import pyshark.ek_field_mapping
+        import pyshark.ek_field_mapping  # an extra; without `use_ek` only the caller needs it
 
         said = json.loads(program.ask("-G", "elastic-mapping", *words), object_pairs_hook=_merged)
         known = said["mappings"]["properties"]["layers"]["properties"]

@@ -8,8 +8,8 @@ from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.record import Event
 from ev3proto.capture.wireshark.events import Events
-from ev3proto.capture.wireshark.process import Process
-from ev3proto.capture.wireshark.program import EngineError, Program
+from ev3proto.pyshark.process import Process
+from ev3proto.pyshark.program import EngineError, Program
 from ev3proto.tables.discovery import BEACON_PORT
 
 _STARTED = b"Capture started"

@@ -6,14 +6,16 @@ another index, everywhere at once. Whatever cannot be fixed with certainty is sa
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from enum import Flag, auto
 from functools import lru_cache
+from itertools import chain
 from typing import Any
 
 from ev3proto.checking.checking import check
 from ev3proto.checking.facts import operation_facts
-from ev3proto.checking.moving import Layout, is_misaligned, multiple
+from ev3proto.checking.moving import WIDEST, Layout, is_misaligned, multiple
 from ev3proto.checking.report import Report
 from ev3proto.checking.rules.encodings import is_longer, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
@@ -25,6 +27,9 @@ from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length, write_m
 from ev3proto.semantics.footprint import Footprint, Taken, footprints
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, INDEX_RANGES, JUMP, LOCAL
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
+
+_MOST_NAMED = 3
+"""Changes that are named where they are not made."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,28 +109,85 @@ def fix(
         ValueError: The dialect or the carrier is unknown.
     """
     given = frame.build() if isinstance(frame, Message) else as_bytes(frame, "a frame")
-    fixing = _Fixing(given, dialect)
-    fixing.run()
-    report = check(fixing.frame, dialect=dialect, carrier=carrier)
-    if fixing.frame == given and not report.findings:
-        # What looked fixable is nothing that anybody has to know of.
-        return Fix(given, (), (), report)
-    return Fix(fixing.frame, tuple(fixing.changes), tuple(fixing.unfixed), report)
+    report = check(given, dialect=dialect, carrier=carrier)
+    changes: list[Change] = []
+    while report.findings:
+        tried = _Fixing(report.frame, dialect, _ALL)
+        better = _better(report, tried)
+        if better is None:
+            return Fix(report.frame, tuple(changes), tuple(tried.unfixed + _not_made(tried.changes)), report)
+        fixing, report = better
+        changes += fixing.changes
+        if fixing is tried:
+            return Fix(report.frame, tuple(changes), tuple(fixing.unfixed), report)
+        # Steps that made it worse may be what it needs now.
+    return Fix(report.frame, tuple(changes), (), report)
+
+
+class _Step(Flag):
+    """What is fixed together, because one without the other may make a frame worse."""
+
+    LENGTH = auto()
+    TYPE = auto()
+    MEMORY = auto()
+    ENCODINGS = auto()
+
+
+_ALL = ~_Step(0)
+_FEWER = sorted((_Step(bits) for bits in range(1, _ALL.value)), key=len, reverse=True)
+
+
+def _better(report: Report, tried: _Fixing) -> tuple[_Fixing, Report] | None:
+    """The first fix, with as many steps as possible, that makes a frame better, and what a check says then.
+
+    That is: the brick accepts it, with fewer findings and no more errors.
+    """
+    if not tried.changes:
+        return None
+    fewer = (steps for steps in _FEWER if steps in tried.made and steps != tried.made)
+    seen = {report.frame}
+    for fixing in chain((tried,), (_Fixing(report.frame, report.dialect, steps) for steps in fewer)):
+        if fixing.frame not in seen:
+            seen.add(fixing.frame)
+            after = check(fixing.frame, dialect=report.dialect, carrier=report.carrier)
+            is_better = len(after.findings) < len(report.findings) and len(after.errors) <= len(report.errors)
+            if after.accepted and is_better:
+                return fixing, after
+    return None
+
+
+def _not_made(changes: Sequence[Change]) -> list[str]:
+    """Why changes that could be made are not, as at most one sentence."""
+    if not changes:
+        return []
+    named = ", ".join(change.what for change in changes[:_MOST_NAMED])
+    more = f" and {len(changes) - _MOST_NAMED} more" if len(changes) > _MOST_NAMED else ""
+    return [f"{named}{more}: another value would not leave a frame that the brick accepts with fewer findings"]
 
 
 class _Fixing:
-    """One frame on its way from what was given to what is meant."""
+    """One frame on its way from what was given to what is meant.
 
-    def __init__(self, frame: bytes, dialect: str) -> None:
+    frame    what it is now
+    changes  what was fixed
+    unfixed  what was not and why, in sentences
+    made     the steps that changed anything
+    """
+
+    def __init__(self, frame: bytes, dialect: str, steps: _Step) -> None:
         self.frame = frame
         self.changes: list[Change] = []
         self.unfixed: list[str] = []
+        self.made = _Step(0)
         self._dialect = dialect
+        self._step = _Step(0)
         self._places: dict[str, list[Footprint]] = {GLOBAL: [], LOCAL: []}
+        self._run(steps)
 
-    def run(self) -> None:
-        """Every fix in turn, each on what the one before made."""
-        self._length_field()
+    def _run(self, steps: _Step) -> None:
+        """Every step in turn, each on what the one before made."""
+        if self._begins(_Step.LENGTH, steps):
+            self._length_field()
         message = self._parsed(self.frame)
         if not isinstance(message, DirectCommand):
             return
@@ -137,12 +199,22 @@ class _Fixing:
         for operation in message.operations:
             for place in footprints(operation):
                 self._places[place.argument.form.kind].append(place)
-        self._move_variables(message)
-        self._memory(self._reply_type(message))
-        # Only now is it read again, once for all that was done; a check reads the same.
-        message = self._parsed(self.frame)
-        assert isinstance(message, DirectCommand)
-        self._shorten(message)
+        used = {scope: _used(places) for scope, places in self._places.items()}
+        if self._begins(_Step.MEMORY, steps):
+            self._move_variables(message)
+        if self._begins(_Step.TYPE, steps):
+            message = self._reply_type(message)
+        if self._begins(_Step.MEMORY, steps):
+            self._memory(message, used)
+        if self._begins(_Step.ENCODINGS, steps):
+            # Only now is it read again, once for all that was done; a check reads the same.
+            message = self._parsed(self.frame)
+            assert isinstance(message, DirectCommand)
+            self._shorten(message)
+
+    def _begins(self, step: _Step, steps: _Step) -> bool:
+        self._step = step
+        return step in steps
 
     def _parsed(self, frame: bytes) -> Message:
         return read_last(frame, self._dialect)
@@ -170,6 +242,7 @@ class _Fixing:
 
     def _changed(self, what: str, before: str, after: str, why: str) -> None:
         self.changes.append(Change(what, before, after, why))
+        self.made |= self._step
 
     def _move_variables(self, command: DirectCommand) -> None:
         misaligned = {scope: list(filter(is_misaligned, found)) for scope, found in self._places.items()}
@@ -226,13 +299,19 @@ class _Fixing:
             return replace(command, type=member)
         return command
 
-    def _memory(self, command: DirectCommand) -> None:
+    def _memory(self, command: DirectCommand, used: dict[str, int | None]) -> None:
+        """Asks for the memory that is needed.
+
+        Args:
+            command: The command.
+            used: Bytes of each memory that were used before variables moved; None where that is not known.
+        """
         sizes = {GLOBAL: command.global_size, LOCAL: command.local_size}
         for scope, stated in sizes.items():
             most = _most(command, scope)
             beyond = [place for place in self._places[scope] if place.start + place.size > stated]
             if not beyond:
-                self._cut_to_limit(command, scope, sizes)
+                self._cut(command, scope, sizes, used[scope])
                 continue
             certain = {place.start + place.most: place for place in reversed(beyond) if place.most is not None}
             ends = [end for end in certain if end <= most]
@@ -250,13 +329,16 @@ class _Fixing:
             )
         self._set(HEADER_SIZE, write_memory(sizes[GLOBAL], sizes[LOCAL]))
 
-    def _cut_to_limit(self, command: DirectCommand, scope: str, sizes: dict[str, int]) -> None:
-        """Asks for as much as there is where more was asked for than anything places."""
-        stated, most = sizes[scope], _most(command, scope)
+    def _cut(self, command: DirectCommand, scope: str, sizes: dict[str, int], before: int | None) -> None:
+        """Asks for less where more was asked for than there is, or than is used since variables moved."""
+        stated, most, needed = sizes[scope], _most(command, scope), _used(self._places[scope])
         if stated > most and all(place.end <= most for place in self._places[scope]):
-            sizes[scope] = most
-            why = "the most that a reply carries" if command.wants_reply else "the most that the firmware grants"
-            self._changed(f"{scope} memory", f"{stated} bytes", f"{most} bytes", why)
+            sizes[scope] = most if needed is None else min(needed, most)
+        elif before is not None and needed is not None and needed < before <= stated < before + WIDEST:
+            sizes[scope] = needed
+        if sizes[scope] < stated:
+            why = "the most that there is" if sizes[scope] == most else "no more of them are used"
+            self._changed(f"{scope} memory", f"{stated} bytes", f"{sizes[scope]} bytes", why)
 
     def _shorten(self, command: DirectCommand) -> None:
         longer = [
@@ -294,6 +376,16 @@ def _most(command: DirectCommand, scope: str) -> int:
     if scope == LOCAL:
         return MAX_LOCALS
     return MOST_IN_REPLY if command.wants_reply else GRANTED_GLOBALS
+
+
+def _used(places: Iterable[Footprint]) -> int | None:
+    """Bytes of a memory up to the last one that is used, None where that is not known."""
+    needed = 0
+    for place in places:
+        if place.most is None:
+            return None
+        needed = max(needed, place.start + place.most)
+    return needed
 
 
 def _left(block: Iterable[Footprint], why: str) -> str:

@@ -5,8 +5,8 @@ those that are `Local()` or `Global()`, get their place only when `command` know
 """
 
 from ev3proto.compose.commands import command
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.labels import Label
-from ev3proto.compose.placeholders import Global, Local, Placeholder
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.labels import Label
+from ev3proto.semantics.drafts.placeholders import Global, Local, Placeholder
 
 __all__ = ["Draft", "Global", "Label", "Local", "Placeholder", "command"]

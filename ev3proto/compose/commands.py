@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ev3proto.compose.drafts import Draft, draft_of
-from ev3proto.compose.labels import Label, with_jumps
 from ev3proto.compose.layout import LIMITS, layout
 from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, Operation
 from ev3proto.schema.constructors import EMPTY_COMMAND
 from ev3proto.schema.frame import new_direct_command
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, build_frame, write_memory
+from ev3proto.semantics.drafts.draft import Draft, draft_of
+from ev3proto.semantics.drafts.labels import Label, with_jumps
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import DIRECT_COMMAND_TYPES
 

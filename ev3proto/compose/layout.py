@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import cache
 
-from ev3proto.compose.allocation import Allocator, Need, aligned, joined
-from ev3proto.compose.drafts import STAND_IN, Draft
-from ev3proto.compose.placeholders import Placeholder
 from ev3proto.errors import BuildError
 from ev3proto.messages import Variable
 from ev3proto.schema.argument import encode_variable
 from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.semantics.drafts.allocation import Allocator, Need, aligned, joined
+from ev3proto.semantics.drafts.draft import STAND_IN, Draft
+from ev3proto.semantics.drafts.placeholders import Placeholder
 from ev3proto.semantics.footprint import Footprint
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS

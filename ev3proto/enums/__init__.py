@@ -10,9 +10,6 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 # ruff: noqa: N801 - the names are the firmware's
 
 from enum import IntEnum, IntFlag
-from typing import TYPE_CHECKING
-
-from ev3proto.late import listed
 
 __all__ = [
     "A_ICON_NO",
@@ -50,9 +47,6 @@ __all__ = [
     "TYPE",
     "WARNING",
 ]
-
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "there is no enumeration ")
 
 
 class TYPE(IntEnum):

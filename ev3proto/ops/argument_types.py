@@ -11,8 +11,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, TypeAlias
 
-from ev3proto.compose.labels import Label
-from ev3proto.compose.placeholders import Placeholder
 from ev3proto.enums import (
     BROWSERTYPE,
     BUTTONTYPE,
@@ -32,6 +30,8 @@ from ev3proto.enums import (
     TYPE,
 )
 from ev3proto.messages import Argument, Variable
+from ev3proto.semantics.drafts.labels import Label
+from ev3proto.semantics.drafts.placeholders import Placeholder
 
 AnyVariable: TypeAlias = "Variable | Placeholder | Argument | bytes"
 Number: TypeAlias = "int | AnyVariable"

@@ -6,15 +6,12 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, overload
+from typing import overload
 
-from ev3proto.calls import REQUIRED, explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnySLOT, Elements, Number, Output, Real
+from ev3proto.ops.argument_types import AnySLOT, Elements, Number, Output, Real
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
+from ev3proto.semantics.drafts.values import REQUIRED
 
 __all__ = [
     "copy",
@@ -35,13 +32,9 @@ __all__ = [
     "write_content",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation array.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def delete(handle: Number, *, unchecked: bool = False) -> Draft:
     """Deletes an array and gives its handle back.
 
@@ -52,7 +45,6 @@ def delete(handle: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["ARRAY.DELETE"].draft((handle,), unchecked)
 
 
-@explained
 def create8(elements: Number, handle: Output = None, *, unchecked: bool = False) -> Draft:
     """Creates an array of DATA8 elements.
 
@@ -64,7 +56,6 @@ def create8(elements: Number, handle: Output = None, *, unchecked: bool = False)
     return _OPERATIONS["ARRAY.CREATE8"].draft((elements, handle), unchecked)
 
 
-@explained
 def create16(elements: Number, handle: Output = None, *, unchecked: bool = False) -> Draft:
     """Creates an array of DATA16 elements.
 
@@ -76,7 +67,6 @@ def create16(elements: Number, handle: Output = None, *, unchecked: bool = False
     return _OPERATIONS["ARRAY.CREATE16"].draft((elements, handle), unchecked)
 
 
-@explained
 def create32(elements: Number, handle: Output = None, *, unchecked: bool = False) -> Draft:
     """Creates an array of DATA32 elements.
 
@@ -88,7 +78,6 @@ def create32(elements: Number, handle: Output = None, *, unchecked: bool = False
     return _OPERATIONS["ARRAY.CREATE32"].draft((elements, handle), unchecked)
 
 
-@explained
 def createf(elements: Number, handle: Output = None, *, unchecked: bool = False) -> Draft:
     """Creates an array of DATAF elements.
 
@@ -100,7 +89,6 @@ def createf(elements: Number, handle: Output = None, *, unchecked: bool = False)
     return _OPERATIONS["ARRAY.CREATEF"].draft((elements, handle), unchecked)
 
 
-@explained
 def resize(handle: Number, elements: Number, *, unchecked: bool = False) -> Draft:
     """Changes how many elements an array has.
 
@@ -112,7 +100,6 @@ def resize(handle: Number, elements: Number, *, unchecked: bool = False) -> Draf
     return _OPERATIONS["ARRAY.RESIZE"].draft((handle, elements), unchecked)
 
 
-@explained
 def fill(handle: Number, value: Real, *, unchecked: bool = False) -> Draft:
     """Sets every element of an array to one value.
 
@@ -124,7 +111,6 @@ def fill(handle: Number, value: Real, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["ARRAY.FILL"].draft((handle, value), unchecked)
 
 
-@explained
 def copy(hsource: Number, hdest: Number, *, unchecked: bool = False) -> Draft:
     """Copies the content of one array into another of the same type, which takes its size.
 
@@ -158,7 +144,6 @@ def init8(
 ) -> Draft: ...
 
 
-@explained
 def init8(
     handle: Number,
     index: Number,
@@ -201,7 +186,6 @@ def init16(
 ) -> Draft: ...
 
 
-@explained
 def init16(
     handle: Number,
     index: Number,
@@ -244,7 +228,6 @@ def init32(
 ) -> Draft: ...
 
 
-@explained
 def init32(
     handle: Number,
     index: Number,
@@ -287,7 +270,6 @@ def initf(
 ) -> Draft: ...
 
 
-@explained
 def initf(
     handle: Number,
     index: Number,
@@ -308,7 +290,6 @@ def initf(
     return _OPERATIONS["ARRAY.INITF"].draft((handle, index, elements, values), unchecked)
 
 
-@explained
 def size(handle: Number, elements: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how many elements an array has.
 
@@ -321,7 +302,6 @@ def size(handle: Number, elements: Output = None, *, unchecked: bool = False) ->
     return _OPERATIONS["ARRAY.SIZE"].draft((handle, elements), unchecked)
 
 
-@explained
 def read_content(
     prgid: AnySLOT,
     handle: Number,
@@ -345,7 +325,6 @@ def read_content(
     return _OPERATIONS["ARRAY.READ_CONTENT"].draft((prgid, handle, index, bytes, array), unchecked)
 
 
-@explained
 def write_content(
     prgid: AnySLOT,
     handle: Number,
@@ -368,7 +347,6 @@ def write_content(
     return _OPERATIONS["ARRAY.WRITE_CONTENT"].draft((prgid, handle, index, bytes, array), unchecked)
 
 
-@explained
 def read_size(prgid: AnySLOT, handle: Number, bytes: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how many bytes an array's content has, of another program too.
 

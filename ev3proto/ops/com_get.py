@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyHWTYPE, Number, Output, Text
+from ev3proto.ops.argument_types import AnyHWTYPE, Number, Output, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "connec_item",
@@ -35,13 +29,9 @@ __all__ = [
     "search_items",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation com_get.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def get_on_off(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether Bluetooth or WiFi is on.
 
@@ -53,7 +43,6 @@ def get_on_off(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = 
     return _OPERATIONS["COM_GET.GET_ON_OFF"].draft((hardware, active), unchecked)
 
 
-@explained
 def get_visible(hardware: AnyHWTYPE, visible: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether other devices can see the brick by Bluetooth.
 
@@ -65,7 +54,6 @@ def get_visible(hardware: AnyHWTYPE, visible: Output = None, *, unchecked: bool 
     return _OPERATIONS["COM_GET.GET_VISIBLE"].draft((hardware, visible), unchecked)
 
 
-@explained
 def get_result(hardware: AnyHWTYPE, item: Number, result: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how a search or connection request is going.
 
@@ -78,7 +66,6 @@ def get_result(hardware: AnyHWTYPE, item: Number, result: Output = None, *, unch
     return _OPERATIONS["COM_GET.GET_RESULT"].draft((hardware, item, result), unchecked)
 
 
-@explained
 def get_pin(
     hardware: AnyHWTYPE,
     name: Text,
@@ -99,7 +86,6 @@ def get_pin(
     return _OPERATIONS["COM_GET.GET_PIN"].draft((hardware, name, length, pincode), unchecked)
 
 
-@explained
 def search_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how many devices or networks a search found.
 
@@ -111,7 +97,6 @@ def search_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool =
     return _OPERATIONS["COM_GET.SEARCH_ITEMS"].draft((hardware, items), unchecked)
 
 
-@explained
 def search_item(
     hardware: AnyHWTYPE,
     item: Number,
@@ -145,7 +130,6 @@ def search_item(
     )
 
 
-@explained
 def favour_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how many devices are paired, in sight or not.
 
@@ -157,7 +141,6 @@ def favour_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool =
     return _OPERATIONS["COM_GET.FAVOUR_ITEMS"].draft((hardware, items), unchecked)
 
 
-@explained
 def favour_item(
     hardware: AnyHWTYPE,
     item: Number,
@@ -187,7 +170,6 @@ def favour_item(
     return _OPERATIONS["COM_GET.FAVOUR_ITEM"].draft((hardware, item, length, name, paired, connected, type), unchecked)
 
 
-@explained
 def get_id(hardware: AnyHWTYPE, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the brick's Bluetooth address.
 
@@ -200,7 +182,6 @@ def get_id(hardware: AnyHWTYPE, length: Number, string: Output = None, *, unchec
     return _OPERATIONS["COM_GET.GET_ID"].draft((hardware, length, string), unchecked)
 
 
-@explained
 def get_brickname(length: Number, name: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the brick's name.
 
@@ -212,7 +193,6 @@ def get_brickname(length: Number, name: Output = None, *, unchecked: bool = Fals
     return _OPERATIONS["COM_GET.GET_BRICKNAME"].draft((length, name), unchecked)
 
 
-@explained
 def get_network(
     hardware: AnyHWTYPE,
     length: Number,
@@ -238,7 +218,6 @@ def get_network(
     return _OPERATIONS["COM_GET.GET_NETWORK"].draft((hardware, length, name, mac, ip), unchecked)
 
 
-@explained
 def get_present(hardware: AnyHWTYPE, ok: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether the hardware is there, for WiFi a known dongle.
 
@@ -250,7 +229,6 @@ def get_present(hardware: AnyHWTYPE, ok: Output = None, *, unchecked: bool = Fal
     return _OPERATIONS["COM_GET.GET_PRESENT"].draft((hardware, ok), unchecked)
 
 
-@explained
 def get_encrypt(hardware: AnyHWTYPE, item: Number, type: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells the encryption of a network, WiFi only.
 
@@ -264,7 +242,6 @@ def get_encrypt(hardware: AnyHWTYPE, item: Number, type: Output = None, *, unche
     return _OPERATIONS["COM_GET.GET_ENCRYPT"].draft((hardware, item, type), unchecked)
 
 
-@explained
 def connec_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how many devices are connected, Bluetooth only.
 
@@ -276,7 +253,6 @@ def connec_items(hardware: AnyHWTYPE, items: Output = None, *, unchecked: bool =
     return _OPERATIONS["COM_GET.CONNEC_ITEMS"].draft((hardware, items), unchecked)
 
 
-@explained
 def connec_item(
     hardware: AnyHWTYPE,
     item: Number,
@@ -299,7 +275,6 @@ def connec_item(
     return _OPERATIONS["COM_GET.CONNEC_ITEM"].draft((hardware, item, length, name, type), unchecked)
 
 
-@explained
 def get_incoming(
     hardware: AnyHWTYPE,
     length: Number,
@@ -320,7 +295,6 @@ def get_incoming(
     return _OPERATIONS["COM_GET.GET_INCOMING"].draft((hardware, length, name, type), unchecked)
 
 
-@explained
 def get_mode2(hardware: AnyHWTYPE, active: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether Bluetooth is in its mode for Apple devices.
 

@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyENCRYPT, AnyHWTYPE, Number, Text
+from ev3proto.ops.argument_types import AnyENCRYPT, AnyHWTYPE, Number, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "set_brickname",
@@ -30,13 +24,9 @@ __all__ = [
     "set_visible",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation com_set.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def set_on_off(hardware: AnyHWTYPE, active: Number, *, unchecked: bool = False) -> Draft:
     """Switches Bluetooth or WiFi on or off.
 
@@ -48,7 +38,6 @@ def set_on_off(hardware: AnyHWTYPE, active: Number, *, unchecked: bool = False) 
     return _OPERATIONS["COM_SET.SET_ON_OFF"].draft((hardware, active), unchecked)
 
 
-@explained
 def set_visible(hardware: AnyHWTYPE, visible: Number, *, unchecked: bool = False) -> Draft:
     """Makes the brick visible or invisible, Bluetooth only.
 
@@ -60,7 +49,6 @@ def set_visible(hardware: AnyHWTYPE, visible: Number, *, unchecked: bool = False
     return _OPERATIONS["COM_SET.SET_VISIBLE"].draft((hardware, visible), unchecked)
 
 
-@explained
 def set_search(hardware: AnyHWTYPE, search: Number, *, unchecked: bool = False) -> Draft:
     """Starts or stops the search for devices or networks.
 
@@ -72,7 +60,6 @@ def set_search(hardware: AnyHWTYPE, search: Number, *, unchecked: bool = False) 
     return _OPERATIONS["COM_SET.SET_SEARCH"].draft((hardware, search), unchecked)
 
 
-@explained
 def set_pin(hardware: AnyHWTYPE, name: Text, pincode: Text, *, unchecked: bool = False) -> Draft:
     """Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi).
 
@@ -85,7 +72,6 @@ def set_pin(hardware: AnyHWTYPE, name: Text, pincode: Text, *, unchecked: bool =
     return _OPERATIONS["COM_SET.SET_PIN"].draft((hardware, name, pincode), unchecked)
 
 
-@explained
 def set_passkey(hardware: AnyHWTYPE, accept: Number, *, unchecked: bool = False) -> Draft:
     """Answers the request to confirm a passkey, Bluetooth only.
 
@@ -97,7 +83,6 @@ def set_passkey(hardware: AnyHWTYPE, accept: Number, *, unchecked: bool = False)
     return _OPERATIONS["COM_SET.SET_PASSKEY"].draft((hardware, accept), unchecked)
 
 
-@explained
 def set_connection(hardware: AnyHWTYPE, name: Text, connection: Number, *, unchecked: bool = False) -> Draft:
     """Connects a device or network, or ends a Bluetooth connection.
 
@@ -110,7 +95,6 @@ def set_connection(hardware: AnyHWTYPE, name: Text, connection: Number, *, unche
     return _OPERATIONS["COM_SET.SET_CONNECTION"].draft((hardware, name, connection), unchecked)
 
 
-@explained
 def set_brickname(name: Text, *, unchecked: bool = False) -> Draft:
     """Renames the brick.
 
@@ -121,7 +105,6 @@ def set_brickname(name: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["COM_SET.SET_BRICKNAME"].draft((name,), unchecked)
 
 
-@explained
 def set_moveup(hardware: AnyHWTYPE, item: Number, *, unchecked: bool = False) -> Draft:
     """Moves a network up in the list, WiFi only.
 
@@ -133,7 +116,6 @@ def set_moveup(hardware: AnyHWTYPE, item: Number, *, unchecked: bool = False) ->
     return _OPERATIONS["COM_SET.SET_MOVEUP"].draft((hardware, item), unchecked)
 
 
-@explained
 def set_movedown(hardware: AnyHWTYPE, item: Number, *, unchecked: bool = False) -> Draft:
     """Moves a network down in the list, WiFi only.
 
@@ -145,7 +127,6 @@ def set_movedown(hardware: AnyHWTYPE, item: Number, *, unchecked: bool = False) 
     return _OPERATIONS["COM_SET.SET_MOVEDOWN"].draft((hardware, item), unchecked)
 
 
-@explained
 def set_encrypt(hardware: AnyHWTYPE, item: Text, encrypt: AnyENCRYPT, *, unchecked: bool = False) -> Draft:
     """Sets the encryption of a network, WiFi only.
 
@@ -158,7 +139,6 @@ def set_encrypt(hardware: AnyHWTYPE, item: Text, encrypt: AnyENCRYPT, *, uncheck
     return _OPERATIONS["COM_SET.SET_ENCRYPT"].draft((hardware, item, encrypt), unchecked)
 
 
-@explained
 def set_ssid(hardware: AnyHWTYPE, name: Text, *, unchecked: bool = False) -> Draft:
     """Adds a network to the end of the list, WiFi only.
 
@@ -170,7 +150,6 @@ def set_ssid(hardware: AnyHWTYPE, name: Text, *, unchecked: bool = False) -> Dra
     return _OPERATIONS["COM_SET.SET_SSID"].draft((hardware, name), unchecked)
 
 
-@explained
 def set_mode2(hardware: AnyHWTYPE, active: Number, *, unchecked: bool = False) -> Draft:
     """Switches the Bluetooth mode for Apple devices on or off.
 

@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyDEL, AnySLOT, Elements, Number, Output, Real, Text
+from ev3proto.ops.argument_types import AnyDEL, AnySLOT, Elements, Number, Output, Real, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "close",
@@ -49,13 +43,9 @@ __all__ = [
     "write_value",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation file.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def open_append(name: Text, handle: Output = None, *, unchecked: bool = False) -> Draft:
     """Opens a file to write at its end, creates it where there is none.
 
@@ -67,7 +57,6 @@ def open_append(name: Text, handle: Output = None, *, unchecked: bool = False) -
     return _OPERATIONS["FILE.OPEN_APPEND"].draft((name, handle), unchecked)
 
 
-@explained
 def open_read(name: Text, handle: Output = None, size: Output = None, *, unchecked: bool = False) -> Draft:
     """Opens a file to read.
 
@@ -80,7 +69,6 @@ def open_read(name: Text, handle: Output = None, size: Output = None, *, uncheck
     return _OPERATIONS["FILE.OPEN_READ"].draft((name, handle, size), unchecked)
 
 
-@explained
 def open_write(name: Text, handle: Output = None, *, unchecked: bool = False) -> Draft:
     """Creates a file or empties the one there is, and opens it to write.
 
@@ -92,7 +80,6 @@ def open_write(name: Text, handle: Output = None, *, unchecked: bool = False) ->
     return _OPERATIONS["FILE.OPEN_WRITE"].draft((name, handle), unchecked)
 
 
-@explained
 def read_value(handle: Number, del_: AnyDEL, value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the text up to the next delimiter and turns it into a number.
 
@@ -105,7 +92,6 @@ def read_value(handle: Number, del_: AnyDEL, value: Output = None, *, unchecked:
     return _OPERATIONS["FILE.READ_VALUE"].draft((handle, del_, value), unchecked)
 
 
-@explained
 def write_value(
     handle: Number,
     del_: AnyDEL,
@@ -128,7 +114,6 @@ def write_value(
     return _OPERATIONS["FILE.WRITE_VALUE"].draft((handle, del_, value, figures, decimals), unchecked)
 
 
-@explained
 def read_text(handle: Number, del_: AnyDEL, length: Number, text: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads text up to the next delimiter.
 
@@ -143,7 +128,6 @@ def read_text(handle: Number, del_: AnyDEL, length: Number, text: Output = None,
     return _OPERATIONS["FILE.READ_TEXT"].draft((handle, del_, length, text), unchecked)
 
 
-@explained
 def write_text(handle: Number, del_: AnyDEL, text: Text, *, unchecked: bool = False) -> Draft:
     """Writes text without its zero, and a delimiter after it.
 
@@ -156,7 +140,6 @@ def write_text(handle: Number, del_: AnyDEL, text: Text, *, unchecked: bool = Fa
     return _OPERATIONS["FILE.WRITE_TEXT"].draft((handle, del_, text), unchecked)
 
 
-@explained
 def close(handle: Number, *, unchecked: bool = False) -> Draft:
     """Closes a file and gives its handle back.
 
@@ -167,7 +150,6 @@ def close(handle: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["FILE.CLOSE"].draft((handle,), unchecked)
 
 
-@explained
 def load_image(prgid: AnySLOT, name: Text, size: Output = None, ip: Output = None, *, unchecked: bool = False) -> Draft:
     """Loads a program file into a stopped slot, for PROGRAM_START to run.
 
@@ -183,7 +165,6 @@ def load_image(prgid: AnySLOT, name: Text, size: Output = None, ip: Output = Non
     return _OPERATIONS["FILE.LOAD_IMAGE"].draft((prgid, name, size, ip), unchecked)
 
 
-@explained
 def get_handle(name: Text, handle: Output = None, write: Output = None, *, unchecked: bool = False) -> Draft:
     """Finds the handle of a file that is already open.
 
@@ -196,7 +177,6 @@ def get_handle(name: Text, handle: Output = None, write: Output = None, *, unche
     return _OPERATIONS["FILE.GET_HANDLE"].draft((name, handle, write), unchecked)
 
 
-@explained
 def make_folder(name: Text, success: Output = None, *, unchecked: bool = False) -> Draft:
     """Creates a folder unless it is there.
 
@@ -208,7 +188,6 @@ def make_folder(name: Text, success: Output = None, *, unchecked: bool = False) 
     return _OPERATIONS["FILE.MAKE_FOLDER"].draft((name, success), unchecked)
 
 
-@explained
 def get_pool(size: Number, handle: Output = None, ip: Output = None, *, unchecked: bool = False) -> Draft:
     """Reserves a block of memory for the program.
 
@@ -221,7 +200,6 @@ def get_pool(size: Number, handle: Output = None, ip: Output = None, *, unchecke
     return _OPERATIONS["FILE.GET_POOL"].draft((size, handle, ip), unchecked)
 
 
-@explained
 def set_log_sync_time(time: Number, tick: Number, *, unchecked: bool = False) -> Draft:
     """Stores the time and tick by which data logs are lined up.
 
@@ -233,7 +211,6 @@ def set_log_sync_time(time: Number, tick: Number, *, unchecked: bool = False) ->
     return _OPERATIONS["FILE.SET_LOG_SYNC_TIME"].draft((time, tick), unchecked)
 
 
-@explained
 def get_folders(name: Text, items: Output = None, *, unchecked: bool = False) -> Draft:
     """Counts the entries of a folder, without hidden ones.
 
@@ -245,7 +222,6 @@ def get_folders(name: Text, items: Output = None, *, unchecked: bool = False) ->
     return _OPERATIONS["FILE.GET_FOLDERS"].draft((name, items), unchecked)
 
 
-@explained
 def get_log_sync_time(time: Output = None, tick: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells the time and tick by which data logs are lined up.
 
@@ -257,7 +233,6 @@ def get_log_sync_time(time: Output = None, tick: Output = None, *, unchecked: bo
     return _OPERATIONS["FILE.GET_LOG_SYNC_TIME"].draft((time, tick), unchecked)
 
 
-@explained
 def get_subfolder_name(
     name: Text,
     item: Number,
@@ -279,7 +254,6 @@ def get_subfolder_name(
     return _OPERATIONS["FILE.GET_SUBFOLDER_NAME"].draft((name, item, length, string), unchecked)
 
 
-@explained
 def write_log(handle: Number, time: Number, items: Number, values: Elements, *, unchecked: bool = False) -> Draft:
     """Adds one row of samples to a data log.
 
@@ -293,7 +267,6 @@ def write_log(handle: Number, time: Number, items: Number, values: Elements, *, 
     return _OPERATIONS["FILE.WRITE_LOG"].draft((handle, time, items, values), unchecked)
 
 
-@explained
 def close_log(handle: Number, name: Text, *, unchecked: bool = False) -> Draft:
     """Writes a data log to its end and closes it.
 
@@ -305,7 +278,6 @@ def close_log(handle: Number, name: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["FILE.CLOSE_LOG"].draft((handle, name), unchecked)
 
 
-@explained
 def get_image(name: Text, prgid: AnySLOT, item: Number, ip: Output = None, *, unchecked: bool = False) -> Draft:
     """Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails.
 
@@ -319,7 +291,6 @@ def get_image(name: Text, prgid: AnySLOT, item: Number, ip: Output = None, *, un
     return _OPERATIONS["FILE.GET_IMAGE"].draft((name, prgid, item, ip), unchecked)
 
 
-@explained
 def get_item(name: Text, string: Text, item: Output = None, *, unchecked: bool = False) -> Draft:
     """Finds an entry of a folder by its name.
 
@@ -333,7 +304,6 @@ def get_item(name: Text, string: Text, item: Output = None, *, unchecked: bool =
     return _OPERATIONS["FILE.GET_ITEM"].draft((name, string, item), unchecked)
 
 
-@explained
 def get_cache_files(items: Output = None, *, unchecked: bool = False) -> Draft:
     """Counts the recently run files.
 
@@ -344,7 +314,6 @@ def get_cache_files(items: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["FILE.GET_CACHE_FILES"].draft((items,), unchecked)
 
 
-@explained
 def put_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
     """Puts a file first in the list of recently run files.
 
@@ -355,7 +324,6 @@ def put_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["FILE.PUT_CACHE_FILE"].draft((string,), unchecked)
 
 
-@explained
 def get_cache_file(item: Number, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells the path of one recently run file.
 
@@ -369,7 +337,6 @@ def get_cache_file(item: Number, length: Number, string: Output = None, *, unche
     return _OPERATIONS["FILE.GET_CACHE_FILE"].draft((item, length, string), unchecked)
 
 
-@explained
 def del_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
     """Takes a file off the list of recently run files.
 
@@ -380,7 +347,6 @@ def del_cache_file(string: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["FILE.DEL_CACHE_FILE"].draft((string,), unchecked)
 
 
-@explained
 def del_subfolder(name: Text, item: Number, *, unchecked: bool = False) -> Draft:
     """Deletes one entry of a folder together with the files in it.
 
@@ -392,7 +358,6 @@ def del_subfolder(name: Text, item: Number, *, unchecked: bool = False) -> Draft
     return _OPERATIONS["FILE.DEL_SUBFOLDER"].draft((name, item), unchecked)
 
 
-@explained
 def get_log_name(length: Number, name: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells the path of the data log that is open.
 
@@ -405,7 +370,6 @@ def get_log_name(length: Number, name: Output = None, *, unchecked: bool = False
     return _OPERATIONS["FILE.GET_LOG_NAME"].draft((length, name), unchecked)
 
 
-@explained
 def open_log(
     name: Text,
     syncedtime: Number,
@@ -436,7 +400,6 @@ def open_log(
     )
 
 
-@explained
 def read_bytes(handle: Number, bytes: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads bytes from a file as they are.
 
@@ -450,7 +413,6 @@ def read_bytes(handle: Number, bytes: Number, destination: Output = None, *, unc
     return _OPERATIONS["FILE.READ_BYTES"].draft((handle, bytes, destination), unchecked)
 
 
-@explained
 def write_bytes(handle: Number, bytes: Number, source: Elements, *, unchecked: bool = False) -> Draft:
     """Writes bytes to a file as they are.
 
@@ -463,7 +425,6 @@ def write_bytes(handle: Number, bytes: Number, source: Elements, *, unchecked: b
     return _OPERATIONS["FILE.WRITE_BYTES"].draft((handle, bytes, source), unchecked)
 
 
-@explained
 def remove(name: Text, *, unchecked: bool = False) -> Draft:
     """Deletes a file, or a folder with the files in it.
 
@@ -474,7 +435,6 @@ def remove(name: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["FILE.REMOVE"].draft((name,), unchecked)
 
 
-@explained
 def move(source: Text, dest: Text, *, unchecked: bool = False) -> Draft:
     """Copies a file or folder over whatever is at the destination; the source stays.
 

@@ -5,25 +5,15 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output, Text
+from ev3proto.ops.argument_types import Number, Output, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["check", "exist", "get_foldername", "merge", "pack", "split", "totalsize", "unpack"]
-
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation filename.")
 
 _OPERATIONS = drafts("official")
 
 
-@explained
 def exist(name: Text, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a file or folder is there.
 
@@ -35,7 +25,6 @@ def exist(name: Text, flag: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["FILENAME.EXIST"].draft((name, flag), unchecked)
 
 
-@explained
 def totalsize(name: Text, files: Output = None, size: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how many files a folder has and their size.
 
@@ -49,7 +38,6 @@ def totalsize(name: Text, files: Output = None, size: Output = None, *, unchecke
     return _OPERATIONS["FILENAME.TOTALSIZE"].draft((name, files, size), unchecked)
 
 
-@explained
 def split(
     filename: Text,
     length: Number,
@@ -74,7 +62,6 @@ def split(
     return _OPERATIONS["FILENAME.SPLIT"].draft((filename, length, folder, name, ext), unchecked)
 
 
-@explained
 def merge(
     folder: Text,
     name: Text,
@@ -97,7 +84,6 @@ def merge(
     return _OPERATIONS["FILENAME.MERGE"].draft((folder, name, ext, length, filename), unchecked)
 
 
-@explained
 def check(filename: Text, ok: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a path has allowed characters and lengths; the file need not exist.
 
@@ -109,7 +95,6 @@ def check(filename: Text, ok: Output = None, *, unchecked: bool = False) -> Draf
     return _OPERATIONS["FILENAME.CHECK"].draft((filename, ok), unchecked)
 
 
-@explained
 def pack(filename: Text, *, unchecked: bool = False) -> Draft:
     """Packs a file or folder into a .raf archive beside it.
 
@@ -120,7 +105,6 @@ def pack(filename: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["FILENAME.PACK"].draft((filename,), unchecked)
 
 
-@explained
 def unpack(filename: Text, *, unchecked: bool = False) -> Draft:
     """Unpacks a .raf archive into the folder it is in.
 
@@ -131,7 +115,6 @@ def unpack(filename: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["FILENAME.UNPACK"].draft((filename,), unchecked)
 
 
-@explained
 def get_foldername(length: Number, foldername: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells the program's own folder.
 

@@ -5,25 +5,15 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output
+from ev3proto.ops.argument_types import Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["errortext", "get_error", "get_minutes", "get_volume", "set_error", "set_minutes", "set_volume"]
-
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation info.")
 
 _OPERATIONS = drafts("official")
 
 
-@explained
 def set_error(number: Number, *, unchecked: bool = False) -> Draft:
     """Puts an error into the brick's error log.
 
@@ -34,7 +24,6 @@ def set_error(number: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["INFO.SET_ERROR"].draft((number,), unchecked)
 
 
-@explained
 def get_error(number: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the oldest error out of the brick's error log.
 
@@ -45,7 +34,6 @@ def get_error(number: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["INFO.GET_ERROR"].draft((number,), unchecked)
 
 
-@explained
 def errortext(number: Number, length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts the number of an error to its name.
 
@@ -59,7 +47,6 @@ def errortext(number: Number, length: Number, destination: Output = None, *, unc
     return _OPERATIONS["INFO.ERRORTEXT"].draft((number, length, destination), unchecked)
 
 
-@explained
 def get_volume(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the volume setting.
 
@@ -70,7 +57,6 @@ def get_volume(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["INFO.GET_VOLUME"].draft((value,), unchecked)
 
 
-@explained
 def set_volume(value: Number, *, unchecked: bool = False) -> Draft:
     """Changes the volume setting.
 
@@ -81,7 +67,6 @@ def set_volume(value: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["INFO.SET_VOLUME"].draft((value,), unchecked)
 
 
-@explained
 def get_minutes(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads after how long without use the brick powers off.
 
@@ -92,7 +77,6 @@ def get_minutes(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["INFO.GET_MINUTES"].draft((value,), unchecked)
 
 
-@explained
 def set_minutes(value: Number, *, unchecked: bool = False) -> Draft:
     """Changes after how long without use the brick powers off.
 

@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyTYPE, Elements, Number, Output, Outputs, Text
+from ev3proto.ops.argument_types import AnyTYPE, Elements, Number, Output, Outputs, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "cal_default",
@@ -44,13 +38,9 @@ __all__ = [
     "stop_all",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation input_device.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def insert_type(typedata: Text, force: Number, error: Output = None, *, unchecked: bool = False) -> Draft:
     """Adds a line to the table of device types, for third party types (50 to 98) only.
 
@@ -63,7 +53,6 @@ def insert_type(typedata: Text, force: Number, error: Output = None, *, unchecke
     return _OPERATIONS["INPUT_DEVICE.INSERT_TYPE"].draft((typedata, force, error), unchecked)
 
 
-@explained
 def get_format(
     layer: Number,
     no: Number,
@@ -89,7 +78,6 @@ def get_format(
     return _OPERATIONS["INPUT_DEVICE.GET_FORMAT"].draft((layer, no, datasets, format, modes, views), unchecked)
 
 
-@explained
 def cal_minmax(type: AnyTYPE, mode: Number, cal_min: Number, cal_max: Number, *, unchecked: bool = False) -> Draft:
     """Sets the raw values that scale a type and mode to percent and SI.
 
@@ -103,7 +91,6 @@ def cal_minmax(type: AnyTYPE, mode: Number, cal_min: Number, cal_max: Number, *,
     return _OPERATIONS["INPUT_DEVICE.CAL_MINMAX"].draft((type, mode, cal_min, cal_max), unchecked)
 
 
-@explained
 def cal_default(type: AnyTYPE, mode: Number, *, unchecked: bool = False) -> Draft:
     """Goes back to the built-in scaling of a type and mode.
 
@@ -115,7 +102,6 @@ def cal_default(type: AnyTYPE, mode: Number, *, unchecked: bool = False) -> Draf
     return _OPERATIONS["INPUT_DEVICE.CAL_DEFAULT"].draft((type, mode), unchecked)
 
 
-@explained
 def get_typemode(
     layer: Number,
     no: Number,
@@ -137,7 +123,6 @@ def get_typemode(
     return _OPERATIONS["INPUT_DEVICE.GET_TYPEMODE"].draft((layer, no, type, mode), unchecked)
 
 
-@explained
 def get_symbol(
     layer: Number,
     no: Number,
@@ -160,7 +145,6 @@ def get_symbol(
     return _OPERATIONS["INPUT_DEVICE.GET_SYMBOL"].draft((layer, no, length, destination), unchecked)
 
 
-@explained
 def cal_min(type: AnyTYPE, mode: Number, cal_min: Number, *, unchecked: bool = False) -> Draft:
     """Sets the lower end of the scaling of a type and mode.
 
@@ -173,7 +157,6 @@ def cal_min(type: AnyTYPE, mode: Number, cal_min: Number, *, unchecked: bool = F
     return _OPERATIONS["INPUT_DEVICE.CAL_MIN"].draft((type, mode, cal_min), unchecked)
 
 
-@explained
 def cal_max(type: AnyTYPE, mode: Number, cal_max: Number, *, unchecked: bool = False) -> Draft:
     """Sets the full scale of a type and mode.
 
@@ -186,7 +169,6 @@ def cal_max(type: AnyTYPE, mode: Number, cal_max: Number, *, unchecked: bool = F
     return _OPERATIONS["INPUT_DEVICE.CAL_MAX"].draft((type, mode, cal_max), unchecked)
 
 
-@explained
 def setup(
     layer: Number,
     no: Number,
@@ -217,7 +199,6 @@ def setup(
     )
 
 
-@explained
 def clr_all(layer: Number, *, unchecked: bool = False) -> Draft:
     """Clears counters and angles of all devices.
 
@@ -228,7 +209,6 @@ def clr_all(layer: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["INPUT_DEVICE.CLR_ALL"].draft((layer,), unchecked)
 
 
-@explained
 def get_raw(layer: Number, no: Number, value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the first raw value of a device.
 
@@ -242,7 +222,6 @@ def get_raw(layer: Number, no: Number, value: Output = None, *, unchecked: bool 
     return _OPERATIONS["INPUT_DEVICE.GET_RAW"].draft((layer, no, value), unchecked)
 
 
-@explained
 def get_connection(layer: Number, no: Number, conn: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how the device at a port is connected.
 
@@ -256,7 +235,6 @@ def get_connection(layer: Number, no: Number, conn: Output = None, *, unchecked:
     return _OPERATIONS["INPUT_DEVICE.GET_CONNECTION"].draft((layer, no, conn), unchecked)
 
 
-@explained
 def stop_all(layer: Number, *, unchecked: bool = False) -> Draft:
     """Stops all devices, motors among them.
 
@@ -267,7 +245,6 @@ def stop_all(layer: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["INPUT_DEVICE.STOP_ALL"].draft((layer,), unchecked)
 
 
-@explained
 def set_typemode(
     type: AnyTYPE,
     mode: Number,
@@ -291,7 +268,6 @@ def set_typemode(
     return _OPERATIONS["INPUT_DEVICE.SET_TYPEMODE"].draft((type, mode, newtype, newmode, error), unchecked)
 
 
-@explained
 def ready_iic(
     layer: Number,
     no: Number,
@@ -318,7 +294,6 @@ def ready_iic(
     return _OPERATIONS["INPUT_DEVICE.READY_IIC"].draft((layer, no, wrlng, wrdata, rdlng, rddata, result), unchecked)
 
 
-@explained
 def get_name(
     layer: Number,
     no: Number,
@@ -341,7 +316,6 @@ def get_name(
     return _OPERATIONS["INPUT_DEVICE.GET_NAME"].draft((layer, no, length, destination), unchecked)
 
 
-@explained
 def get_modename(
     layer: Number,
     no: Number,
@@ -366,7 +340,6 @@ def get_modename(
     return _OPERATIONS["INPUT_DEVICE.GET_MODENAME"].draft((layer, no, mode, length, destination), unchecked)
 
 
-@explained
 def set_raw(layer: Number, no: Number, type: AnyTYPE, value: Number, *, unchecked: bool = False) -> Draft:
     """Pretends that a device has read this raw value.
 
@@ -381,7 +354,6 @@ def set_raw(layer: Number, no: Number, type: AnyTYPE, value: Number, *, unchecke
     return _OPERATIONS["INPUT_DEVICE.SET_RAW"].draft((layer, no, type, value), unchecked)
 
 
-@explained
 def get_figures(
     layer: Number,
     no: Number,
@@ -403,7 +375,6 @@ def get_figures(
     return _OPERATIONS["INPUT_DEVICE.GET_FIGURES"].draft((layer, no, figures, decimals), unchecked)
 
 
-@explained
 def get_changes(layer: Number, no: Number, value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads how often a touch sensor changed in positive direction since CLR_CHANGES.
 
@@ -417,7 +388,6 @@ def get_changes(layer: Number, no: Number, value: Output = None, *, unchecked: b
     return _OPERATIONS["INPUT_DEVICE.GET_CHANGES"].draft((layer, no, value), unchecked)
 
 
-@explained
 def clr_changes(layer: Number, no: Number, *, unchecked: bool = False) -> Draft:
     """Sets the counts of GET_CHANGES and GET_BUMPS to zero.
 
@@ -430,7 +400,6 @@ def clr_changes(layer: Number, no: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["INPUT_DEVICE.CLR_CHANGES"].draft((layer, no), unchecked)
 
 
-@explained
 def ready_pct(
     layer: Number,
     no: Number,
@@ -455,7 +424,6 @@ def ready_pct(
     return _OPERATIONS["INPUT_DEVICE.READY_PCT"].draft((layer, no, type, mode, values), unchecked)
 
 
-@explained
 def ready_raw(
     layer: Number,
     no: Number,
@@ -480,7 +448,6 @@ def ready_raw(
     return _OPERATIONS["INPUT_DEVICE.READY_RAW"].draft((layer, no, type, mode, values), unchecked)
 
 
-@explained
 def ready_si(
     layer: Number,
     no: Number,
@@ -505,7 +472,6 @@ def ready_si(
     return _OPERATIONS["INPUT_DEVICE.READY_SI"].draft((layer, no, type, mode, values), unchecked)
 
 
-@explained
 def get_minmax(layer: Number, no: Number, min: Output = None, max: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells between which SI values the present mode moves.
 
@@ -520,7 +486,6 @@ def get_minmax(layer: Number, no: Number, min: Output = None, max: Output = None
     return _OPERATIONS["INPUT_DEVICE.GET_MINMAX"].draft((layer, no, min, max), unchecked)
 
 
-@explained
 def get_bumps(layer: Number, no: Number, value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads how often a touch sensor changed in negative direction since CLR_CHANGES.
 

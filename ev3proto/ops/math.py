@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output, Real
+from ev3proto.ops.argument_types import Number, Output, Real
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "abs",
@@ -39,13 +33,9 @@ __all__ = [
     "trunc",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation math.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def exp(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Raises e to a power.
 
@@ -57,7 +47,6 @@ def exp(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.EXP"].draft((x, r), unchecked)
 
 
-@explained
 def mod(x: Real, y: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the remainder of a floating-point division.
 
@@ -70,7 +59,6 @@ def mod(x: Real, y: Real, r: Output = None, *, unchecked: bool = False) -> Draft
     return _OPERATIONS["MATH.MOD"].draft((x, y, r), unchecked)
 
 
-@explained
 def floor(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Rounds down to a whole number.
 
@@ -82,7 +70,6 @@ def floor(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.FLOOR"].draft((x, r), unchecked)
 
 
-@explained
 def ceil(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Rounds up to a whole number.
 
@@ -94,7 +81,6 @@ def ceil(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.CEIL"].draft((x, r), unchecked)
 
 
-@explained
 def round(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Rounds to the nearest whole number, halves away from zero.
 
@@ -106,7 +92,6 @@ def round(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.ROUND"].draft((x, r), unchecked)
 
 
-@explained
 def abs(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Drops the sign.
 
@@ -118,7 +103,6 @@ def abs(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.ABS"].draft((x, r), unchecked)
 
 
-@explained
 def negate(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Reverses the sign.
 
@@ -130,7 +114,6 @@ def negate(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.NEGATE"].draft((x, r), unchecked)
 
 
-@explained
 def sqrt(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the square root.
 
@@ -142,7 +125,6 @@ def sqrt(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.SQRT"].draft((x, r), unchecked)
 
 
-@explained
 def log(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the logarithm to base 10.
 
@@ -154,7 +136,6 @@ def log(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.LOG"].draft((x, r), unchecked)
 
 
-@explained
 def ln(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the natural logarithm.
 
@@ -166,7 +147,6 @@ def ln(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.LN"].draft((x, r), unchecked)
 
 
-@explained
 def sin(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the sine of an angle in degrees.
 
@@ -178,7 +158,6 @@ def sin(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.SIN"].draft((x, r), unchecked)
 
 
-@explained
 def cos(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the cosine of an angle in degrees.
 
@@ -190,7 +169,6 @@ def cos(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.COS"].draft((x, r), unchecked)
 
 
-@explained
 def tan(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the tangent of an angle in degrees.
 
@@ -202,7 +180,6 @@ def tan(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.TAN"].draft((x, r), unchecked)
 
 
-@explained
 def asin(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Finds the angle that has a sine.
 
@@ -214,7 +191,6 @@ def asin(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.ASIN"].draft((x, r), unchecked)
 
 
-@explained
 def acos(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Finds the angle that has a cosine.
 
@@ -226,7 +202,6 @@ def acos(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.ACOS"].draft((x, r), unchecked)
 
 
-@explained
 def atan(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Finds the angle that has a tangent.
 
@@ -238,7 +213,6 @@ def atan(x: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MATH.ATAN"].draft((x, r), unchecked)
 
 
-@explained
 def mod8(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the remainder of an 8-bit division.
 
@@ -251,7 +225,6 @@ def mod8(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) -> 
     return _OPERATIONS["MATH.MOD8"].draft((x, y, r), unchecked)
 
 
-@explained
 def mod16(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the remainder of a 16-bit division.
 
@@ -264,7 +237,6 @@ def mod16(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) ->
     return _OPERATIONS["MATH.MOD16"].draft((x, y, r), unchecked)
 
 
-@explained
 def mod32(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes the remainder of a 32-bit division.
 
@@ -277,7 +249,6 @@ def mod32(x: Number, y: Number, r: Output = None, *, unchecked: bool = False) ->
     return _OPERATIONS["MATH.MOD32"].draft((x, y, r), unchecked)
 
 
-@explained
 def pow(x: Real, y: Real, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Raises a number to a power.
 
@@ -290,7 +261,6 @@ def pow(x: Real, y: Real, r: Output = None, *, unchecked: bool = False) -> Draft
     return _OPERATIONS["MATH.POW"].draft((x, y, r), unchecked)
 
 
-@explained
 def trunc(x: Real, p: Number, r: Output = None, *, unchecked: bool = False) -> Draft:
     """Cuts off decimals without rounding.
 

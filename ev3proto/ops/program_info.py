@@ -5,25 +5,15 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnySLOT, Number, Output
+from ev3proto.ops.argument_types import AnySLOT, Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["get_prgresult", "get_speed", "get_status", "obj_start", "obj_stop", "set_instr"]
-
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation program_info.")
 
 _OPERATIONS = drafts("official")
 
 
-@explained
 def obj_stop(prgid: AnySLOT, objid: Number, *, unchecked: bool = False) -> Draft:
     """Stops an object of a running program.
 
@@ -35,7 +25,6 @@ def obj_stop(prgid: AnySLOT, objid: Number, *, unchecked: bool = False) -> Draft
     return _OPERATIONS["PROGRAM_INFO.OBJ_STOP"].draft((prgid, objid), unchecked)
 
 
-@explained
 def obj_start(prgid: AnySLOT, objid: Number, *, unchecked: bool = False) -> Draft:
     """Starts an object of a running program from its beginning.
 
@@ -47,7 +36,6 @@ def obj_start(prgid: AnySLOT, objid: Number, *, unchecked: bool = False) -> Draf
     return _OPERATIONS["PROGRAM_INFO.OBJ_START"].draft((prgid, objid), unchecked)
 
 
-@explained
 def get_status(prgid: AnySLOT, data: Output = None, *, unchecked: bool = False) -> Draft:
     """Asks whether a program runs.
 
@@ -59,7 +47,6 @@ def get_status(prgid: AnySLOT, data: Output = None, *, unchecked: bool = False) 
     return _OPERATIONS["PROGRAM_INFO.GET_STATUS"].draft((prgid, data), unchecked)
 
 
-@explained
 def get_speed(prgid: AnySLOT, data: Output = None, *, unchecked: bool = False) -> Draft:
     """Asks how fast a program runs.
 
@@ -71,7 +58,6 @@ def get_speed(prgid: AnySLOT, data: Output = None, *, unchecked: bool = False) -
     return _OPERATIONS["PROGRAM_INFO.GET_SPEED"].draft((prgid, data), unchecked)
 
 
-@explained
 def get_prgresult(prgid: AnySLOT, data: Output = None, *, unchecked: bool = False) -> Draft:
     """Asks how a program ended.
 
@@ -83,7 +69,6 @@ def get_prgresult(prgid: AnySLOT, data: Output = None, *, unchecked: bool = Fals
     return _OPERATIONS["PROGRAM_INFO.GET_PRGRESULT"].draft((prgid, data), unchecked)
 
 
-@explained
 def set_instr(prgid: AnySLOT, *, unchecked: bool = False) -> Draft:
     """Sets how many instructions the calling thread may still run in its time slice.
 

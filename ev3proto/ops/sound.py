@@ -5,31 +5,20 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Text
+from ev3proto.ops.argument_types import Number, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["break_", "play", "repeat", "service", "tone"]
-
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation sound.")
 
 _OPERATIONS = drafts("official")
 
 
-@explained
 def break_(*, unchecked: bool = False) -> Draft:
     """Stops the tone or file that is playing."""
     return _OPERATIONS["SOUND.BREAK"].draft((), unchecked)
 
 
-@explained
 def tone(volume: Number, frequency: Number, duration: Number, *, unchecked: bool = False) -> Draft:
     """Plays one tone and returns at once.
 
@@ -42,7 +31,6 @@ def tone(volume: Number, frequency: Number, duration: Number, *, unchecked: bool
     return _OPERATIONS["SOUND.TONE"].draft((volume, frequency, duration), unchecked)
 
 
-@explained
 def play(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
     """Plays a sound file once and returns at once.
 
@@ -55,7 +43,6 @@ def play(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["SOUND.PLAY"].draft((volume, name), unchecked)
 
 
-@explained
 def repeat(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
     """Plays a sound file over and over until BREAK and returns at once.
 
@@ -68,7 +55,6 @@ def repeat(volume: Number, name: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["SOUND.REPEAT"].draft((volume, name), unchecked)
 
 
-@explained
 def service(*, unchecked: bool = False) -> Draft:
     """Does nothing here: the firmware itself feeds its sound driver by this number."""
     return _OPERATIONS["SOUND.SERVICE"].draft((), unchecked)

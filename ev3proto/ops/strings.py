@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output, Real, Text
+from ev3proto.ops.argument_types import Number, Output, Real, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "add",
@@ -29,13 +23,9 @@ __all__ = [
     "value_to_string",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation strings.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def get_size(source1: Text, size: Output = None, *, unchecked: bool = False) -> Draft:
     """Measures a text.
 
@@ -47,7 +37,6 @@ def get_size(source1: Text, size: Output = None, *, unchecked: bool = False) -> 
     return _OPERATIONS["STRINGS.GET_SIZE"].draft((source1, size), unchecked)
 
 
-@explained
 def add(source1: Text, source2: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Joins two texts.
 
@@ -60,7 +49,6 @@ def add(source1: Text, source2: Text, destination: Output = None, *, unchecked: 
     return _OPERATIONS["STRINGS.ADD"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def compare(source1: Text, source2: Text, result: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether two texts are the same, upper and lower case kept apart.
 
@@ -73,7 +61,6 @@ def compare(source1: Text, source2: Text, result: Output = None, *, unchecked: b
     return _OPERATIONS["STRINGS.COMPARE"].draft((source1, source2, result), unchecked)
 
 
-@explained
 def duplicate(source1: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Copies a text.
 
@@ -85,7 +72,6 @@ def duplicate(source1: Text, destination: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["STRINGS.DUPLICATE"].draft((source1, destination), unchecked)
 
 
-@explained
 def value_to_string(
     value: Real,
     figures: Number,
@@ -106,7 +92,6 @@ def value_to_string(
     return _OPERATIONS["STRINGS.VALUE_TO_STRING"].draft((value, figures, decimals, destination), unchecked)
 
 
-@explained
 def string_to_value(source1: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads a number from a text.
 
@@ -118,7 +103,6 @@ def string_to_value(source1: Text, destination: Output = None, *, unchecked: boo
     return _OPERATIONS["STRINGS.STRING_TO_VALUE"].draft((source1, destination), unchecked)
 
 
-@explained
 def strip(source1: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Removes every space from a text.
 
@@ -130,7 +114,6 @@ def strip(source1: Text, destination: Output = None, *, unchecked: bool = False)
     return _OPERATIONS["STRINGS.STRIP"].draft((source1, destination), unchecked)
 
 
-@explained
 def number_to_string(value: Number, figures: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Writes a whole number as text, with zeros in front.
 
@@ -143,7 +126,6 @@ def number_to_string(value: Number, figures: Number, destination: Output = None,
     return _OPERATIONS["STRINGS.NUMBER_TO_STRING"].draft((value, figures, destination), unchecked)
 
 
-@explained
 def sub(source1: Text, source2: Text, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes from a text what comes after another text found in it.
 
@@ -156,7 +138,6 @@ def sub(source1: Text, source2: Text, destination: Output = None, *, unchecked: 
     return _OPERATIONS["STRINGS.SUB"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def value_formatted(
     value: Real,
     format: Text,
@@ -177,7 +158,6 @@ def value_formatted(
     return _OPERATIONS["STRINGS.VALUE_FORMATTED"].draft((value, format, size, destination), unchecked)
 
 
-@explained
 def number_formatted(
     value: Number,
     format: Text,

@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Elements, Number, Output
+from ev3proto.ops.argument_types import Elements, Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "tst_accu_switch",
@@ -32,25 +26,19 @@ __all__ = [
     "tst_write_uart",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation tst.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def tst_open(*, unchecked: bool = False) -> Draft:
     """Allows test commands for 10 seconds; each one renews the time."""
     return _OPERATIONS["TST.TST_OPEN"].draft((), unchecked)
 
 
-@explained
 def tst_close(*, unchecked: bool = False) -> Draft:
     """Ends the test mode."""
     return _OPERATIONS["TST.TST_CLOSE"].draft((), unchecked)
 
 
-@explained
 def tst_read_pins(port: Number, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the pins of a connector.
 
@@ -64,7 +52,6 @@ def tst_read_pins(port: Number, length: Number, string: Output = None, *, unchec
     return _OPERATIONS["TST.TST_READ_PINS"].draft((port, length, string), unchecked)
 
 
-@explained
 def tst_write_pins(port: Number, length: Number, string: Elements, *, unchecked: bool = False) -> Draft:
     """Sets the pins of a connector.
 
@@ -77,7 +64,6 @@ def tst_write_pins(port: Number, length: Number, string: Elements, *, unchecked:
     return _OPERATIONS["TST.TST_WRITE_PINS"].draft((port, length, string), unchecked)
 
 
-@explained
 def tst_read_adc(index: Number, value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the analog converter.
 
@@ -90,7 +76,6 @@ def tst_read_adc(index: Number, value: Output = None, *, unchecked: bool = False
     return _OPERATIONS["TST.TST_READ_ADC"].draft((index, value), unchecked)
 
 
-@explained
 def tst_write_uart(port: Number, length: Number, string: Elements, *, unchecked: bool = False) -> Draft:
     """Sends bytes out of a sensor port's serial line.
 
@@ -103,7 +88,6 @@ def tst_write_uart(port: Number, length: Number, string: Elements, *, unchecked:
     return _OPERATIONS["TST.TST_WRITE_UART"].draft((port, length, string), unchecked)
 
 
-@explained
 def tst_read_uart(port: Number, length: Number, string: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads bytes that arrived on a sensor port's serial line.
 
@@ -117,7 +101,6 @@ def tst_read_uart(port: Number, length: Number, string: Output = None, *, unchec
     return _OPERATIONS["TST.TST_READ_UART"].draft((port, length, string), unchecked)
 
 
-@explained
 def tst_enable_uart(bitrate: Number, *, unchecked: bool = False) -> Draft:
     """Switches the serial lines of all sensor ports on.
 
@@ -128,13 +111,11 @@ def tst_enable_uart(bitrate: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["TST.TST_ENABLE_UART"].draft((bitrate,), unchecked)
 
 
-@explained
 def tst_disable_uart(*, unchecked: bool = False) -> Draft:
     """Switches the serial lines of all sensor ports off."""
     return _OPERATIONS["TST.TST_DISABLE_UART"].draft((), unchecked)
 
 
-@explained
 def tst_accu_switch(active: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the switch that senses the rechargeable battery.
 
@@ -146,13 +127,11 @@ def tst_accu_switch(active: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["TST.TST_ACCU_SWITCH"].draft((active,), unchecked)
 
 
-@explained
 def tst_boot_mode2(*, unchecked: bool = False) -> Draft:
     """Starts mode 2 of Bluetooth, the one for Apple's devices."""
     return _OPERATIONS["TST.TST_BOOT_MODE2"].draft((), unchecked)
 
 
-@explained
 def tst_poll_mode2(status: Output = None, *, unchecked: bool = False) -> Draft:
     """Asks how far the start of Bluetooth's mode 2 is.
 
@@ -164,13 +143,11 @@ def tst_poll_mode2(status: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["TST.TST_POLL_MODE2"].draft((status,), unchecked)
 
 
-@explained
 def tst_close_mode2(*, unchecked: bool = False) -> Draft:
     """Ends mode 2 of Bluetooth."""
     return _OPERATIONS["TST.TST_CLOSE_MODE2"].draft((), unchecked)
 
 
-@explained
 def tst_ram_check(status: Output = None, *, unchecked: bool = False) -> Draft:
     """Asks how the memory test at power-on went.
 

@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyBUTTONTYPE, Number, Output
+from ev3proto.ops.argument_types import AnyBUTTONTYPE, Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "flush",
@@ -33,13 +27,9 @@ __all__ = [
     "wait_for_press",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation ui_button.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def shortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a button was pressed since last asked, and forgets it.
 
@@ -51,7 +41,6 @@ def shortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
     return _OPERATIONS["UI_BUTTON.SHORTPRESS"].draft((button, state), unchecked)
 
 
-@explained
 def longpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a button was held for 3 s since last asked, and forgets it.
 
@@ -64,19 +53,16 @@ def longpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = 
     return _OPERATIONS["UI_BUTTON.LONGPRESS"].draft((button, state), unchecked)
 
 
-@explained
 def wait_for_press(*, unchecked: bool = False) -> Draft:
     """Waits until any button has been pressed, by hand or by PRESS."""
     return _OPERATIONS["UI_BUTTON.WAIT_FOR_PRESS"].draft((), unchecked)
 
 
-@explained
 def flush(*, unchecked: bool = False) -> Draft:
     """Forgets all presses that nobody has asked for."""
     return _OPERATIONS["UI_BUTTON.FLUSH"].draft((), unchecked)
 
 
-@explained
 def press(button: AnyBUTTONTYPE, *, unchecked: bool = False) -> Draft:
     """Presses a button as if by hand and holds it until RELEASE.
 
@@ -87,7 +73,6 @@ def press(button: AnyBUTTONTYPE, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_BUTTON.PRESS"].draft((button,), unchecked)
 
 
-@explained
 def release(button: AnyBUTTONTYPE, *, unchecked: bool = False) -> Draft:
     """Releases a button that PRESS holds.
 
@@ -98,7 +83,6 @@ def release(button: AnyBUTTONTYPE, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_BUTTON.RELEASE"].draft((button,), unchecked)
 
 
-@explained
 def get_horz(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the left and right buttons as one axis, and forgets their presses.
 
@@ -109,7 +93,6 @@ def get_horz(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_BUTTON.GET_HORZ"].draft((value,), unchecked)
 
 
-@explained
 def get_vert(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the up and down buttons as one axis, and forgets their presses.
 
@@ -120,7 +103,6 @@ def get_vert(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_BUTTON.GET_VERT"].draft((value,), unchecked)
 
 
-@explained
 def pressed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a button is down at the moment.
 
@@ -132,7 +114,6 @@ def pressed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["UI_BUTTON.PRESSED"].draft((button, state), unchecked)
 
 
-@explained
 def set_back_block(blocked: Number, *, unchecked: bool = False) -> Draft:
     """Sets whether the back button is kept from ending the running program.
 
@@ -143,7 +124,6 @@ def set_back_block(blocked: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_BUTTON.SET_BACK_BLOCK"].draft((blocked,), unchecked)
 
 
-@explained
 def get_back_block(blocked: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether the back button is kept from ending the running program.
 
@@ -155,7 +135,6 @@ def get_back_block(blocked: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_BUTTON.GET_BACK_BLOCK"].draft((blocked,), unchecked)
 
 
-@explained
 def testshortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells like SHORTPRESS whether a button was pressed, without forgetting it.
 
@@ -167,7 +146,6 @@ def testshortpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bo
     return _OPERATIONS["UI_BUTTON.TESTSHORTPRESS"].draft((button, state), unchecked)
 
 
-@explained
 def testlongpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells like LONGPRESS whether a button was held for 3 s, without forgetting it.
 
@@ -180,7 +158,6 @@ def testlongpress(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: boo
     return _OPERATIONS["UI_BUTTON.TESTLONGPRESS"].draft((button, state), unchecked)
 
 
-@explained
 def get_bumbed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a button was pressed and released since last asked, and forgets it.
 
@@ -193,7 +170,6 @@ def get_bumbed(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool =
     return _OPERATIONS["UI_BUTTON.GET_BUMBED"].draft((button, state), unchecked)
 
 
-@explained
 def get_click(click: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a key click is due because a press was handled, and forgets it.
 

@@ -5,29 +5,23 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import (
-        AnyBROWSERTYPE,
-        AnyDEL,
-        AnyFONTTYPE,
-        AnyICONTYPE,
-        AnyL_ICON_NO,
-        AnyN_ICON_NO,
-        AnyVariable,
-        Elements,
-        NamedNumber,
-        Number,
-        Output,
-        Real,
-        Text,
-    )
+from ev3proto.ops.argument_types import (
+    AnyBROWSERTYPE,
+    AnyDEL,
+    AnyFONTTYPE,
+    AnyICONTYPE,
+    AnyL_ICON_NO,
+    AnyN_ICON_NO,
+    AnyVariable,
+    Elements,
+    NamedNumber,
+    Number,
+    Output,
+    Real,
+    Text,
+)
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "bmpfile",
@@ -65,25 +59,19 @@ __all__ = [
     "view_value",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation ui_draw.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def update(*, unchecked: bool = False) -> Draft:
     """Shows on the display what has been drawn, and returns to the normal font."""
     return _OPERATIONS["UI_DRAW.UPDATE"].draft((), unchecked)
 
 
-@explained
 def clean(*, unchecked: bool = False) -> Draft:
     """Wipes the canvas white, and returns to the normal font."""
     return _OPERATIONS["UI_DRAW.CLEAN"].draft((), unchecked)
 
 
-@explained
 def pixel(color: NamedNumber, x0: Number, y0: Number, *, unchecked: bool = False) -> Draft:
     """Draws one pixel.
 
@@ -96,7 +84,6 @@ def pixel(color: NamedNumber, x0: Number, y0: Number, *, unchecked: bool = False
     return _OPERATIONS["UI_DRAW.PIXEL"].draft((color, x0, y0), unchecked)
 
 
-@explained
 def line(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Draws a line between two points.
 
@@ -111,7 +98,6 @@ def line(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, 
     return _OPERATIONS["UI_DRAW.LINE"].draft((color, x0, y0, x1, y1), unchecked)
 
 
-@explained
 def circle(color: NamedNumber, x0: Number, y0: Number, r: Number, *, unchecked: bool = False) -> Draft:
     """Draws a circle.
 
@@ -125,7 +111,6 @@ def circle(color: NamedNumber, x0: Number, y0: Number, r: Number, *, unchecked: 
     return _OPERATIONS["UI_DRAW.CIRCLE"].draft((color, x0, y0, r), unchecked)
 
 
-@explained
 def text(color: NamedNumber, x0: Number, y0: Number, string: Text, *, unchecked: bool = False) -> Draft:
     """Draws text in the font that SELECT_FONT has chosen.
 
@@ -139,7 +124,6 @@ def text(color: NamedNumber, x0: Number, y0: Number, string: Text, *, unchecked:
     return _OPERATIONS["UI_DRAW.TEXT"].draft((color, x0, y0, string), unchecked)
 
 
-@explained
 def icon(
     color: NamedNumber,
     x0: Number,
@@ -162,7 +146,6 @@ def icon(
     return _OPERATIONS["UI_DRAW.ICON"].draft((color, x0, y0, type, no), unchecked)
 
 
-@explained
 def picture(color: NamedNumber, x0: Number, y0: Number, ip: Number, *, unchecked: bool = False) -> Draft:
     """Draws a picture that is in memory.
 
@@ -176,7 +159,6 @@ def picture(color: NamedNumber, x0: Number, y0: Number, ip: Number, *, unchecked
     return _OPERATIONS["UI_DRAW.PICTURE"].draft((color, x0, y0, ip), unchecked)
 
 
-@explained
 def value(
     color: NamedNumber,
     x0: Number,
@@ -201,7 +183,6 @@ def value(
     return _OPERATIONS["UI_DRAW.VALUE"].draft((color, x0, y0, value, figures, decimals), unchecked)
 
 
-@explained
 def fillrect(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Draws a filled rectangle.
 
@@ -216,7 +197,6 @@ def fillrect(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number,
     return _OPERATIONS["UI_DRAW.FILLRECT"].draft((color, x0, y0, x1, y1), unchecked)
 
 
-@explained
 def rect(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Draws the outline of a rectangle.
 
@@ -231,7 +211,6 @@ def rect(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, 
     return _OPERATIONS["UI_DRAW.RECT"].draft((color, x0, y0, x1, y1), unchecked)
 
 
-@explained
 def notification(
     color: NamedNumber,
     x0: Number,
@@ -261,7 +240,6 @@ def notification(
     return _OPERATIONS["UI_DRAW.NOTIFICATION"].draft((color, x0, y0, icon1, icon2, icon3, string, state), unchecked)
 
 
-@explained
 def question(
     color: NamedNumber,
     x0: Number,
@@ -292,7 +270,6 @@ def question(
     return _OPERATIONS["UI_DRAW.QUESTION"].draft((color, x0, y0, icon1, icon2, string, state, ok), unchecked)
 
 
-@explained
 def keyboard(
     color: NamedNumber,
     x0: Number,
@@ -324,7 +301,6 @@ def keyboard(
     return _OPERATIONS["UI_DRAW.KEYBOARD"].draft((color, x0, y0, icon, length, default, charset, string), unchecked)
 
 
-@explained
 def browse(
     type: AnyBROWSERTYPE,
     x0: Number,
@@ -355,7 +331,6 @@ def browse(
     return _OPERATIONS["UI_DRAW.BROWSE"].draft((type, x0, y0, x1, y1, length, item_type, string), unchecked)
 
 
-@explained
 def vertbar(
     color: NamedNumber,
     x0: Number,
@@ -384,7 +359,6 @@ def vertbar(
     return _OPERATIONS["UI_DRAW.VERTBAR"].draft((color, x0, y0, x1, y1, min, max, act), unchecked)
 
 
-@explained
 def inverserect(x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Swaps black and white in a rectangle.
 
@@ -398,7 +372,6 @@ def inverserect(x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bo
     return _OPERATIONS["UI_DRAW.INVERSERECT"].draft((x0, y0, x1, y1), unchecked)
 
 
-@explained
 def select_font(type: AnyFONTTYPE, *, unchecked: bool = False) -> Draft:
     """Chooses the font for text until UPDATE, CLEAN or FILLWINDOW.
 
@@ -409,7 +382,6 @@ def select_font(type: AnyFONTTYPE, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_DRAW.SELECT_FONT"].draft((type,), unchecked)
 
 
-@explained
 def topline(enable: Number, *, unchecked: bool = False) -> Draft:
     """Switches the status line at the top on or off.
 
@@ -420,7 +392,6 @@ def topline(enable: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_DRAW.TOPLINE"].draft((enable,), unchecked)
 
 
-@explained
 def fillwindow(color: NamedNumber, y0: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Fills rows over the whole width, and returns to the normal font.
 
@@ -433,7 +404,6 @@ def fillwindow(color: NamedNumber, y0: Number, y1: Number, *, unchecked: bool = 
     return _OPERATIONS["UI_DRAW.FILLWINDOW"].draft((color, y0, y1), unchecked)
 
 
-@explained
 def scroll(y: Number, *, unchecked: bool = False) -> Draft:
     """Moves the canvas up.
 
@@ -444,7 +414,6 @@ def scroll(y: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_DRAW.SCROLL"].draft((y,), unchecked)
 
 
-@explained
 def dotline(
     color: NamedNumber,
     x0: Number,
@@ -471,7 +440,6 @@ def dotline(
     return _OPERATIONS["UI_DRAW.DOTLINE"].draft((color, x0, y0, x1, y1, on, off), unchecked)
 
 
-@explained
 def view_value(
     color: NamedNumber,
     x0: Number,
@@ -496,7 +464,6 @@ def view_value(
     return _OPERATIONS["UI_DRAW.VIEW_VALUE"].draft((color, x0, y0, value, figures, decimals), unchecked)
 
 
-@explained
 def view_unit(
     color: NamedNumber,
     x0: Number,
@@ -525,7 +492,6 @@ def view_unit(
     return _OPERATIONS["UI_DRAW.VIEW_UNIT"].draft((color, x0, y0, value, figures, decimals, length, string), unchecked)
 
 
-@explained
 def fillcircle(color: NamedNumber, x0: Number, y0: Number, r: Number, *, unchecked: bool = False) -> Draft:
     """Draws a filled circle.
 
@@ -539,7 +505,6 @@ def fillcircle(color: NamedNumber, x0: Number, y0: Number, r: Number, *, uncheck
     return _OPERATIONS["UI_DRAW.FILLCIRCLE"].draft((color, x0, y0, r), unchecked)
 
 
-@explained
 def store(no: Number, *, unchecked: bool = False) -> Draft:
     """Keeps a copy of the canvas.
 
@@ -550,7 +515,6 @@ def store(no: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_DRAW.STORE"].draft((no,), unchecked)
 
 
-@explained
 def restore(no: Number, *, unchecked: bool = False) -> Draft:
     """Brings back a canvas kept by STORE.
 
@@ -561,7 +525,6 @@ def restore(no: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_DRAW.RESTORE"].draft((no,), unchecked)
 
 
-@explained
 def icon_question(
     color: NamedNumber,
     x0: Number,
@@ -586,7 +549,6 @@ def icon_question(
     return _OPERATIONS["UI_DRAW.ICON_QUESTION"].draft((color, x0, y0, state, icons), unchecked)
 
 
-@explained
 def bmpfile(color: Number, x0: Number, y0: Number, name: Text, *, unchecked: bool = False) -> Draft:
     """Draws a picture file in LEGO's own format .rgf (no .bmp despite the name).
 
@@ -600,7 +562,6 @@ def bmpfile(color: Number, x0: Number, y0: Number, name: Text, *, unchecked: boo
     return _OPERATIONS["UI_DRAW.BMPFILE"].draft((color, x0, y0, name), unchecked)
 
 
-@explained
 def popup(open: Number, *, unchecked: bool = False) -> Draft:
     """Opens a window that only its opener draws on, or closes it and brings back the display.
 
@@ -611,7 +572,6 @@ def popup(open: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_DRAW.POPUP"].draft((open,), unchecked)
 
 
-@explained
 def graph_setup(
     x0: Number,
     x1: Number,
@@ -640,7 +600,6 @@ def graph_setup(
     return _OPERATIONS["UI_DRAW.GRAPH_SETUP"].draft((x0, x1, items, offset, span, min, max, sample), unchecked)
 
 
-@explained
 def graph_draw(
     view: Number,
     actual: Output = None,
@@ -663,7 +622,6 @@ def graph_draw(
     return _OPERATIONS["UI_DRAW.GRAPH_DRAW"].draft((view, actual, lowest, highest, average), unchecked)
 
 
-@explained
 def textbox(
     x0: Number,
     y0: Number,

@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyDEL, Number, Output, Text
+from ev3proto.ops.argument_types import AnyDEL, Number, Output, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "get_address",
@@ -42,13 +36,9 @@ __all__ = [
     "textbox_read",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation ui_read.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def get_vbatt(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the battery voltage.
 
@@ -59,7 +49,6 @@ def get_vbatt(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_VBATT"].draft((value,), unchecked)
 
 
-@explained
 def get_ibatt(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the battery current.
 
@@ -70,7 +59,6 @@ def get_ibatt(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_IBATT"].draft((value,), unchecked)
 
 
-@explained
 def get_os_vers(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads name and version of the operating system.
 
@@ -83,7 +71,6 @@ def get_os_vers(length: Number, destination: Output = None, *, unchecked: bool =
     return _OPERATIONS["UI_READ.GET_OS_VERS"].draft((length, destination), unchecked)
 
 
-@explained
 def get_event(event: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads and clears the pending event (used by the brick's own menus).
 
@@ -95,7 +82,6 @@ def get_event(event: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_EVENT"].draft((event,), unchecked)
 
 
-@explained
 def get_tbatt(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads how much the batteries have warmed up, as estimated from the current.
 
@@ -106,7 +92,6 @@ def get_tbatt(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_TBATT"].draft((value,), unchecked)
 
 
-@explained
 def get_iint(iint: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the battery current smoothed over time.
 
@@ -117,7 +102,6 @@ def get_iint(iint: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_IINT"].draft((iint,), unchecked)
 
 
-@explained
 def get_imotor(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the current of all motors together.
 
@@ -128,7 +112,6 @@ def get_imotor(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_IMOTOR"].draft((value,), unchecked)
 
 
-@explained
 def get_string(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Waits for a line typed at the terminal and reads it.
 
@@ -140,7 +123,6 @@ def get_string(length: Number, destination: Output = None, *, unchecked: bool = 
     return _OPERATIONS["UI_READ.GET_STRING"].draft((length, destination), unchecked)
 
 
-@explained
 def get_hw_vers(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the hardware version.
 
@@ -153,7 +135,6 @@ def get_hw_vers(length: Number, destination: Output = None, *, unchecked: bool =
     return _OPERATIONS["UI_READ.GET_HW_VERS"].draft((length, destination), unchecked)
 
 
-@explained
 def get_fw_vers(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the firmware version.
 
@@ -166,7 +147,6 @@ def get_fw_vers(length: Number, destination: Output = None, *, unchecked: bool =
     return _OPERATIONS["UI_READ.GET_FW_VERS"].draft((length, destination), unchecked)
 
 
-@explained
 def get_fw_build(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads when the firmware was built.
 
@@ -179,7 +159,6 @@ def get_fw_build(length: Number, destination: Output = None, *, unchecked: bool 
     return _OPERATIONS["UI_READ.GET_FW_BUILD"].draft((length, destination), unchecked)
 
 
-@explained
 def get_os_build(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads when the operating system was built.
 
@@ -192,7 +171,6 @@ def get_os_build(length: Number, destination: Output = None, *, unchecked: bool 
     return _OPERATIONS["UI_READ.GET_OS_BUILD"].draft((length, destination), unchecked)
 
 
-@explained
 def get_address(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Waits for a decimal number typed at the terminal and reads it (debugging).
 
@@ -203,7 +181,6 @@ def get_address(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_ADDRESS"].draft((value,), unchecked)
 
 
-@explained
 def get_code(
     length: Number,
     image: Number,
@@ -225,7 +202,6 @@ def get_code(
     return _OPERATIONS["UI_READ.GET_CODE"].draft((length, image, global_, flag), unchecked)
 
 
-@explained
 def key(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes one key from the terminal without waiting.
 
@@ -236,7 +212,6 @@ def key(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.KEY"].draft((value,), unchecked)
 
 
-@explained
 def get_shutdown(flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads and clears the wish to shut down (used by the brick's own menus).
 
@@ -248,7 +223,6 @@ def get_shutdown(flag: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_SHUTDOWN"].draft((flag,), unchecked)
 
 
-@explained
 def get_warning(warnings: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads what the brick warns of.
 
@@ -260,7 +234,6 @@ def get_warning(warnings: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_WARNING"].draft((warnings,), unchecked)
 
 
-@explained
 def get_lbatt(pct: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads how full the battery is, derived from its voltage.
 
@@ -271,7 +244,6 @@ def get_lbatt(pct: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_READ.GET_LBATT"].draft((pct,), unchecked)
 
 
-@explained
 def textbox_read(
     text: Text,
     size: Number,
@@ -297,7 +269,6 @@ def textbox_read(
     return _OPERATIONS["UI_READ.TEXTBOX_READ"].draft((text, size, del_, length, line, destination), unchecked)
 
 
-@explained
 def get_version(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads name, version and build date of the firmware in one.
 
@@ -310,7 +281,6 @@ def get_version(length: Number, destination: Output = None, *, unchecked: bool =
     return _OPERATIONS["UI_READ.GET_VERSION"].draft((length, destination), unchecked)
 
 
-@explained
 def get_ip(length: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the brick's IP address.
 
@@ -323,7 +293,6 @@ def get_ip(length: Number, destination: Output = None, *, unchecked: bool = Fals
     return _OPERATIONS["UI_READ.GET_IP"].draft((length, destination), unchecked)
 
 
-@explained
 def get_power(
     vbatt: Output = None,
     ibatt: Output = None,
@@ -344,7 +313,6 @@ def get_power(
     return _OPERATIONS["UI_READ.GET_POWER"].draft((vbatt, ibatt, iint, imotor), unchecked)
 
 
-@explained
 def get_sdcard(state: Output = None, total: Output = None, free: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads whether an SD card is in and its space.
 
@@ -357,7 +325,6 @@ def get_sdcard(state: Output = None, total: Output = None, free: Output = None, 
     return _OPERATIONS["UI_READ.GET_SDCARD"].draft((state, total, free), unchecked)
 
 
-@explained
 def get_usbstick(state: Output = None, total: Output = None, free: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads whether a USB stick is in and its space.
 

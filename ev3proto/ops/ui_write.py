@@ -5,15 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyDEL, AnyLEDPATTERN, AnyVariable, Number, Output, Real, Text
+from ev3proto.ops.argument_types import AnyDEL, AnyLEDPATTERN, AnyVariable, Number, Output, Real, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "address",
@@ -41,19 +35,14 @@ __all__ = [
     "write_flush",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the official firmware has no operation ui_write.")
-
 _OPERATIONS = drafts("official")
 
 
-@explained
 def write_flush(*, unchecked: bool = False) -> Draft:
     """Sends what is still in the terminal's buffer, like UI_FLUSH."""
     return _OPERATIONS["UI_WRITE.WRITE_FLUSH"].draft((), unchecked)
 
 
-@explained
 def floatvalue(value: Real, figures: Number, decimals: Number, *, unchecked: bool = False) -> Draft:
     """Writes a number in a fixed format to the terminal.
 
@@ -66,7 +55,6 @@ def floatvalue(value: Real, figures: Number, decimals: Number, *, unchecked: boo
     return _OPERATIONS["UI_WRITE.FLOATVALUE"].draft((value, figures, decimals), unchecked)
 
 
-@explained
 def stamp(value: Text, *, unchecked: bool = False) -> Draft:
     """Writes time, program, object, position and a remark to the terminal.
 
@@ -77,7 +65,6 @@ def stamp(value: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.STAMP"].draft((value,), unchecked)
 
 
-@explained
 def put_string(string: Text, *, unchecked: bool = False) -> Draft:
     """Writes text to the terminal.
 
@@ -88,7 +75,6 @@ def put_string(string: Text, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.PUT_STRING"].draft((string,), unchecked)
 
 
-@explained
 def value8(value: Number, *, unchecked: bool = False) -> Draft:
     """Writes a whole number to the terminal.
 
@@ -99,7 +85,6 @@ def value8(value: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.VALUE8"].draft((value,), unchecked)
 
 
-@explained
 def value16(value: Number, *, unchecked: bool = False) -> Draft:
     """Writes a whole number to the terminal, without its sign.
 
@@ -110,7 +95,6 @@ def value16(value: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.VALUE16"].draft((value,), unchecked)
 
 
-@explained
 def value32(value: Number, *, unchecked: bool = False) -> Draft:
     """Writes a whole number to the terminal.
 
@@ -121,7 +105,6 @@ def value32(value: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.VALUE32"].draft((value,), unchecked)
 
 
-@explained
 def valuef(value: Real, *, unchecked: bool = False) -> Draft:
     """Writes a number to the terminal.
 
@@ -132,7 +115,6 @@ def valuef(value: Real, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.VALUEF"].draft((value,), unchecked)
 
 
-@explained
 def address(value: Output = None, *, unchecked: bool = False) -> Draft:
     """Has a number but no code in the firmware: the program that runs it fails.
 
@@ -143,7 +125,6 @@ def address(value: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.ADDRESS"].draft((value,), unchecked)
 
 
-@explained
 def code(array: Number, length: Number, *, unchecked: bool = False) -> Draft:
     """Writes bytes of memory as hex to the terminal.
 
@@ -155,13 +136,11 @@ def code(array: Number, length: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.CODE"].draft((array, length), unchecked)
 
 
-@explained
 def download_end(*, unchecked: bool = False) -> Draft:
     """Plays the sound of a finished download and refreshes the file browser."""
     return _OPERATIONS["UI_WRITE.DOWNLOAD_END"].draft((), unchecked)
 
 
-@explained
 def screen_block(status: Number, *, unchecked: bool = False) -> Draft:
     """Blocks or frees the display and the buttons for programs.
 
@@ -172,7 +151,6 @@ def screen_block(status: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.SCREEN_BLOCK"].draft((status,), unchecked)
 
 
-@explained
 def allow_pulse(value: Number, *, unchecked: bool = False) -> Draft:
     """Selects the debug pulses that are shown (only in firmware built for it).
 
@@ -183,7 +161,6 @@ def allow_pulse(value: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.ALLOW_PULSE"].draft((value,), unchecked)
 
 
-@explained
 def set_pulse(value: Number, *, unchecked: bool = False) -> Draft:
     """Raises debug pulses (only in firmware built for it).
 
@@ -194,7 +171,6 @@ def set_pulse(value: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.SET_PULSE"].draft((value,), unchecked)
 
 
-@explained
 def textbox_append(text: AnyVariable, size: Number, del_: AnyDEL, source: Text, *, unchecked: bool = False) -> Draft:
     """Appends a line to the text of a text box.
 
@@ -209,7 +185,6 @@ def textbox_append(text: AnyVariable, size: Number, del_: AnyDEL, source: Text, 
     return _OPERATIONS["UI_WRITE.TEXTBOX_APPEND"].draft((text, size, del_, source), unchecked)
 
 
-@explained
 def set_busy(value: Number, *, unchecked: bool = False) -> Draft:
     """Sets or clears the busy bit among the warnings.
 
@@ -220,7 +195,6 @@ def set_busy(value: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.SET_BUSY"].draft((value,), unchecked)
 
 
-@explained
 def set_testpin(state: Number, *, unchecked: bool = False) -> Draft:
     """Sets the test pin on the brick's circuit board.
 
@@ -231,19 +205,16 @@ def set_testpin(state: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.SET_TESTPIN"].draft((state,), unchecked)
 
 
-@explained
 def init_run(*, unchecked: bool = False) -> Draft:
     """Shows the animation of a running program until something draws."""
     return _OPERATIONS["UI_WRITE.INIT_RUN"].draft((), unchecked)
 
 
-@explained
 def update_run(*, unchecked: bool = False) -> Draft:
     """Does nothing."""
     return _OPERATIONS["UI_WRITE.UPDATE_RUN"].draft((), unchecked)
 
 
-@explained
 def led(pattern: AnyLEDPATTERN, *, unchecked: bool = False) -> Draft:
     """Sets colour and blinking of the light around the buttons.
 
@@ -254,7 +225,6 @@ def led(pattern: AnyLEDPATTERN, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.LED"].draft((pattern,), unchecked)
 
 
-@explained
 def power(value: Number, *, unchecked: bool = False) -> Draft:
     """Sets the power driver's flag for switching off when the firmware ends.
 
@@ -265,13 +235,11 @@ def power(value: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["UI_WRITE.POWER"].draft((value,), unchecked)
 
 
-@explained
 def graph_sample(*, unchecked: bool = False) -> Draft:
     """Adds the present values to the graph that GRAPH_SETUP has set up."""
     return _OPERATIONS["UI_WRITE.GRAPH_SAMPLE"].draft((), unchecked)
 
 
-@explained
 def terminal(state: Number, *, unchecked: bool = False) -> Draft:
     """Switches the debug terminal on or off.
 

@@ -8,10 +8,6 @@ first, lengths are worked out, and as much is asked for at a time as a reply can
 Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
 """
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.late import listed
 from ev3proto.messages import SystemCommand
 from ev3proto.system import bootloader
 from ev3proto.system.moving import download, pieces
@@ -40,11 +36,7 @@ __all__ = [
     "writemailbox",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "there is no system command system.")
 
-
-@explained
 def begin_download(path: str, size: int, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Opens a file on the brick for writing and says how long it will be.
 
@@ -57,7 +49,6 @@ def begin_download(path: str, size: int, *, counter: int = 0, reply: bool = True
     return request(0x92, counter, reply, path=path, size=size)
 
 
-@explained
 def continue_download(handle: int, data: bytes, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Writes the next piece of a file; the file closes itself when it is complete.
 
@@ -70,7 +61,6 @@ def continue_download(handle: int, data: bytes, *, counter: int = 0, reply: bool
     return request(0x93, counter, reply, handle=handle, data=data)
 
 
-@explained
 def begin_upload(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Opens a file on the brick for reading and fetches its first piece.
 
@@ -83,7 +73,6 @@ def begin_upload(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: b
     return request(0x94, counter, reply, path=path, max_bytes=max_bytes)
 
 
-@explained
 def continue_upload(handle: int, max_bytes: int = 1016, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Fetches the next piece of a file.
 
@@ -96,7 +85,6 @@ def continue_upload(handle: int, max_bytes: int = 1016, *, counter: int = 0, rep
     return request(0x95, counter, reply, handle=handle, max_bytes=max_bytes)
 
 
-@explained
 def begin_getfile(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Opens a file that may still be growing, such as a data log, and fetches its first piece.
 
@@ -109,7 +97,6 @@ def begin_getfile(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: 
     return request(0x96, counter, reply, path=path, max_bytes=max_bytes)
 
 
-@explained
 def continue_getfile(handle: int, max_bytes: int = 1012, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Fetches the next piece of a file that may still be growing.
 
@@ -122,7 +109,6 @@ def continue_getfile(handle: int, max_bytes: int = 1012, *, counter: int = 0, re
     return request(0x97, counter, reply, handle=handle, max_bytes=max_bytes)
 
 
-@explained
 def close_filehandle(handle: int, hash: bytes | None = None, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Closes an open file before its end.
 
@@ -135,7 +121,6 @@ def close_filehandle(handle: int, hash: bytes | None = None, *, counter: int = 0
     return request(0x98, counter, reply, handle=handle, hash=hash)
 
 
-@explained
 def list_files(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Lists a folder and fetches the first piece of the listing.
 
@@ -148,7 +133,6 @@ def list_files(path: str, max_bytes: int = 1012, *, counter: int = 0, reply: boo
     return request(0x99, counter, reply, path=path, max_bytes=max_bytes)
 
 
-@explained
 def continue_list_files(handle: int, max_bytes: int = 1016, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Fetches the next piece of a listing.
 
@@ -161,7 +145,6 @@ def continue_list_files(handle: int, max_bytes: int = 1016, *, counter: int = 0,
     return request(0x9A, counter, reply, handle=handle, max_bytes=max_bytes)
 
 
-@explained
 def create_dir(path: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Makes a folder.
 
@@ -173,7 +156,6 @@ def create_dir(path: str, *, counter: int = 0, reply: bool = True) -> SystemComm
     return request(0x9B, counter, reply, path=path)
 
 
-@explained
 def delete_file(path: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Deletes a file or an empty folder.
 
@@ -185,7 +167,6 @@ def delete_file(path: str, *, counter: int = 0, reply: bool = True) -> SystemCom
     return request(0x9C, counter, reply, path=path)
 
 
-@explained
 def list_open_handles(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Asks which file handles are in use.
 
@@ -196,7 +177,6 @@ def list_open_handles(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     return request(0x9D, counter, reply)
 
 
-@explained
 def writemailbox(
     name: str,
     payload: bytes,
@@ -227,7 +207,6 @@ def writemailbox(
     )
 
 
-@explained
 def bluetoothpin(
     mac: str,
     pin: str,
@@ -250,7 +229,6 @@ def bluetoothpin(
     return request(0x9F, counter, reply, mac=mac, pin=pin, mac_length=mac_length, pin_length=pin_length)
 
 
-@explained
 def enterfwupdate(*, counter: int = 0, reply: bool = False) -> SystemCommand:
     """Restarts the brick into its firmware updater.
 
@@ -261,7 +239,6 @@ def enterfwupdate(*, counter: int = 0, reply: bool = False) -> SystemCommand:
     return request(0xA0, counter, reply)
 
 
-@explained
 def setbundleid(id: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Sets the bundle identifier with which the brick shows itself to Apple devices.
 
@@ -273,7 +250,6 @@ def setbundleid(id: str, *, counter: int = 0, reply: bool = True) -> SystemComma
     return request(0xA1, counter, reply, id=id)
 
 
-@explained
 def setbundleseedid(id: str, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Sets the bundle seed identifier with which the brick shows itself to Apple devices.
 

@@ -3,10 +3,6 @@
 Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate.
 """
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.late import listed
 from ev3proto.messages import SystemCommand
 from ev3proto.system.requests import request
 
@@ -20,11 +16,7 @@ __all__ = [
     "start_app",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "there is no system command system.bootloader.")
 
-
-@explained
 def begin_download_with_erase(address: int, image_size: int, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Erases a region of the flash memory and makes ready to write it.
 
@@ -37,7 +29,6 @@ def begin_download_with_erase(address: int, image_size: int, *, counter: int = 0
     return request(0xF0, counter, reply, address=address, image_size=image_size)
 
 
-@explained
 def begin_download(address: int, image_size: int, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Makes ready to write a region of the flash memory that is already erased.
 
@@ -50,7 +41,6 @@ def begin_download(address: int, image_size: int, *, counter: int = 0, reply: bo
     return request(0xF1, counter, reply, address=address, image_size=image_size)
 
 
-@explained
 def download_data(data: bytes, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Writes the next piece of the image.
 
@@ -62,7 +52,6 @@ def download_data(data: bytes, *, counter: int = 0, reply: bool = True) -> Syste
     return request(0xF2, counter, reply, data=data)
 
 
-@explained
 def chip_erase(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Erases the whole flash memory.
 
@@ -73,7 +62,6 @@ def chip_erase(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     return request(0xF3, counter, reply)
 
 
-@explained
 def start_app(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Leaves the updater and starts the firmware.
 
@@ -84,7 +72,6 @@ def start_app(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     return request(0xF4, counter, reply)
 
 
-@explained
 def get_checksum(address: int, image_size: int, *, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Asks for the checksum of a region of the flash memory.
 
@@ -97,7 +84,6 @@ def get_checksum(address: int, image_size: int, *, counter: int = 0, reply: bool
     return request(0xF5, counter, reply, address=address, image_size=image_size)
 
 
-@explained
 def get_version(*, counter: int = 0, reply: bool = True) -> SystemCommand:
     """Asks for the versions of hardware and firmware.
 

@@ -109,18 +109,10 @@ def test_the_flat_constants_stay_what_they_are() -> None:
 @pytest.mark.parametrize(
     ("path", "values", "named", "sentence"),
     [
-        ("sound.tone", (1, 440), {}, "sound.tone() needs duration, too"),
-        ("sound.tone", (), {}, "sound.tone() needs volume and frequency and duration, too"),
-        ("sound.tone", (1, 2, 3, 4), {}, "sound.tone() takes at most 3 values (volume, frequency, duration), not 4"),
-        ("sound.tone", (1,), {"volume": 2}, "sound.tone() has two values for volume"),
-        ("sound.tone", (1,), {"frequncy": 2}, "sound.tone() has no parameter frequncy: did you mean frequency?"),
-        ("sound.tone", (1,), {"x": 2}, "sound.tone() has no parameter x: it has volume, frequency, duration"),
-        ("ui_flush", (), {"x": 2}, "ui_flush() has no parameter x: it has none"),
-        ("ui_flush", (), {"uncheked": True}, "ui_flush() has no parameter uncheked: did you mean unchecked?"),
-        ("ui_read.get_os_vers", (), {}, "ui_read.get_os_vers() needs length, too"),
-        ("init_bytes", (), {}, "init_bytes() needs source, too"),
-        ("init_bytes", (None, 2), {}, "init_bytes() needs source, too"),
-        ("init_bytes", (), {"soruce": [1]}, "init_bytes() has no parameter soruce: did you mean source?"),
+        ("sound.tone", (1, 440), {}, "tone() missing 1 required positional argument: 'duration'"),
+        ("sound.tone", (1,), {"frequncy": 2}, "tone() got an unexpected keyword argument 'frequncy'"),
+        ("init_bytes", (), {}, "INIT_BYTES needs SOURCE, too"),
+        ("init_bytes", (None, 2), {}, "INIT_BYTES needs SOURCE, too"),
     ],
 )
 def test_calls_that_are_no_calls(path: str, values: tuple[Any, ...], named: dict[str, Any], sentence: str) -> None:
@@ -194,17 +186,6 @@ def test_what_means_something_beside_the_range() -> None:
     assert ops.math.exp(float("nan"), LV(0)).raw == bytes.fromhex("8d 01 83 0000c07f 40")
 
 
-def test_names_that_are_wrong() -> None:
-    with pytest.raises(
-        AttributeError, match=r"^the official firmware has no operation sound\.toen: did you mean tone\?"
-    ):
-        called("sound.toen")
-    with pytest.raises(AttributeError, match=r"^the official firmware has no operation sond: did you mean sound"):
-        called("sond")
-    with pytest.raises(AttributeError, match=r"^there is no enumeration LDE: did you mean LED"):
-        _ = enums.LDE  # type: ignore[attr-defined]
-
-
 # Every operation, and how it looks
 
 
@@ -222,9 +203,9 @@ def test_every_operation_has_its_function(dialect: str) -> None:
 
 def test_dialects_have_their_own() -> None:
     assert xtended.ui_draw.rectangle(1, 0, 0, 5, 5).raw == ops.ui_draw.rect(1, 0, 0, 5, 5).raw
-    with pytest.raises(AttributeError, match=r"the official firmware has no operation ui_draw\.rectangle"):
+    with pytest.raises(AttributeError, match="rectangle"):
         called("ui_draw.rectangle")
-    with pytest.raises(AttributeError, match=r"the xtended firmware has no operation ui_draw\.rect"):
+    with pytest.raises(AttributeError, match="rect"):
         called("ui_draw.rect", "xtended")
 
 
@@ -259,9 +240,9 @@ def test_the_help_of_a_function() -> None:
     assert str(inspect.signature(ops.init_bytes)).startswith(
         "(destination: 'Output' = None, length: 'Number | None' = None, source: 'Sequence[Number]' = required, *,"
     )
-    assert inspect.getsource(ops.sound.tone).startswith("@explained\ndef tone(volume: Number,")
+    assert inspect.getsource(ops.sound.tone).startswith("def tone(volume: Number,")
     assert {"sound", "ui_read", "output_start"} < set(dir(ops))
-    assert dir(ops.sound) == ["break_", "play", "repeat", "service", "tone"]
+    assert ops.sound.__all__ == ["break_", "play", "repeat", "service", "tone"]
 
 
 def test_a_draft_tells_what_is_open() -> None:

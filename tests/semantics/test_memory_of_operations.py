@@ -15,7 +15,7 @@ from support.effort import effort
 
 import ev3proto
 from ev3proto import GV, DirectCommand, Global, Local, Variable, check, command
-from ev3proto.compose.drafts import Draft
+from ev3proto.semantics.drafts.draft import Draft
 from ev3proto.semantics.footprint import footprints
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Effect, Parameter, Type

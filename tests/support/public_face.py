@@ -249,18 +249,17 @@ def _untyped(module: Any, path: list[str]) -> str:
 
 def _system() -> Iterator[str]:
     module = import_module("ev3proto.system")
-    for name in sorted(each for each in dir(module) if not each.startswith("_")):
+    for name in sorted(module.__all__):
         value = getattr(module, name)
         if inspect.isfunction(value):
             yield _untyped(module, [name])
         else:
-            commands = sorted(each for each in dir(value) if not each.startswith("_"))
-            yield from (_untyped(module, [name, each]) for each in commands if callable(getattr(value, each)))
+            yield from (_untyped(module, [name, each]) for each in sorted(value.__all__))
 
 
 def _enums() -> Iterator[str]:
     module = import_module("ev3proto.enums")
-    for name in sorted(each for each in dir(module) if not each.startswith("_")):
+    for name in sorted(module.__all__):
         value = getattr(module, name)
         if isinstance(value, type) and issubclass(value, enum.Enum) and value.__members__:
             bases = ", ".join(base.__name__ for base in value.__bases__)

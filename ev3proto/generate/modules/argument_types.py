@@ -74,10 +74,10 @@ def _lines() -> Iterator[str]:
     yield "from collections.abc import Sequence"
     yield "from typing import Literal, TypeAlias"
     yield ""
-    yield from imported("ev3proto.compose.labels", ["Label"])
-    yield from imported("ev3proto.compose.placeholders", ["Placeholder"])
     yield from imported("ev3proto.enums", [enum.name for enum in enums])
     yield from imported("ev3proto.messages", ["Argument", "Variable"])
+    yield from imported("ev3proto.semantics.drafts.labels", ["Label"])
+    yield from imported("ev3proto.semantics.drafts.placeholders", ["Placeholder"])
     yield ""
     yield from (f'{name}: TypeAlias = "{meaning}"' for name, meaning in _ALIASES.items())
     for enum in enums:

@@ -46,14 +46,8 @@ def _lines() -> Iterator[str]:
     yield "# ruff: noqa: N801 - the names are the firmware's"
     yield ""
     yield "from enum import IntEnum, IntFlag"
-    yield "from typing import TYPE_CHECKING"
-    yield ""
-    yield "from ev3proto.late import listed"
     yield ""
     yield from exported([*(naming.declared.name for naming in namings), *aliases])
-    yield ""
-    yield "if not TYPE_CHECKING:"
-    yield '    __getattr__, __dir__ = listed(__all__, "there is no enumeration ")'
     for naming in namings:
         yield ""
         yield ""

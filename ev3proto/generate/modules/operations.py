@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from ev3proto.compose.values import may_be_omitted
 from ev3proto.generate.modules.argument_types import argument_type
 from ev3proto.generate.modules.parameters import text_of
 from ev3proto.generate.modules.source import (
@@ -27,6 +26,7 @@ from ev3proto.generate.modules.source import (
     python_name,
     sentence,
 )
+from ev3proto.semantics.drafts.values import may_be_omitted
 from ev3proto.tables import OPCODES, area_of
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import DIALECTS, Declaration, Opcode
@@ -49,7 +49,7 @@ _TEXTS = {
         "far as it can be encoded.",
         "",
         "These are the operations of LEGO's own firmware; `ev3proto.ops.xtended` and `ev3proto.ops.compat` have those",
-        "of the community's. A module is loaded when it is first named.",
+        "of the community's.",
         "",
         MARK,
     ],
@@ -57,7 +57,7 @@ _TEXTS = {
         dialect: [
             f"Every operation of {FIRMWARES[dialect]} as a function, as `ev3proto.ops` has those of LEGO's own.",
             "",
-            "What is the same in another firmware is the same function. A module is loaded when it is first named.",
+            "What is the same in another firmware is the same function.",
             "",
             MARK,
         ]
@@ -136,39 +136,17 @@ def _index(dialect: str) -> Iterator[str]:
     yield ""
     yield "# ruff: noqa: I001 - one import for each module"
     yield ""
-    yield "from typing import TYPE_CHECKING"
-    yield ""
-    yield "from ev3proto.late import late"
-    yield ""
-    yield "if TYPE_CHECKING:"
     for package in sorted(set(families.values())):
         names = [name for name, home in families.items() if home == package]
-        yield from indented(_reexported(package, names))
+        yield from _reexported(package, names)
     for module in sorted(plain):
-        yield from indented(_reexported(module, plain[module]))
-    yield ""
-    yield "_FAMILIES = {"
-    yield from (f'{INDENT}"{name}": "{families[name]}.{name}",' for name in sorted(families, key=natural))
-    yield "}"
-    yield '"""The module of each family."""'
-    yield ""
-    yield "_PLAIN = {"
-    for module in sorted(plain):
-        names = [f'"{name}"' for name in sorted(plain[module], key=natural)]
-        end = ",)," if len(names) == 1 else "),"
-        yield from indented(bracketed(f'"{module}": (', names, end, indent=INDENT))
-    yield "}"
-    yield '"""The modules of all other opcodes, and what is in each."""'
-    yield ""
-    yield "if not TYPE_CHECKING:"
-    unknown = f"the {dialect} firmware has no operation "
-    yield f'{INDENT}__getattr__, __dir__ = late(globals(), _FAMILIES, _PLAIN, "{unknown}")'
+        yield from _reexported(module, plain[module])
 
 
 def _reexported(module: str, names: Sequence[str]) -> Iterator[str]:
     pairs = [f"{name} as {name}" for name in sorted(names, key=natural)]
     line = f"from {module} import {', '.join(pairs)}"
-    if len(INDENT) + len(line) <= WIDTH:
+    if len(line) <= WIDTH:
         yield line
     else:
         yield f"from {module} import ("
@@ -188,12 +166,9 @@ def _family(opcode: Opcode, dialect: str) -> Iterator[str]:
         if _home(declaration) != dialect:
             others.setdefault(f"{_package(_home(declaration))}.{name}", []).append(_name(declaration))
     yield from docstring([sentence(f"{opcode.name}: {opcode.text[:1].lower()}{opcode.text[1:]}"), "", MARK])
-    yield from _imports(own, others, has_hints=True)
+    yield from _imports(own, others)
     yield ""
     yield from exported(map(_name, declarations))
-    yield ""
-    yield "if not TYPE_CHECKING:"
-    yield f'{INDENT}__getattr__, __dir__ = listed(__all__, "the {dialect} firmware has no operation {name}.")'
     yield from _functions(own, dialect)
 
 
@@ -201,15 +176,13 @@ def _area(area: str, declarations: Sequence[Declaration], dialect: str) -> Itera
     package = _package(dialect).removeprefix("ev3proto.")
     text = f"Opcodes without a CMD in the firmware's area `{area}`; `{package}` has each under its name."
     yield from docstring([text, "", MARK])
-    yield from _imports(declarations, {}, has_hints=False)
+    yield from _imports(declarations, {})
     yield ""
     yield from exported(map(_name, declarations))
     yield from _functions(declarations, dialect)
 
 
-def _imports(
-    declarations: Sequence[Declaration], others: Mapping[str, Sequence[str]], *, has_hints: bool
-) -> Iterator[str]:
+def _imports(declarations: Sequence[Declaration], others: Mapping[str, Sequence[str]]) -> Iterator[str]:
     types = {argument_type(parameter) for declaration in declarations for parameter in declaration.parameters}
     words = {word for each in types for word in re.findall(r"\w+", each)}
     is_overloaded = any(map(_is_overloaded, declarations))
@@ -219,21 +192,16 @@ def _imports(
     yield ""
     if "Sequence" in words:
         yield "from collections.abc import Sequence"
-    typing = [*(["TYPE_CHECKING"] if aliases or has_hints else []), *(["overload"] if is_overloaded else [])]
-    if typing:
-        yield f"from typing import {', '.join(typing)}"
-    yield ""
-    yield from imported("ev3proto.calls", ["explained", *(["REQUIRED"] if is_overloaded else [])])
-    yield "from ev3proto.compose.drafts import Draft"
-    yield "from ev3proto.compose.functions import drafts"
-    if has_hints:
-        yield "from ev3proto.late import listed"
-    for module, names in others.items():
-        yield from imported(module, names)
-    if aliases:
+    if is_overloaded:
+        yield "from typing import overload"
+    if "Sequence" in words or is_overloaded:
         yield ""
-        yield "if TYPE_CHECKING:"
-        yield from indented(imported("ev3proto.ops.argument_types", aliases, INDENT))
+    for module, names in sorted({**others, **({"ev3proto.ops.argument_types": aliases} if aliases else {})}.items()):
+        yield from imported(module, names)
+    yield "from ev3proto.semantics.drafts.draft import Draft"
+    yield "from ev3proto.semantics.drafts.functions import drafts"
+    if is_overloaded:
+        yield "from ev3proto.semantics.drafts.values import REQUIRED"
 
 
 def _functions(declarations: Sequence[Declaration], dialect: str) -> Iterator[str]:
@@ -279,7 +247,6 @@ def _function(declaration: Declaration) -> Iterator[str]:
         yield ""
         after = [each if may else f"{each} = REQUIRED" for each, may in zip(by_name, optional, strict=True)]
         parameters = [*by_name[:split], *after[split:]]
-    yield "@explained"
     yield from bracketed(f"def {name}(", [*parameters, "*", _UNCHECKED], ") -> Draft:")
     texts = [
         (each, text_of(parameter, is_optional=may))

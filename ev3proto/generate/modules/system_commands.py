@@ -52,19 +52,12 @@ def _system() -> Iterator[str]:
         ]
     )
     yield ""
-    yield "from typing import TYPE_CHECKING"
-    yield ""
-    yield "from ev3proto.calls import explained"
-    yield "from ev3proto.late import listed"
     yield "from ev3proto.messages import SystemCommand"
     yield "from ev3proto.system import bootloader"
     yield "from ev3proto.system.moving import download, pieces"
     yield "from ev3proto.system.requests import request"
     yield ""
     yield from exported([*(entry.name.lower() for entry in entries), "bootloader", "download", "pieces"])
-    yield ""
-    yield "if not TYPE_CHECKING:"
-    yield f'{INDENT}__getattr__, __dir__ = listed(__all__, "there is no system command system.")'
     for entry in entries:
         yield from _function(entry)
 
@@ -73,17 +66,10 @@ def _bootloader() -> Iterator[str]:
     entries = [entry for entry in SYSTEM if entry.bootloader]
     yield from docstring(["What only the brick's firmware updater knows (USB only).", "", MARK])
     yield ""
-    yield "from typing import TYPE_CHECKING"
-    yield ""
-    yield "from ev3proto.calls import explained"
-    yield "from ev3proto.late import listed"
     yield "from ev3proto.messages import SystemCommand"
     yield "from ev3proto.system.requests import request"
     yield ""
     yield from exported(entry.name.lower() for entry in entries)
-    yield ""
-    yield "if not TYPE_CHECKING:"
-    yield f'{INDENT}__getattr__, __dir__ = listed(__all__, "there is no system command system.bootloader.")'
     for entry in entries:
         yield from _function(entry)
 
@@ -94,7 +80,6 @@ def _function(entry: SystemCommand) -> Iterator[str]:
     always = ("*", "counter: int = 0", f"reply: bool = {entry.answered}")
     yield ""
     yield ""
-    yield "@explained"
     parameters = [*(_parameter(entry, field) for field in fields), *always]
     yield from bracketed(f"def {entry.name.lower()}(", parameters, ") -> SystemCommand:")
     texts = [(field.name, sentence(*_pieces(field))) for field in fields]

@@ -5,12 +5,7 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
+from ev3proto.ops.argument_types import AnyHWTYPE, Output
 from ev3proto.ops.com_get import (
     connec_item,
     connec_items,
@@ -30,9 +25,8 @@ from ev3proto.ops.com_get import (
     search_item,
     search_items,
 )
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyHWTYPE, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "connec_item",
@@ -55,13 +49,9 @@ __all__ = [
     "search_items",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the compat firmware has no operation com_get.")
-
 _OPERATIONS = drafts("compat")
 
 
-@explained
 def list_state(hardware: AnyHWTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads a number that changes when a device enters or leaves a list.
 

@@ -5,12 +5,7 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
+from ev3proto.ops.argument_types import AnyBUTTONTYPE, Output
 from ev3proto.ops.ui_button import (
     flush,
     get_back_block,
@@ -27,9 +22,8 @@ from ev3proto.ops.ui_button import (
     testshortpress,
     wait_for_press,
 )
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyBUTTONTYPE, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "flush",
@@ -49,13 +43,9 @@ __all__ = [
     "wait_for_press",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the compat firmware has no operation ui_button.")
-
 _OPERATIONS = drafts("compat")
 
 
-@explained
 def get_bumped(button: AnyBUTTONTYPE, state: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a button was pressed and released since last asked, and forgets it.
 

@@ -5,14 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Jump, Number, Real
+from ev3proto.ops.argument_types import Jump, Number, Real
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "jr",
@@ -48,7 +43,6 @@ __all__ = [
 _OPERATIONS = drafts("official")
 
 
-@explained
 def jr(offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps always.
 
@@ -59,7 +53,6 @@ def jr(offset: Jump, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["JR"].draft((offset,), unchecked)
 
 
-@explained
 def jr_false(flag: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if a flag is 0.
 
@@ -71,7 +64,6 @@ def jr_false(flag: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["JR_FALSE"].draft((flag, offset), unchecked)
 
 
-@explained
 def jr_true(flag: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if a flag is not 0.
 
@@ -83,7 +75,6 @@ def jr_true(flag: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["JR_TRUE"].draft((flag, offset), unchecked)
 
 
-@explained
 def jr_nan(value: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if a value is not a number, as a sensor without data gives.
 
@@ -95,7 +86,6 @@ def jr_nan(value: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["JR_NAN"].draft((value, offset), unchecked)
 
 
-@explained
 def jr_lt8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than RIGHT, as 8-bit numbers.
 
@@ -108,7 +98,6 @@ def jr_lt8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False
     return _OPERATIONS["JR_LT8"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_lt16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than RIGHT, as 16-bit numbers.
 
@@ -121,7 +110,6 @@ def jr_lt16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
     return _OPERATIONS["JR_LT16"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_lt32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than RIGHT, as 32-bit numbers.
 
@@ -134,7 +122,6 @@ def jr_lt32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
     return _OPERATIONS["JR_LT32"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_ltf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than RIGHT, as floating-point numbers.
 
@@ -147,7 +134,6 @@ def jr_ltf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) ->
     return _OPERATIONS["JR_LTF"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_gt8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than RIGHT, as 8-bit numbers.
 
@@ -160,7 +146,6 @@ def jr_gt8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False
     return _OPERATIONS["JR_GT8"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_gt16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than RIGHT, as 16-bit numbers.
 
@@ -173,7 +158,6 @@ def jr_gt16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
     return _OPERATIONS["JR_GT16"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_gt32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than RIGHT, as 32-bit numbers.
 
@@ -186,7 +170,6 @@ def jr_gt32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
     return _OPERATIONS["JR_GT32"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_gtf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than RIGHT, as floating-point numbers.
 
@@ -199,7 +182,6 @@ def jr_gtf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) ->
     return _OPERATIONS["JR_GTF"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_eq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is equal to RIGHT, as 8-bit numbers.
 
@@ -212,7 +194,6 @@ def jr_eq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False
     return _OPERATIONS["JR_EQ8"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_eq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is equal to RIGHT, as 16-bit numbers.
 
@@ -225,7 +206,6 @@ def jr_eq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
     return _OPERATIONS["JR_EQ16"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_eq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is equal to RIGHT, as 32-bit numbers.
 
@@ -238,7 +218,6 @@ def jr_eq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
     return _OPERATIONS["JR_EQ32"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_eqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is equal to RIGHT, as floating-point numbers.
 
@@ -251,7 +230,6 @@ def jr_eqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) ->
     return _OPERATIONS["JR_EQF"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_neq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is different from RIGHT, as 8-bit numbers.
 
@@ -264,7 +242,6 @@ def jr_neq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fals
     return _OPERATIONS["JR_NEQ8"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_neq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is different from RIGHT, as 16-bit numbers.
 
@@ -277,7 +254,6 @@ def jr_neq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fal
     return _OPERATIONS["JR_NEQ16"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_neq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is different from RIGHT, as 32-bit numbers.
 
@@ -290,7 +266,6 @@ def jr_neq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fal
     return _OPERATIONS["JR_NEQ32"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_neqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is different from RIGHT, as floating-point numbers.
 
@@ -303,7 +278,6 @@ def jr_neqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -
     return _OPERATIONS["JR_NEQF"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_lteq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than or equal to RIGHT, as 8-bit numbers.
 
@@ -316,7 +290,6 @@ def jr_lteq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fal
     return _OPERATIONS["JR_LTEQ8"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_lteq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than or equal to RIGHT, as 16-bit numbers.
 
@@ -329,7 +302,6 @@ def jr_lteq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fa
     return _OPERATIONS["JR_LTEQ16"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_lteq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than or equal to RIGHT, as 32-bit numbers.
 
@@ -342,7 +314,6 @@ def jr_lteq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fa
     return _OPERATIONS["JR_LTEQ32"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_lteqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is less than or equal to RIGHT, as floating-point numbers.
 
@@ -355,7 +326,6 @@ def jr_lteqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) 
     return _OPERATIONS["JR_LTEQF"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_gteq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than or equal to RIGHT, as 8-bit numbers.
 
@@ -368,7 +338,6 @@ def jr_gteq8(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fal
     return _OPERATIONS["JR_GTEQ8"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_gteq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than or equal to RIGHT, as 16-bit numbers.
 
@@ -381,7 +350,6 @@ def jr_gteq16(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fa
     return _OPERATIONS["JR_GTEQ16"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_gteq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than or equal to RIGHT, as 32-bit numbers.
 
@@ -394,7 +362,6 @@ def jr_gteq32(left: Number, right: Number, offset: Jump, *, unchecked: bool = Fa
     return _OPERATIONS["JR_GTEQ32"].draft((left, right, offset), unchecked)
 
 
-@explained
 def jr_gteqf(left: Real, right: Real, offset: Jump, *, unchecked: bool = False) -> Draft:
     """Jumps if LEFT is greater than or equal to RIGHT, as floating-point numbers.
 

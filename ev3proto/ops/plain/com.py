@@ -6,23 +6,10 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import (
-        AnyDATA_FORMAT,
-        AnyFILETYPE,
-        AnyHWTYPE,
-        Number,
-        Output,
-        Outputs,
-        Text,
-        Untyped,
-    )
+from ev3proto.ops.argument_types import AnyDATA_FORMAT, AnyFILETYPE, AnyHWTYPE, Number, Output, Outputs, Text, Untyped
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "com_readdata",
@@ -42,7 +29,6 @@ __all__ = [
 _OPERATIONS = drafts("official")
 
 
-@explained
 def com_ready(hardware: AnyHWTYPE, name: Text, *, unchecked: bool = False) -> Draft:
     """Waits until nothing is being sent to a device.
 
@@ -54,7 +40,6 @@ def com_ready(hardware: AnyHWTYPE, name: Text, *, unchecked: bool = False) -> Dr
     return _OPERATIONS["COM_READY"].draft((hardware, name), unchecked)
 
 
-@explained
 def com_readdata(
     value1: AnyHWTYPE,
     value2: Number,
@@ -75,7 +60,6 @@ def com_readdata(
     return _OPERATIONS["COM_READDATA"].draft((value1, value2, value3, value4), unchecked)
 
 
-@explained
 def com_writedata(
     value1: AnyHWTYPE,
     value2: Number,
@@ -96,7 +80,6 @@ def com_writedata(
     return _OPERATIONS["COM_WRITEDATA"].draft((value1, value2, value3, value4), unchecked)
 
 
-@explained
 def com_test(hardware: AnyHWTYPE, name: Text, busy: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether something is still being sent to a device.
 
@@ -109,7 +92,6 @@ def com_test(hardware: AnyHWTYPE, name: Text, busy: Output = None, *, unchecked:
     return _OPERATIONS["COM_TEST"].draft((hardware, name, busy), unchecked)
 
 
-@explained
 def com_remove(hardware: AnyHWTYPE, remote_name: Text, *, unchecked: bool = False) -> Draft:
     """Forgets a paired device or a known network.
 
@@ -121,7 +103,6 @@ def com_remove(hardware: AnyHWTYPE, remote_name: Text, *, unchecked: bool = Fals
     return _OPERATIONS["COM_REMOVE"].draft((hardware, remote_name), unchecked)
 
 
-@explained
 def com_writefile(
     hardware: AnyHWTYPE,
     remote_name: Text,
@@ -142,7 +123,6 @@ def com_writefile(
     return _OPERATIONS["COM_WRITEFILE"].draft((hardware, remote_name, file_name, file_type), unchecked)
 
 
-@explained
 def mailbox_open(
     no: Number,
     boxname: Text,
@@ -165,7 +145,6 @@ def mailbox_open(
     return _OPERATIONS["MAILBOX_OPEN"].draft((no, boxname, types, fifosize, values), unchecked)
 
 
-@explained
 def mailbox_write(
     brickname: Text,
     hardware: AnyHWTYPE,
@@ -188,7 +167,6 @@ def mailbox_write(
     return _OPERATIONS["MAILBOX_WRITE"].draft((brickname, hardware, boxname, type, values), unchecked)
 
 
-@explained
 def mailbox_read(no: Number, length: Number, values: Outputs = None, *, unchecked: bool = False) -> Draft:
     """Reads the content of a mailbox and marks it read.
 
@@ -202,7 +180,6 @@ def mailbox_read(no: Number, length: Number, values: Outputs = None, *, unchecke
     return _OPERATIONS["MAILBOX_READ"].draft((no, length, values), unchecked)
 
 
-@explained
 def mailbox_test(no: Number, busy: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a mailbox has an unread message.
 
@@ -215,7 +192,6 @@ def mailbox_test(no: Number, busy: Output = None, *, unchecked: bool = False) ->
     return _OPERATIONS["MAILBOX_TEST"].draft((no, busy), unchecked)
 
 
-@explained
 def mailbox_ready(no: Number, *, unchecked: bool = False) -> Draft:
     """Waits for an unread message in a mailbox.
 
@@ -226,7 +202,6 @@ def mailbox_ready(no: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["MAILBOX_READY"].draft((no,), unchecked)
 
 
-@explained
 def mailbox_close(no: Number, *, unchecked: bool = False) -> Draft:
     """Closes a mailbox on this brick.
 

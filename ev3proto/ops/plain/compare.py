@@ -5,14 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output, Real
+from ev3proto.ops.argument_types import Number, Output, Real
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "cp_eq8",
@@ -48,7 +43,6 @@ __all__ = [
 _OPERATIONS = drafts("official")
 
 
-@explained
 def cp_lt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is less than RIGHT, as 8-bit numbers.
 
@@ -61,7 +55,6 @@ def cp_lt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool 
     return _OPERATIONS["CP_LT8"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_lt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is less than RIGHT, as 16-bit numbers.
 
@@ -74,7 +67,6 @@ def cp_lt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     return _OPERATIONS["CP_LT16"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_lt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is less than RIGHT, as 32-bit numbers.
 
@@ -87,7 +79,6 @@ def cp_lt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     return _OPERATIONS["CP_LT32"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_ltf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is less than RIGHT, as floating-point numbers.
 
@@ -100,7 +91,6 @@ def cp_ltf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["CP_LTF"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_gt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is greater than RIGHT, as 8-bit numbers.
 
@@ -113,7 +103,6 @@ def cp_gt8(left: Number, right: Number, flag: Output = None, *, unchecked: bool 
     return _OPERATIONS["CP_GT8"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_gt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is greater than RIGHT, as 16-bit numbers.
 
@@ -126,7 +115,6 @@ def cp_gt16(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     return _OPERATIONS["CP_GT16"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_gt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is greater than RIGHT, as 32-bit numbers.
 
@@ -139,7 +127,6 @@ def cp_gt32(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     return _OPERATIONS["CP_GT32"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_gtf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is greater than RIGHT, as floating-point numbers.
 
@@ -152,7 +139,6 @@ def cp_gtf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["CP_GTF"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_eq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is equal to RIGHT, as 8-bit numbers.
 
@@ -165,7 +151,6 @@ def cp_eq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool 
     return _OPERATIONS["CP_EQ8"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_eq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is equal to RIGHT, as 16-bit numbers.
 
@@ -178,7 +163,6 @@ def cp_eq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     return _OPERATIONS["CP_EQ16"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_eq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is equal to RIGHT, as 32-bit numbers.
 
@@ -191,7 +175,6 @@ def cp_eq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     return _OPERATIONS["CP_EQ32"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_eqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is equal to RIGHT, as floating-point numbers.
 
@@ -204,7 +187,6 @@ def cp_eqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["CP_EQF"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_neq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is different from RIGHT, as 8-bit numbers.
 
@@ -217,7 +199,6 @@ def cp_neq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool
     return _OPERATIONS["CP_NEQ8"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_neq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is different from RIGHT, as 16-bit numbers.
 
@@ -230,7 +211,6 @@ def cp_neq16(left: Number, right: Number, flag: Output = None, *, unchecked: boo
     return _OPERATIONS["CP_NEQ16"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_neq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is different from RIGHT, as 32-bit numbers.
 
@@ -243,7 +223,6 @@ def cp_neq32(left: Number, right: Number, flag: Output = None, *, unchecked: boo
     return _OPERATIONS["CP_NEQ32"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_neqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is different from RIGHT, as floating-point numbers.
 
@@ -256,7 +235,6 @@ def cp_neqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = F
     return _OPERATIONS["CP_NEQF"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_lteq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is less than or equal to RIGHT, as 8-bit numbers.
 
@@ -269,7 +247,6 @@ def cp_lteq8(left: Number, right: Number, flag: Output = None, *, unchecked: boo
     return _OPERATIONS["CP_LTEQ8"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_lteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is less than or equal to RIGHT, as 16-bit numbers.
 
@@ -282,7 +259,6 @@ def cp_lteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bo
     return _OPERATIONS["CP_LTEQ16"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_lteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is less than or equal to RIGHT, as 32-bit numbers.
 
@@ -295,7 +271,6 @@ def cp_lteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bo
     return _OPERATIONS["CP_LTEQ32"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_lteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is less than or equal to RIGHT, as floating-point numbers.
 
@@ -308,7 +283,6 @@ def cp_lteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = 
     return _OPERATIONS["CP_LTEQF"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_gteq8(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is greater than or equal to RIGHT, as 8-bit numbers.
 
@@ -321,7 +295,6 @@ def cp_gteq8(left: Number, right: Number, flag: Output = None, *, unchecked: boo
     return _OPERATIONS["CP_GTEQ8"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_gteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is greater than or equal to RIGHT, as 16-bit numbers.
 
@@ -334,7 +307,6 @@ def cp_gteq16(left: Number, right: Number, flag: Output = None, *, unchecked: bo
     return _OPERATIONS["CP_GTEQ16"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_gteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is greater than or equal to RIGHT, as 32-bit numbers.
 
@@ -347,7 +319,6 @@ def cp_gteq32(left: Number, right: Number, flag: Output = None, *, unchecked: bo
     return _OPERATIONS["CP_GTEQ32"].draft((left, right, flag), unchecked)
 
 
-@explained
 def cp_gteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether LEFT is greater than or equal to RIGHT, as floating-point numbers.
 
@@ -360,7 +331,6 @@ def cp_gteqf(left: Real, right: Real, flag: Output = None, *, unchecked: bool = 
     return _OPERATIONS["CP_GTEQF"].draft((left, right, flag), unchecked)
 
 
-@explained
 def select8(flag: Number, source1: Number, source2: Number, result: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes one of two 8-bit values, whichever the flag says.
 
@@ -374,7 +344,6 @@ def select8(flag: Number, source1: Number, source2: Number, result: Output = Non
     return _OPERATIONS["SELECT8"].draft((flag, source1, source2, result), unchecked)
 
 
-@explained
 def select16(
     flag: Number,
     source1: Number,
@@ -395,7 +364,6 @@ def select16(
     return _OPERATIONS["SELECT16"].draft((flag, source1, source2, result), unchecked)
 
 
-@explained
 def select32(
     flag: Number,
     source1: Number,
@@ -416,7 +384,6 @@ def select32(
     return _OPERATIONS["SELECT32"].draft((flag, source1, source2, result), unchecked)
 
 
-@explained
 def selectf(flag: Number, source1: Real, source2: Real, result: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes one of two floating-point values, whichever the flag says.
 

@@ -5,14 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyDATA_FORMAT, AnyTYPE, Elements, Number, Output, Outputs
+from ev3proto.ops.argument_types import AnyDATA_FORMAT, AnyTYPE, Elements, Number, Output, Outputs
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "input_device_list",
@@ -28,7 +23,6 @@ __all__ = [
 _OPERATIONS = drafts("official")
 
 
-@explained
 def input_sample(
     time: Number,
     samples: Number,
@@ -58,7 +52,6 @@ def input_sample(
     return _OPERATIONS["INPUT_SAMPLE"].draft((time, samples, init, devices, types, modes, datasets, values), unchecked)
 
 
-@explained
 def input_device_list(
     length: Number,
     array: Output = None,
@@ -79,7 +72,6 @@ def input_device_list(
     return _OPERATIONS["INPUT_DEVICE_LIST"].draft((length, array, changed), unchecked)
 
 
-@explained
 def input_read(
     layer: Number,
     no: Number,
@@ -103,7 +95,6 @@ def input_read(
     return _OPERATIONS["INPUT_READ"].draft((layer, no, type, mode, pct), unchecked)
 
 
-@explained
 def input_test(layer: Number, no: Number, busy: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a device is still changing type or mode.
 
@@ -117,7 +108,6 @@ def input_test(layer: Number, no: Number, busy: Output = None, *, unchecked: boo
     return _OPERATIONS["INPUT_TEST"].draft((layer, no, busy), unchecked)
 
 
-@explained
 def input_ready(layer: Number, no: Number, *, unchecked: bool = False) -> Draft:
     """Waits until a device has valid values.
 
@@ -130,7 +120,6 @@ def input_ready(layer: Number, no: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["INPUT_READY"].draft((layer, no), unchecked)
 
 
-@explained
 def input_readsi(
     layer: Number,
     no: Number,
@@ -154,7 +143,6 @@ def input_readsi(
     return _OPERATIONS["INPUT_READSI"].draft((layer, no, type, mode, si), unchecked)
 
 
-@explained
 def input_readext(
     layer: Number,
     no: Number,
@@ -181,7 +169,6 @@ def input_readext(
     return _OPERATIONS["INPUT_READEXT"].draft((layer, no, type, mode, format, values), unchecked)
 
 
-@explained
 def input_write(layer: Number, no: Number, bytes: Number, data: Elements, *, unchecked: bool = False) -> Draft:
     """Sends bytes to a UART sensor.
 

@@ -5,14 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output, Real
+from ev3proto.ops.argument_types import Number, Output, Real
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "add8",
@@ -49,7 +44,6 @@ __all__ = [
 _OPERATIONS = drafts("official")
 
 
-@explained
 def add8(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Adds two 8-bit numbers.
 
@@ -62,7 +56,6 @@ def add8(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["ADD8"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def add16(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Adds two 16-bit numbers.
 
@@ -75,7 +68,6 @@ def add16(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["ADD16"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def add32(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Adds two 32-bit numbers.
 
@@ -88,7 +80,6 @@ def add32(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["ADD32"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def addf(source1: Real, source2: Real, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Adds two floating-point numbers.
 
@@ -101,7 +92,6 @@ def addf(source1: Real, source2: Real, destination: Output = None, *, unchecked:
     return _OPERATIONS["ADDF"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def sub8(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Subtracts one 8-bit number from another.
 
@@ -114,7 +104,6 @@ def sub8(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["SUB8"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def sub16(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Subtracts one 16-bit number from another.
 
@@ -127,7 +116,6 @@ def sub16(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["SUB16"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def sub32(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Subtracts one 32-bit number from another.
 
@@ -140,7 +128,6 @@ def sub32(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["SUB32"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def subf(source1: Real, source2: Real, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Subtracts one floating-point number from another.
 
@@ -153,7 +140,6 @@ def subf(source1: Real, source2: Real, destination: Output = None, *, unchecked:
     return _OPERATIONS["SUBF"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def mul8(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Multiplies two 8-bit numbers.
 
@@ -166,7 +152,6 @@ def mul8(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["MUL8"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def mul16(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Multiplies two 16-bit numbers.
 
@@ -179,7 +164,6 @@ def mul16(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["MUL16"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def mul32(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Multiplies two 32-bit numbers.
 
@@ -192,7 +176,6 @@ def mul32(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["MUL32"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def mulf(source1: Real, source2: Real, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Multiplies two floating-point numbers.
 
@@ -205,7 +188,6 @@ def mulf(source1: Real, source2: Real, destination: Output = None, *, unchecked:
     return _OPERATIONS["MULF"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def div8(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Divides two 8-bit numbers; by zero gives the largest or smallest value.
 
@@ -218,7 +200,6 @@ def div8(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["DIV8"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def div16(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Divides two 16-bit numbers; by zero gives the largest or smallest value.
 
@@ -231,7 +212,6 @@ def div16(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["DIV16"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def div32(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Divides two 32-bit numbers; by zero gives the largest or smallest value.
 
@@ -244,7 +224,6 @@ def div32(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["DIV32"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def divf(source1: Real, source2: Real, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Divides two floating-point numbers; by zero gives infinity or NaN.
 
@@ -257,7 +236,6 @@ def divf(source1: Real, source2: Real, destination: Output = None, *, unchecked:
     return _OPERATIONS["DIVF"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def or8(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Combines 8-bit values, bit by bit, by OR.
 
@@ -270,7 +248,6 @@ def or8(source1: Number, source2: Number, destination: Output = None, *, uncheck
     return _OPERATIONS["OR8"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def or16(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Combines 16-bit values, bit by bit, by OR.
 
@@ -283,7 +260,6 @@ def or16(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["OR16"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def or32(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Combines 32-bit values, bit by bit, by OR.
 
@@ -296,7 +272,6 @@ def or32(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["OR32"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def and8(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Combines 8-bit values, bit by bit, by AND.
 
@@ -309,7 +284,6 @@ def and8(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["AND8"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def and16(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Combines 16-bit values, bit by bit, by AND.
 
@@ -322,7 +296,6 @@ def and16(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["AND16"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def and32(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Combines 32-bit values, bit by bit, by AND.
 
@@ -335,7 +308,6 @@ def and32(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["AND32"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def xor8(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Combines 8-bit values, bit by bit, by exclusive OR.
 
@@ -348,7 +320,6 @@ def xor8(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["XOR8"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def xor16(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Combines 16-bit values, bit by bit, by exclusive OR.
 
@@ -361,7 +332,6 @@ def xor16(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["XOR16"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def xor32(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Combines 32-bit values, bit by bit, by exclusive OR.
 
@@ -374,7 +344,6 @@ def xor32(source1: Number, source2: Number, destination: Output = None, *, unche
     return _OPERATIONS["XOR32"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def rl8(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Shifts 8-bit values left; despite the name (rotate), bits leaving on the left are lost.
 
@@ -387,7 +356,6 @@ def rl8(source1: Number, source2: Number, destination: Output = None, *, uncheck
     return _OPERATIONS["RL8"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def rl16(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Shifts 16-bit values left; despite the name (rotate), bits leaving on the left are lost.
 
@@ -400,7 +368,6 @@ def rl16(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["RL16"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def rl32(source1: Number, source2: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Shifts 32-bit values left; despite the name (rotate), bits leaving on the left are lost.
 
@@ -413,7 +380,6 @@ def rl32(source1: Number, source2: Number, destination: Output = None, *, unchec
     return _OPERATIONS["RL32"].draft((source1, source2, destination), unchecked)
 
 
-@explained
 def random(min: Number, max: Number, value: Output = None, *, unchecked: bool = False) -> Draft:
     """Draws a random whole number.
 

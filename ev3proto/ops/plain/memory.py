@@ -5,21 +5,15 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnySLOT, Elements, Number, Output, Real
+from ev3proto.ops.argument_types import AnySLOT, Elements, Number, Output, Real
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["array_append", "array_read", "array_write", "memory_read", "memory_usage", "memory_write"]
 
 _OPERATIONS = drafts("official")
 
 
-@explained
 def memory_write(
     prgid: AnySLOT,
     objid: Number,
@@ -42,7 +36,6 @@ def memory_write(
     return _OPERATIONS["MEMORY_WRITE"].draft((prgid, objid, offset, size, array), unchecked)
 
 
-@explained
 def memory_read(
     prgid: AnySLOT,
     objid: Number,
@@ -66,7 +59,6 @@ def memory_read(
     return _OPERATIONS["MEMORY_READ"].draft((prgid, objid, offset, size, array), unchecked)
 
 
-@explained
 def array_write(handle: Number, index: Number, value: Real, *, unchecked: bool = False) -> Draft:
     """Writes one element of an array, which grows where needed.
 
@@ -79,7 +71,6 @@ def array_write(handle: Number, index: Number, value: Real, *, unchecked: bool =
     return _OPERATIONS["ARRAY_WRITE"].draft((handle, index, value), unchecked)
 
 
-@explained
 def array_read(handle: Number, index: Number, value: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads one element of an array.
 
@@ -92,7 +83,6 @@ def array_read(handle: Number, index: Number, value: Output = None, *, unchecked
     return _OPERATIONS["ARRAY_READ"].draft((handle, index, value), unchecked)
 
 
-@explained
 def array_append(handle: Number, value: Real, *, unchecked: bool = False) -> Draft:
     """Adds one element to the end of an array.
 
@@ -104,7 +94,6 @@ def array_append(handle: Number, value: Real, *, unchecked: bool = False) -> Dra
     return _OPERATIONS["ARRAY_APPEND"].draft((handle, value), unchecked)
 
 
-@explained
 def memory_usage(total: Output = None, free: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how much memory for user files there is and how much of it is free.
 

@@ -6,14 +6,12 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, overload
+from typing import overload
 
-from ev3proto.calls import REQUIRED, explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output, Real
+from ev3proto.ops.argument_types import Number, Output, Real
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
+from ev3proto.semantics.drafts.values import REQUIRED
 
 __all__ = [
     "init_bytes",
@@ -66,7 +64,6 @@ def init_bytes(
 ) -> Draft: ...
 
 
-@explained
 def init_bytes(
     destination: Output = None,
     length: Number | None = None,
@@ -85,7 +82,6 @@ def init_bytes(
     return _OPERATIONS["INIT_BYTES"].draft((destination, length, source), unchecked)
 
 
-@explained
 def move8_8(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Copies a value to another variable, both 8-bit.
 
@@ -97,7 +93,6 @@ def move8_8(source: Number, destination: Output = None, *, unchecked: bool = Fal
     return _OPERATIONS["MOVE8_8"].draft((source, destination), unchecked)
 
 
-@explained
 def move8_16(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, 8-bit to 16-bit; NaN stays NaN.
 
@@ -109,7 +104,6 @@ def move8_16(source: Number, destination: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["MOVE8_16"].draft((source, destination), unchecked)
 
 
-@explained
 def move8_32(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, 8-bit to 32-bit; NaN stays NaN.
 
@@ -121,7 +115,6 @@ def move8_32(source: Number, destination: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["MOVE8_32"].draft((source, destination), unchecked)
 
 
-@explained
 def move8_f(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, 8-bit to floating-point; NaN stays NaN.
 
@@ -133,7 +126,6 @@ def move8_f(source: Number, destination: Output = None, *, unchecked: bool = Fal
     return _OPERATIONS["MOVE8_F"].draft((source, destination), unchecked)
 
 
-@explained
 def move16_8(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, 16-bit to 8-bit; limited to what fits, NaN stays NaN.
 
@@ -145,7 +137,6 @@ def move16_8(source: Number, destination: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["MOVE16_8"].draft((source, destination), unchecked)
 
 
-@explained
 def move16_16(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Copies a value to another variable, both 16-bit.
 
@@ -157,7 +148,6 @@ def move16_16(source: Number, destination: Output = None, *, unchecked: bool = F
     return _OPERATIONS["MOVE16_16"].draft((source, destination), unchecked)
 
 
-@explained
 def move16_32(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, 16-bit to 32-bit; NaN stays NaN.
 
@@ -169,7 +159,6 @@ def move16_32(source: Number, destination: Output = None, *, unchecked: bool = F
     return _OPERATIONS["MOVE16_32"].draft((source, destination), unchecked)
 
 
-@explained
 def move16_f(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, 16-bit to floating-point; NaN stays NaN.
 
@@ -181,7 +170,6 @@ def move16_f(source: Number, destination: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["MOVE16_F"].draft((source, destination), unchecked)
 
 
-@explained
 def move32_8(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, 32-bit to 8-bit; limited to what fits, NaN stays NaN.
 
@@ -193,7 +181,6 @@ def move32_8(source: Number, destination: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["MOVE32_8"].draft((source, destination), unchecked)
 
 
-@explained
 def move32_16(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, 32-bit to 16-bit; limited to what fits, NaN stays NaN.
 
@@ -205,7 +192,6 @@ def move32_16(source: Number, destination: Output = None, *, unchecked: bool = F
     return _OPERATIONS["MOVE32_16"].draft((source, destination), unchecked)
 
 
-@explained
 def move32_32(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Copies a value to another variable, both 32-bit.
 
@@ -217,7 +203,6 @@ def move32_32(source: Number, destination: Output = None, *, unchecked: bool = F
     return _OPERATIONS["MOVE32_32"].draft((source, destination), unchecked)
 
 
-@explained
 def move32_f(source: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, 32-bit to floating-point; NaN stays NaN.
 
@@ -229,7 +214,6 @@ def move32_f(source: Number, destination: Output = None, *, unchecked: bool = Fa
     return _OPERATIONS["MOVE32_F"].draft((source, destination), unchecked)
 
 
-@explained
 def movef_8(source: Real, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, floating-point to 8-bit; limited to what fits, NaN stays NaN.
 
@@ -241,7 +225,6 @@ def movef_8(source: Real, destination: Output = None, *, unchecked: bool = False
     return _OPERATIONS["MOVEF_8"].draft((source, destination), unchecked)
 
 
-@explained
 def movef_16(source: Real, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, floating-point to 16-bit; limited to what fits, NaN stays NaN.
 
@@ -253,7 +236,6 @@ def movef_16(source: Real, destination: Output = None, *, unchecked: bool = Fals
     return _OPERATIONS["MOVEF_16"].draft((source, destination), unchecked)
 
 
-@explained
 def movef_32(source: Real, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts a value, floating-point to 32-bit; limited to what fits, NaN stays NaN.
 
@@ -265,7 +247,6 @@ def movef_32(source: Real, destination: Output = None, *, unchecked: bool = Fals
     return _OPERATIONS["MOVEF_32"].draft((source, destination), unchecked)
 
 
-@explained
 def movef_f(source: Real, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Copies a value to another variable, both floating-point.
 
@@ -277,7 +258,6 @@ def movef_f(source: Real, destination: Output = None, *, unchecked: bool = False
     return _OPERATIONS["MOVEF_F"].draft((source, destination), unchecked)
 
 
-@explained
 def read8(source: Number, index: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes one element out of an array of 8-bit values.
 
@@ -290,7 +270,6 @@ def read8(source: Number, index: Number, destination: Output = None, *, unchecke
     return _OPERATIONS["READ8"].draft((source, index, destination), unchecked)
 
 
-@explained
 def read16(source: Number, index: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes one element out of an array of 16-bit values.
 
@@ -303,7 +282,6 @@ def read16(source: Number, index: Number, destination: Output = None, *, uncheck
     return _OPERATIONS["READ16"].draft((source, index, destination), unchecked)
 
 
-@explained
 def read32(source: Number, index: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes one element out of an array of 32-bit values.
 
@@ -316,7 +294,6 @@ def read32(source: Number, index: Number, destination: Output = None, *, uncheck
     return _OPERATIONS["READ32"].draft((source, index, destination), unchecked)
 
 
-@explained
 def readf(source: Real, index: Number, destination: Output = None, *, unchecked: bool = False) -> Draft:
     """Takes one element out of an array of floating-point values.
 
@@ -329,7 +306,6 @@ def readf(source: Real, index: Number, destination: Output = None, *, unchecked:
     return _OPERATIONS["READF"].draft((source, index, destination), unchecked)
 
 
-@explained
 def write8(source: Number, index: Number, destination: Number, *, unchecked: bool = False) -> Draft:
     """Sets one element of an array of 8-bit values.
 
@@ -342,7 +318,6 @@ def write8(source: Number, index: Number, destination: Number, *, unchecked: boo
     return _OPERATIONS["WRITE8"].draft((source, index, destination), unchecked)
 
 
-@explained
 def write16(source: Number, index: Number, destination: Number, *, unchecked: bool = False) -> Draft:
     """Sets one element of an array of 16-bit values.
 
@@ -355,7 +330,6 @@ def write16(source: Number, index: Number, destination: Number, *, unchecked: bo
     return _OPERATIONS["WRITE16"].draft((source, index, destination), unchecked)
 
 
-@explained
 def write32(source: Number, index: Number, destination: Number, *, unchecked: bool = False) -> Draft:
     """Sets one element of an array of 32-bit values.
 
@@ -368,7 +342,6 @@ def write32(source: Number, index: Number, destination: Number, *, unchecked: bo
     return _OPERATIONS["WRITE32"].draft((source, index, destination), unchecked)
 
 
-@explained
 def writef(source: Real, index: Number, destination: Real, *, unchecked: bool = False) -> Draft:
     """Sets one element of an array of floating-point values.
 

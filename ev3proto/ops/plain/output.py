@@ -5,14 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyTYPE, NamedNumber, Number, Output
+from ev3proto.ops.argument_types import AnyTYPE, NamedNumber, Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "output_clr_count",
@@ -39,7 +34,6 @@ __all__ = [
 _OPERATIONS = drafts("official")
 
 
-@explained
 def output_set_type(layer: Number, no: NamedNumber, type: AnyTYPE, *, unchecked: bool = False) -> Draft:
     """Declares which type of motor is at a port.
 
@@ -52,7 +46,6 @@ def output_set_type(layer: Number, no: NamedNumber, type: AnyTYPE, *, unchecked:
     return _OPERATIONS["OUTPUT_SET_TYPE"].draft((layer, no, type), unchecked)
 
 
-@explained
 def output_reset(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
     """Sets the tacho counts that moves and OUTPUT_READ use to zero.
 
@@ -65,7 +58,6 @@ def output_reset(layer: Number, nos: NamedNumber, *, unchecked: bool = False) ->
     return _OPERATIONS["OUTPUT_RESET"].draft((layer, nos), unchecked)
 
 
-@explained
 def output_stop(layer: Number, nos: NamedNumber, brake: Number, *, unchecked: bool = False) -> Draft:
     """Stops motors.
 
@@ -79,7 +71,6 @@ def output_stop(layer: Number, nos: NamedNumber, brake: Number, *, unchecked: bo
     return _OPERATIONS["OUTPUT_STOP"].draft((layer, nos, brake), unchecked)
 
 
-@explained
 def output_power(layer: Number, nos: NamedNumber, power: Number, *, unchecked: bool = False) -> Draft:
     """Sets the power of motors, OUTPUT_START makes them run.
 
@@ -93,7 +84,6 @@ def output_power(layer: Number, nos: NamedNumber, power: Number, *, unchecked: b
     return _OPERATIONS["OUTPUT_POWER"].draft((layer, nos, power), unchecked)
 
 
-@explained
 def output_speed(layer: Number, nos: NamedNumber, speed: Number, *, unchecked: bool = False) -> Draft:
     """Sets the speed of motors, OUTPUT_START makes them run.
 
@@ -107,7 +97,6 @@ def output_speed(layer: Number, nos: NamedNumber, speed: Number, *, unchecked: b
     return _OPERATIONS["OUTPUT_SPEED"].draft((layer, nos, speed), unchecked)
 
 
-@explained
 def output_start(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
     """Starts motors with the power or speed set before.
 
@@ -120,7 +109,6 @@ def output_start(layer: Number, nos: NamedNumber, *, unchecked: bool = False) ->
     return _OPERATIONS["OUTPUT_START"].draft((layer, nos), unchecked)
 
 
-@explained
 def output_polarity(layer: Number, nos: NamedNumber, pol: Number, *, unchecked: bool = False) -> Draft:
     """Sets the direction of motors.
 
@@ -134,7 +122,6 @@ def output_polarity(layer: Number, nos: NamedNumber, pol: Number, *, unchecked: 
     return _OPERATIONS["OUTPUT_POLARITY"].draft((layer, nos, pol), unchecked)
 
 
-@explained
 def output_read(
     layer: Number,
     no: NamedNumber,
@@ -155,7 +142,6 @@ def output_read(
     return _OPERATIONS["OUTPUT_READ"].draft((layer, no, speed, tacho), unchecked)
 
 
-@explained
 def output_test(layer: Number, nos: NamedNumber, busy: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether one of the motors is still in a move that ends by itself.
 
@@ -169,7 +155,6 @@ def output_test(layer: Number, nos: NamedNumber, busy: Output = None, *, uncheck
     return _OPERATIONS["OUTPUT_TEST"].draft((layer, nos, busy), unchecked)
 
 
-@explained
 def output_ready(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
     """Waits until the moves of the motors have ended, OUTPUT_START does not count.
 
@@ -182,7 +167,6 @@ def output_ready(layer: Number, nos: NamedNumber, *, unchecked: bool = False) ->
     return _OPERATIONS["OUTPUT_READY"].draft((layer, nos), unchecked)
 
 
-@explained
 def output_step_power(
     layer: Number,
     nos: NamedNumber,
@@ -210,7 +194,6 @@ def output_step_power(
     return _OPERATIONS["OUTPUT_STEP_POWER"].draft((layer, nos, power, step1, step2, step3, brake), unchecked)
 
 
-@explained
 def output_time_power(
     layer: Number,
     nos: NamedNumber,
@@ -238,7 +221,6 @@ def output_time_power(
     return _OPERATIONS["OUTPUT_TIME_POWER"].draft((layer, nos, power, time1, time2, time3, brake), unchecked)
 
 
-@explained
 def output_step_speed(
     layer: Number,
     nos: NamedNumber,
@@ -266,7 +248,6 @@ def output_step_speed(
     return _OPERATIONS["OUTPUT_STEP_SPEED"].draft((layer, nos, speed, step1, step2, step3, brake), unchecked)
 
 
-@explained
 def output_time_speed(
     layer: Number,
     nos: NamedNumber,
@@ -294,7 +275,6 @@ def output_time_speed(
     return _OPERATIONS["OUTPUT_TIME_SPEED"].draft((layer, nos, speed, time1, time2, time3, brake), unchecked)
 
 
-@explained
 def output_step_sync(
     layer: Number,
     nos: NamedNumber,
@@ -322,7 +302,6 @@ def output_step_sync(
     return _OPERATIONS["OUTPUT_STEP_SYNC"].draft((layer, nos, speed, turn, step, brake), unchecked)
 
 
-@explained
 def output_time_sync(
     layer: Number,
     nos: NamedNumber,
@@ -350,7 +329,6 @@ def output_time_sync(
     return _OPERATIONS["OUTPUT_TIME_SYNC"].draft((layer, nos, speed, turn, time, brake), unchecked)
 
 
-@explained
 def output_clr_count(layer: Number, nos: NamedNumber, *, unchecked: bool = False) -> Draft:
     """Sets the tacho counts that motors have as sensors to zero.
 
@@ -363,7 +341,6 @@ def output_clr_count(layer: Number, nos: NamedNumber, *, unchecked: bool = False
     return _OPERATIONS["OUTPUT_CLR_COUNT"].draft((layer, nos), unchecked)
 
 
-@explained
 def output_get_count(layer: Number, nos: NamedNumber, tacho: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the tacho count that a motor has as a sensor.
 
@@ -376,7 +353,6 @@ def output_get_count(layer: Number, nos: NamedNumber, tacho: Output = None, *, u
     return _OPERATIONS["OUTPUT_GET_COUNT"].draft((layer, nos, tacho), unchecked)
 
 
-@explained
 def output_prg_stop(*, unchecked: bool = False) -> Draft:
     """Stops and resets all motors as the end of a program does."""
     return _OPERATIONS["OUTPUT_PRG_STOP"].draft((), unchecked)

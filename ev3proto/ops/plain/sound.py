@@ -5,21 +5,15 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Output
+from ev3proto.ops.argument_types import Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["sound_ready", "sound_test"]
 
 _OPERATIONS = drafts("official")
 
 
-@explained
 def sound_test(busy: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells whether a sound is playing.
 
@@ -30,7 +24,6 @@ def sound_test(busy: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["SOUND_TEST"].draft((busy,), unchecked)
 
 
-@explained
 def sound_ready(*, unchecked: bool = False) -> Draft:
     """Waits until the sound has ended (for ever after REPEAT or a tone without end)."""
     return _OPERATIONS["SOUND_READY"].draft((), unchecked)

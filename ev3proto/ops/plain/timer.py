@@ -5,21 +5,15 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output
+from ev3proto.ops.argument_types import Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["timer_read", "timer_read_us", "timer_ready", "timer_wait"]
 
 _OPERATIONS = drafts("official")
 
 
-@explained
 def timer_wait(time: Number, timer: Output = None, *, unchecked: bool = False) -> Draft:
     """Notes when a wait will be over and returns at once; TIMER_READY does the waiting.
 
@@ -32,7 +26,6 @@ def timer_wait(time: Number, timer: Output = None, *, unchecked: bool = False) -
     return _OPERATIONS["TIMER_WAIT"].draft((time, timer), unchecked)
 
 
-@explained
 def timer_ready(timer: Number, *, unchecked: bool = False) -> Draft:
     """Waits until the time that TIMER_WAIT noted has come.
 
@@ -43,7 +36,6 @@ def timer_ready(timer: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["TIMER_READY"].draft((timer,), unchecked)
 
 
-@explained
 def timer_read(time: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the time since the program or direct command that asks was started.
 
@@ -54,7 +46,6 @@ def timer_read(time: Output = None, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["TIMER_READ"].draft((time,), unchecked)
 
 
-@explained
 def timer_read_us(time: Output = None, *, unchecked: bool = False) -> Draft:
     """Reads the free-running microsecond clock, for differences only.
 

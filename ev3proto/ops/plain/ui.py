@@ -5,27 +5,20 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Output
+from ev3proto.ops.argument_types import Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["keep_alive", "ui_flush"]
 
 _OPERATIONS = drafts("official")
 
 
-@explained
 def ui_flush(*, unchecked: bool = False) -> Draft:
     """Sends what was written for the terminal and is still in its buffer."""
     return _OPERATIONS["UI_FLUSH"].draft((), unchecked)
 
 
-@explained
 def keep_alive(minutes: Output = None, *, unchecked: bool = False) -> Draft:
     """Restarts the time after which the idle brick switches off, and reads it.
 

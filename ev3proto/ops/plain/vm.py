@@ -6,14 +6,10 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnySLOT, Number, Output, Text, Untyped
+from ev3proto.ops.argument_types import AnySLOT, Number, Output, Text, Untyped
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "bp0",
@@ -45,19 +41,16 @@ __all__ = [
 _OPERATIONS = drafts("official")
 
 
-@explained
 def error(*, unchecked: bool = False) -> Draft:
     """Ends the program with a failure; never valid on the wire."""
     return _OPERATIONS["ERROR"].draft((), unchecked)
 
 
-@explained
 def nop(*, unchecked: bool = False) -> Draft:
     """Does nothing; a harmless way to see whether the brick answers."""
     return _OPERATIONS["NOP"].draft((), unchecked)
 
 
-@explained
 def program_stop(prgid: AnySLOT, *, unchecked: bool = False) -> Draft:
     """Stops the program of a slot.
 
@@ -68,7 +61,6 @@ def program_stop(prgid: AnySLOT, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["PROGRAM_STOP"].draft((prgid,), unchecked)
 
 
-@explained
 def program_start(prgid: AnySLOT, size: Number, ip: Number, debug: Number, *, unchecked: bool = False) -> Draft:
     """Starts a loaded program; by direct command only while no user program runs.
 
@@ -82,7 +74,6 @@ def program_start(prgid: AnySLOT, size: Number, ip: Number, debug: Number, *, un
     return _OPERATIONS["PROGRAM_START"].draft((prgid, size, ip, debug), unchecked)
 
 
-@explained
 def object_stop(objid: Number, *, unchecked: bool = False) -> Draft:
     """Stops an object of the own program.
 
@@ -93,7 +84,6 @@ def object_stop(objid: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["OBJECT_STOP"].draft((objid,), unchecked)
 
 
-@explained
 def object_start(objid: Number, *, unchecked: bool = False) -> Draft:
     """Starts an object of the own program.
 
@@ -104,7 +94,6 @@ def object_start(objid: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["OBJECT_START"].draft((objid,), unchecked)
 
 
-@explained
 def object_trig(objid: Number, *, unchecked: bool = False) -> Draft:
     """Counts an object's trigger down; at zero the object starts.
 
@@ -115,7 +104,6 @@ def object_trig(objid: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["OBJECT_TRIG"].draft((objid,), unchecked)
 
 
-@explained
 def object_wait(objid: Number, *, unchecked: bool = False) -> Draft:
     """Waits until an object has ended.
 
@@ -126,13 +114,11 @@ def object_wait(objid: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["OBJECT_WAIT"].draft((objid,), unchecked)
 
 
-@explained
 def return_(*, unchecked: bool = False) -> Draft:
     """Returns from a subroutine to its caller."""
     return _OPERATIONS["RETURN"].draft((), unchecked)
 
 
-@explained
 def call(objid: Number, parameters: Sequence[Untyped], *, unchecked: bool = False) -> Draft:
     """Calls a subroutine of the own program; waits while another thread is in it.
 
@@ -144,19 +130,16 @@ def call(objid: Number, parameters: Sequence[Untyped], *, unchecked: bool = Fals
     return _OPERATIONS["CALL"].draft((objid, parameters), unchecked)
 
 
-@explained
 def object_end(*, unchecked: bool = False) -> Draft:
     """Ends the object; the firmware puts one after every direct command."""
     return _OPERATIONS["OBJECT_END"].draft((), unchecked)
 
 
-@explained
 def sleep(*, unchecked: bool = False) -> Draft:
     """Gives up the rest of the thread's time slice."""
     return _OPERATIONS["SLEEP"].draft((), unchecked)
 
 
-@explained
 def label(no: Number, *, unchecked: bool = False) -> Draft:
     """Marks a place that jumps can name; does nothing itself.
 
@@ -167,7 +150,6 @@ def label(no: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["LABEL"].draft((no,), unchecked)
 
 
-@explained
 def probe(prgid: AnySLOT, objid: Number, offset: Number, size: Number, *, unchecked: bool = False) -> Draft:
     """Prints a program's memory on the brick's debug terminal.
 
@@ -181,7 +163,6 @@ def probe(prgid: AnySLOT, objid: Number, offset: Number, size: Number, *, unchec
     return _OPERATIONS["PROBE"].draft((prgid, objid, offset, size), unchecked)
 
 
-@explained
 def do(prgid: AnySLOT, image: Number, global_: Number, *, unchecked: bool = False) -> Draft:
     """Runs byte code that is already in memory, ending what the slot ran before.
 
@@ -194,7 +175,6 @@ def do(prgid: AnySLOT, image: Number, global_: Number, *, unchecked: bool = Fals
     return _OPERATIONS["DO"].draft((prgid, image, global_), unchecked)
 
 
-@explained
 def system(command: Text, status: Output = None, *, unchecked: bool = False) -> Draft:
     """Runs a shell command on the brick's Linux and waits for its end.
 
@@ -207,7 +187,6 @@ def system(command: Text, status: Output = None, *, unchecked: bool = False) -> 
     return _OPERATIONS["SYSTEM"].draft((command, status), unchecked)
 
 
-@explained
 def port_cnv_output(
     portin: Number,
     layer: Output = None,
@@ -229,7 +208,6 @@ def port_cnv_output(
     return _OPERATIONS["PORT_CNV_OUTPUT"].draft((portin, layer, bitfield, inverted), unchecked)
 
 
-@explained
 def port_cnv_input(portin: Number, layer: Output = None, portout: Output = None, *, unchecked: bool = False) -> Draft:
     """Splits a sensor port number as LEGO's editor writes it.
 
@@ -242,7 +220,6 @@ def port_cnv_input(portin: Number, layer: Output = None, portout: Output = None,
     return _OPERATIONS["PORT_CNV_INPUT"].draft((portin, layer, portout), unchecked)
 
 
-@explained
 def note_to_freq(note: Text, freq: Output = None, *, unchecked: bool = False) -> Draft:
     """Converts the name of a note to its frequency.
 
@@ -255,31 +232,26 @@ def note_to_freq(note: Text, freq: Output = None, *, unchecked: bool = False) ->
     return _OPERATIONS["NOTE_TO_FREQ"].draft((note, freq), unchecked)
 
 
-@explained
 def bp0(*, unchecked: bool = False) -> Draft:
     """Stops at breakpoint 0; BP_SET puts it over the instruction it replaces."""
     return _OPERATIONS["BP0"].draft((), unchecked)
 
 
-@explained
 def bp1(*, unchecked: bool = False) -> Draft:
     """Stops at breakpoint 1; BP_SET puts it over the instruction it replaces."""
     return _OPERATIONS["BP1"].draft((), unchecked)
 
 
-@explained
 def bp2(*, unchecked: bool = False) -> Draft:
     """Stops at breakpoint 2; BP_SET puts it over the instruction it replaces."""
     return _OPERATIONS["BP2"].draft((), unchecked)
 
 
-@explained
 def bp3(*, unchecked: bool = False) -> Draft:
     """Pulses test pin TP4 and goes on; BP_SET puts it over the instruction it replaces."""
     return _OPERATIONS["BP3"].draft((), unchecked)
 
 
-@explained
 def bp_set(prgid: AnySLOT, no: Number, address: Number, *, unchecked: bool = False) -> Draft:
     """Sets or removes a breakpoint in a running program.
 

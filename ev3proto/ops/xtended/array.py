@@ -5,12 +5,7 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
+from ev3proto.ops.argument_types import Number, Output
 from ev3proto.ops.array import (
     copy,
     create8,
@@ -27,9 +22,8 @@ from ev3proto.ops.array import (
     resize,
     write_content,
 )
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "copy",
@@ -50,13 +44,9 @@ __all__ = [
     "write_content",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the xtended firmware has no operation array.")
-
 _OPERATIONS = drafts("xtended")
 
 
-@explained
 def destroy(handle: Number, *, unchecked: bool = False) -> Draft:
     """Deletes an array and gives its handle back (LEGO's name for it is DELETE).
 
@@ -67,7 +57,6 @@ def destroy(handle: Number, *, unchecked: bool = False) -> Draft:
     return _OPERATIONS["ARRAY.DESTROY"].draft((handle,), unchecked)
 
 
-@explained
 def set_size(handle: Number, elements: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how many elements an array has (LEGO's name for it is SIZE).
 

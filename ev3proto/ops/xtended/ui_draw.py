@@ -5,12 +5,7 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-from ev3proto.late import listed
+from ev3proto.ops.argument_types import NamedNumber, Number
 from ev3proto.ops.ui_draw import (
     bmpfile,
     browse,
@@ -45,9 +40,8 @@ from ev3proto.ops.ui_draw import (
     view_unit,
     view_value,
 )
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import NamedNumber, Number
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "bmpfile",
@@ -85,13 +79,9 @@ __all__ = [
     "view_value",
 ]
 
-if not TYPE_CHECKING:
-    __getattr__, __dir__ = listed(__all__, "the xtended firmware has no operation ui_draw.")
-
 _OPERATIONS = drafts("xtended")
 
 
-@explained
 def rectangle(color: NamedNumber, x0: Number, y0: Number, x1: Number, y1: Number, *, unchecked: bool = False) -> Draft:
     """Draws the outline of a rectangle.
 

@@ -5,21 +5,15 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output
+from ev3proto.ops.argument_types import Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["mailbox_size"]
 
 _OPERATIONS = drafts("xtended")
 
 
-@explained
 def mailbox_size(no: Number, size: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells how many bytes the content of a mailbox has.
 

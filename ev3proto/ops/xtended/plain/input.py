@@ -5,21 +5,15 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import AnyCONN, Elements, Number, Output
+from ev3proto.ops.argument_types import AnyCONN, Elements, Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["input_iic_read", "input_iic_status", "input_iic_write", "input_set_autoid", "input_set_conn"]
 
 _OPERATIONS = drafts("xtended")
 
 
-@explained
 def input_set_conn(layer: Number, no: Number, conn: AnyCONN, *, unchecked: bool = False) -> Draft:
     """Sets how a port is connected, for ports whose automatic detection is off.
 
@@ -32,7 +26,6 @@ def input_set_conn(layer: Number, no: Number, conn: AnyCONN, *, unchecked: bool 
     return _OPERATIONS["INPUT_SET_CONN"].draft((layer, no, conn), unchecked)
 
 
-@explained
 def input_iic_read(
     layer: Number,
     no: Number,
@@ -55,7 +48,6 @@ def input_iic_read(
     return _OPERATIONS["INPUT_IIC_READ"].draft((layer, no, rdlng, rddata, result), unchecked)
 
 
-@explained
 def input_iic_status(layer: Number, no: Number, result: Output = None, *, unchecked: bool = False) -> Draft:
     """Tells the state of the I2C bus of a port.
 
@@ -68,7 +60,6 @@ def input_iic_status(layer: Number, no: Number, result: Output = None, *, unchec
     return _OPERATIONS["INPUT_IIC_STATUS"].draft((layer, no, result), unchecked)
 
 
-@explained
 def input_iic_write(
     layer: Number,
     no: Number,
@@ -93,7 +84,6 @@ def input_iic_write(
     return _OPERATIONS["INPUT_IIC_WRITE"].draft((layer, no, wrlng, wrdata, rdlng, result), unchecked)
 
 
-@explained
 def input_set_autoid(layer: Number, no: Number, enable: Number, *, unchecked: bool = False) -> Draft:
     """Switches the automatic detection of sensors at a port on or off.
 

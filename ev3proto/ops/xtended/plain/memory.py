@@ -5,21 +5,15 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Output, Text
+from ev3proto.ops.argument_types import Output, Text
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = ["file_md5sum"]
 
 _OPERATIONS = drafts("xtended")
 
 
-@explained
 def file_md5sum(name: Text, md5sum: Output = None, success: Output = None, *, unchecked: bool = False) -> Draft:
     """Computes the MD5 digest of a file.
 

@@ -5,14 +5,9 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ev3proto.calls import explained
-from ev3proto.compose.drafts import Draft
-from ev3proto.compose.functions import drafts
-
-if TYPE_CHECKING:
-    from ev3proto.ops.argument_types import Number, Output
+from ev3proto.ops.argument_types import Number, Output
+from ev3proto.semantics.drafts.draft import Draft
+from ev3proto.semantics.drafts.functions import drafts
 
 __all__ = [
     "dynload_entry_0",
@@ -33,7 +28,6 @@ __all__ = [
 _OPERATIONS = drafts("xtended")
 
 
-@explained
 def dynload_vmload(vmindex: Number, result: Output = None, *, unchecked: bool = False) -> Draft:
     """Loads an additional virtual machine; fails while another one is loaded.
 
@@ -45,13 +39,11 @@ def dynload_vmload(vmindex: Number, result: Output = None, *, unchecked: bool = 
     return _OPERATIONS["DYNLOAD_VMLOAD"].draft((vmindex, result), unchecked)
 
 
-@explained
 def dynload_vmexit(*, unchecked: bool = False) -> Draft:
     """Unloads the additional virtual machine."""
     return _OPERATIONS["DYNLOAD_VMEXIT"].draft((), unchecked)
 
 
-@explained
 def dynload_entry_0(
     cmd: Number,
     length_in: Number,
@@ -73,7 +65,6 @@ def dynload_entry_0(
     return _OPERATIONS["DYNLOAD_ENTRY_0"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_entry_1(
     cmd: Number,
     length_in: Number,
@@ -95,7 +86,6 @@ def dynload_entry_1(
     return _OPERATIONS["DYNLOAD_ENTRY_1"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_entry_2(
     cmd: Number,
     length_in: Number,
@@ -117,7 +107,6 @@ def dynload_entry_2(
     return _OPERATIONS["DYNLOAD_ENTRY_2"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_entry_3(
     cmd: Number,
     length_in: Number,
@@ -139,7 +128,6 @@ def dynload_entry_3(
     return _OPERATIONS["DYNLOAD_ENTRY_3"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_entry_4(
     cmd: Number,
     length_in: Number,
@@ -161,7 +149,6 @@ def dynload_entry_4(
     return _OPERATIONS["DYNLOAD_ENTRY_4"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_entry_5(
     cmd: Number,
     length_in: Number,
@@ -183,7 +170,6 @@ def dynload_entry_5(
     return _OPERATIONS["DYNLOAD_ENTRY_5"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_entry_6(
     cmd: Number,
     length_in: Number,
@@ -205,7 +191,6 @@ def dynload_entry_6(
     return _OPERATIONS["DYNLOAD_ENTRY_6"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_entry_7(
     cmd: Number,
     length_in: Number,
@@ -227,7 +212,6 @@ def dynload_entry_7(
     return _OPERATIONS["DYNLOAD_ENTRY_7"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_entry_8(
     cmd: Number,
     length_in: Number,
@@ -249,7 +233,6 @@ def dynload_entry_8(
     return _OPERATIONS["DYNLOAD_ENTRY_8"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_entry_9(
     cmd: Number,
     length_in: Number,
@@ -271,7 +254,6 @@ def dynload_entry_9(
     return _OPERATIONS["DYNLOAD_ENTRY_9"].draft((cmd, length_in, length_out, value), unchecked)
 
 
-@explained
 def dynload_get_vm(result: Output = None, *, unchecked: bool = False) -> Draft:
     """Asks which additional virtual machine is loaded.
 

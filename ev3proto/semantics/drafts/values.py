@@ -5,23 +5,32 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ev3proto.calls import REQUIRED, MissingValueError
-from ev3proto.compose.drafts import OMITTED, STAND_IN, Draft, Open
-from ev3proto.compose.labels import NO_DISTANCE, Label
-from ev3proto.compose.meanings import (
+from ev3proto.errors import BuildError
+from ev3proto.messages import Variable
+from ev3proto.schema.operation import OperationSchema
+from ev3proto.semantics.drafts.draft import OMITTED, STAND_IN, Draft, Open
+from ev3proto.semantics.drafts.labels import NO_DISTANCE, Label
+from ev3proto.semantics.drafts.meanings import (
     check_number,
     check_text,
     no_variable,
     objections,
     wrong_name,
 )
-from ev3proto.compose.placeholders import Placeholder
-from ev3proto.errors import BuildError
-from ev3proto.messages import Variable
-from ev3proto.schema.operation import OperationSchema
+from ev3proto.semantics.drafts.placeholders import Placeholder
 from ev3proto.semantics.footprint import Footprint, footprints
 from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import RANGES
+
+
+class _Required:
+    """The default of a parameter that has to be given, where another before it may be omitted."""
+
+    def __repr__(self) -> str:
+        return "required"
+
+
+REQUIRED: Any = _Required()
 
 _ENUMS = "ev3proto.enums"
 """The module whose classes are the enumerations of the tables, under the same names."""
@@ -49,6 +58,7 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
 
     Raises:
         BuildError: Names operation, parameter, and what would be right.
+        TypeError: A value is REQUIRED.
     """
     declaration = schema.declaration
     try:
@@ -83,7 +93,7 @@ def _flat(declaration: Declaration, values: Sequence[Any], unchecked: bool) -> l
     flat: list[Any] = []
     for parameter, value in zip(declaration.parameters, values, strict=True):
         if value is REQUIRED:
-            raise MissingValueError
+            raise TypeError(f"{declaration.name} needs {parameter.name}, too")
         if parameter.type in LISTS:
             elements = _elements(parameter, value)
             if parameter.type is Type.COUNT:

@@ -11,14 +11,14 @@ from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
-from ev3proto.compose.allocation import Need
-from ev3proto.compose.drafts import OMITTED, STAND_IN, Draft, Open
-from ev3proto.compose.values import check_constant, draft
 from ev3proto.errors import BuildError
 from ev3proto.schema.argument import ArgumentSchema
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.operation import OperationSchema
 from ev3proto.semantics.domain import domain_of
+from ev3proto.semantics.drafts.allocation import Need
+from ev3proto.semantics.drafts.draft import OMITTED, STAND_IN, Draft, Open
+from ev3proto.semantics.drafts.values import check_constant, draft
 from ev3proto.semantics.footprint import memory_facts
 from ev3proto.tables.declaration import Direction
 
@@ -75,7 +75,7 @@ class OperationDrafts:
             self._places = {len(inputs) + number: OMITTED for number in range(len(needs))}
 
     def draft(self, values: Sequence[Any], unchecked: bool) -> Draft:
-        """A draft from one value for each parameter, as `ev3proto.compose.values.draft` makes it."""
+        """A draft from one value for each parameter, as `ev3proto.semantics.drafts.values.draft` makes it."""
         if self._known is not None and not unchecked:
             encoded = self._head
             try:

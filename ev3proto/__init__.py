@@ -61,8 +61,8 @@ if TYPE_CHECKING:
         TransferError,
     )
     from ev3proto.link.ev3 import EV3
-    from ev3proto.names import ADR, GVX, HND, LAB1, LC0, LC1, LC2, LC4, LCF, LCS, LCX, LVX
     from ev3proto.schema.discovery import Beacon, Unlock
+    from ev3proto.schema.names import ADR, GVX, HND, LAB1, LC0, LC1, LC2, LC4, LCF, LCS, LCX, LVX
     from ev3proto.stream import Decoder, StreamError
 
 __version__ = VERSION
@@ -89,7 +89,7 @@ _LATER = {
         "TransferError",
     ),
     "ev3proto.link.ev3": ("EV3",),
-    "ev3proto.names": ("ADR", "GVX", "HND", "LAB1", "LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCX", "LVX"),
+    "ev3proto.schema.names": ("ADR", "GVX", "HND", "LAB1", "LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCX", "LVX"),
     "ev3proto.schema.discovery": ("Beacon", "Unlock"),
     "ev3proto.stream": ("Decoder", "StreamError"),
 }
@@ -187,7 +187,7 @@ def __getattr__(name: str) -> Any:
         return value
     if name.startswith("__"):
         raise AttributeError(f"module 'ev3proto' has no attribute {name!r}")
-    names = import_module("ev3proto.names")
+    names = import_module("ev3proto.schema.names")
     try:
         return names.constant(name)
     except KeyError as error:
@@ -195,4 +195,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__, *import_module("ev3proto.names").constant_names()})
+    return sorted({*globals(), *__all__, *import_module("ev3proto.schema.names").constant_names()})

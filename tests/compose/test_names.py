@@ -19,7 +19,7 @@ from support.cases import each
 
 import ev3proto
 from ev3proto.errors import BuildError
-from ev3proto.names import ADR, GVX, HND, LAB1, LC0, LC1, LC2, LC4, LCF, LCS, LCX, LVX, constant, constant_names
+from ev3proto.schema.names import ADR, GVX, HND, LAB1, LC0, LC1, LC2, LC4, LCF, LCS, LCX, LVX, constant, constant_names
 from ev3proto.tables import OPCODES, enumerations
 from ev3proto.tables.declaration import Enumeration
 from ev3proto.tables.system import SYSTEM
@@ -302,7 +302,9 @@ def test_constant_names() -> None:
 
 
 def test_import_builds_no_lookup() -> None:
-    code = "import ev3proto.names as n; print(n._constants.cache_info().currsize, n._opcodes.cache_info().currsize)"
+    code = (
+        "import ev3proto.schema.names as n; print(n._constants.cache_info().currsize, n._opcodes.cache_info().currsize)"
+    )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.split() == ["0", "0"]
 

@@ -196,7 +196,7 @@ def _wrapped(words: list[str]) -> Iterator[str]:
 
 
 def _constants() -> Iterator[str]:
-    names = [name for name in import_module("ev3proto.names").constant_names() if not name.startswith("_")]
+    names = [name for name in import_module("ev3proto.schema.names").constant_names() if not name.startswith("_")]
     return _wrapped([f"{name}={_constant(getattr(ev3proto, name))}" for name in sorted(names)])
 
 

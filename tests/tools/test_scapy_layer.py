@@ -24,7 +24,6 @@ from ev3proto import GV, LC2, LV, BuildError, direct_command, operation, parse
 from ev3proto import scapy as ev3
 from ev3proto.extras import install_command
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand, SystemReply
-from ev3proto.names import HND
 from ev3proto.scapy import (
     EV3,
     EV3DaisyCommand,
@@ -37,6 +36,7 @@ from ev3proto.scapy import (
     EV3Text,
 )
 from ev3proto.scapy.system import RENAMED
+from ev3proto.schema.names import HND
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.discovery import ACCEPT
 from ev3proto.testing import frames, mutated_frames, operations

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import cache
 
 from ev3proto.messages import Variable
-from ev3proto.names import constant, constant_names
 from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.names import constant, constant_names
 from ev3proto.schema.operation import CMD
 from ev3proto.tables import OPCODES
 from ev3proto.tables.constants import CONSTANTS

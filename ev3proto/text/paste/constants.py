@@ -14,7 +14,7 @@ _NUMBER = late_pattern(r"-?(?:0[xX][0-9a-fA-F]{1,8}|0|[1-9]\d{0,9})")
 
 def constant_bytes(text: str) -> bytes | None:
     """The bytes of a name or of one of LEGO's macros; None where the tables do not have it."""
-    from ev3proto import names
+    from ev3proto.schema import names
     from ev3proto.schema.argument import encode_as
 
     call = _CALL.fullmatch(text)
@@ -50,14 +50,14 @@ def _value(text: str) -> int | None:
 
 @cache
 def _known() -> frozenset[str]:
-    from ev3proto.names import constant_names
+    from ev3proto.schema.names import constant_names
     from ev3proto.tables import OPCODES
 
     return frozenset({*constant_names(), *(f"op{opcode.name}" for opcode in OPCODES)})
 
 
 def _named(name: str) -> bytes | None:
-    from ev3proto.names import constant
+    from ev3proto.schema.names import constant
 
     if name in MessageType.__members__:
         return bytes((MessageType[name],))

@@ -61,17 +61,6 @@ def test_decode_loads_nothing_that_it_has_no_use_for() -> None:
     assert [name for name in OTHERS_NOT_NEEDED if name in names] == []
 
 
-def test_reading_the_messages_of_a_capture_loads_nothing_that_reads_replies() -> None:
-    program = (
-        "import sys, ev3proto; [record.message for record in ev3proto.capture.read('captures/ev3_dc.pcap')];"
-        "print(*sys.modules)"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT)
-    names = done.stdout.split()
-    assert "ev3proto.capture.conversation" in names
-    assert [name for name in names if name in ("ev3proto.dialogue", "ev3proto.semantics.replies")] == []
-
-
 def test_the_instruction_sets_of_other_dialects_are_not_made() -> None:
     program = (
         "import ev3proto; from ev3proto.schema import instructions;"

@@ -43,7 +43,13 @@ _MOST_DELAY = 60
 @click.option("--beacon/--no-beacon", default=True, help="Whether it says by UDP that it is there, as a brick does.")
 @click.option("--record", metavar="FILE", help="Capture (pcapng) to write; - writes it to standard output.")
 @click.option("--read-only", is_flag=True, help="Let nothing through that changes the brick.")
-@click.option("--hide", is_flag=True, help="Write over names, addresses and PINs in what is recorded and shown.")
+@click.option(
+    "--hide",
+    is_flag=True,
+    help="Write over names, addresses and PINs in what is recorded and shown. Lost are all values of commands about"
+    " communication and texts, faulty frames, error replies and replies without their command. Files and messages of"
+    " WRITEMAILBOX stay.",
+)
 @click.option("--from", "only_from", metavar="ADDRESS", help="Serve only clients with this address.")
 @click.option("--delay", type=FiniteRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Hold replies back.")
 @click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies that are lost, 0 to 1.")

@@ -76,6 +76,7 @@ class Role(Enum):
     MOTOR = "one motor port, counted from 0"
     PORT = "one port, of a sensor or a motor"
     PORTS = "a list of ports"
+    PRIVATE = "a name, an address or a PIN"
 
 
 class Effect(Enum):

@@ -20,6 +20,7 @@ from ev3proto.tables.declaration import (
     Opcode,
     Out,
     Parameter,
+    Role,
 )
 from ev3proto.tables.enumerations import (
     BROWSERTYPE,
@@ -246,7 +247,15 @@ UI = (
                 "Reads name, version and build date of the firmware in one",
                 _string("such as LMS2012 V1.04H(Jul 26 2013 12:00:00)"),
             ),
-            Command(27, "GET_IP", "Reads the brick's IP address", _string("address in dotted notation")),
+            Command(
+                27,
+                "GET_IP",
+                "Reads the brick's IP address",
+                (
+                    LENGTH_OR_ALL,
+                    Out("DESTINATION", STRING, "address in dotted notation", length="LENGTH", role=Role.PRIVATE),
+                ),
+            ),
             Command(
                 29,
                 "GET_POWER",
@@ -685,6 +694,7 @@ UI = (
                         STRING,
                         "text entered; what the variable holds before is edited, back button empties it",
                         length="LENGTH",
+                        role=Role.PRIVATE,
                     ),
                 ),
                 effects=(

@@ -5,74 +5,109 @@
 
 Everything that people need stands here by name. Beside it stand the constants and encoding functions that programs for
 the EV3 are written with: `ev3proto.opSound`, `ev3proto.TONE`, `ev3proto.LED_RED`, `ev3proto.LCX(440)`.
+
+All of it is imported when it is first asked for.
 """
 
 from __future__ import annotations
 
-import ev3proto.starting  # noqa: F401 - before all others, which take a while to load
-
-# isort: split
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from ev3proto.errors import BuildError, DecodeError, Fault
-from ev3proto.messages import (
-    GV,
-    LV,
-    Argument,
-    DaisyCommand,
-    DaisyReply,
-    DirectCommand,
-    DirectReply,
-    Message,
-    Operation,
-    SensorReport,
-    SystemCommand,
-    SystemReply,
-    Variable,
-)
-from ev3proto.schema.constructors import direct_command, direct_reply, system_command, system_reply
-from ev3proto.schema.frame import parse
-from ev3proto.schema.instructions import operation
-from ev3proto.tables.frame import MessageType
-from ev3proto.tables.system import SystemStatus
 from ev3proto.version import VERSION
 
 if TYPE_CHECKING:
-    from ev3proto import capture, enums, ops, program, system
-    from ev3proto.checking.checking import check
-    from ev3proto.checking.fixing import Fix, fix
-    from ev3proto.checking.report import Finding, Report, Severity
-    from ev3proto.compose import Draft, Global, Label, Local, command
-    from ev3proto.dialogue import Dialogue, Exchange, Transfer, Value
-    from ev3proto.link.async_ev3 import AsyncEV3
-    from ev3proto.link.errors import (
-        ConnectionLostError,
-        DirCmdError,
-        DirectCommandError,
-        LinkError,
-        NoAnswerError,
-        NoBrickError,
-        NoEV3,
-        PortInUse,
-        PortInUseError,
-        SysCmdError,
-        SystemCommandError,
-        TransferError,
-    )
-    from ev3proto.link.ev3 import EV3
-    from ev3proto.schema.discovery import Beacon, Unlock
-    from ev3proto.schema.names import ADR, GVX, HND, LAB1, LC0, LC1, LC2, LC4, LCF, LCS, LCX, LVX
-    from ev3proto.stream import Decoder, StreamError
+    from ev3proto import capture as capture
+    from ev3proto import enums as enums
+    from ev3proto import errors as errors
+    from ev3proto import messages as messages
+    from ev3proto import ops as ops
+    from ev3proto import program as program
+    from ev3proto import schema as schema
+    from ev3proto import system as system
+    from ev3proto import tables as tables
+    from ev3proto.checking.checking import check as check
+    from ev3proto.checking.fixing import Fix as Fix
+    from ev3proto.checking.fixing import fix as fix
+    from ev3proto.checking.report import Finding as Finding
+    from ev3proto.checking.report import Report as Report
+    from ev3proto.checking.report import Severity as Severity
+    from ev3proto.compose import Draft as Draft
+    from ev3proto.compose import Global as Global
+    from ev3proto.compose import Label as Label
+    from ev3proto.compose import Local as Local
+    from ev3proto.compose import command as command
+    from ev3proto.dialogue import Dialogue as Dialogue
+    from ev3proto.dialogue import Exchange as Exchange
+    from ev3proto.dialogue import Transfer as Transfer
+    from ev3proto.dialogue import Value as Value
+    from ev3proto.errors import BuildError as BuildError
+    from ev3proto.errors import DecodeError as DecodeError
+    from ev3proto.errors import Fault as Fault
+    from ev3proto.link.async_ev3 import AsyncEV3 as AsyncEV3
+    from ev3proto.link.errors import ConnectionLostError as ConnectionLostError
+    from ev3proto.link.errors import DirCmdError as DirCmdError
+    from ev3proto.link.errors import DirectCommandError as DirectCommandError
+    from ev3proto.link.errors import LinkError as LinkError
+    from ev3proto.link.errors import NoAnswerError as NoAnswerError
+    from ev3proto.link.errors import NoBrickError as NoBrickError
+    from ev3proto.link.errors import NoEV3 as NoEV3
+    from ev3proto.link.errors import PortInUse as PortInUse
+    from ev3proto.link.errors import PortInUseError as PortInUseError
+    from ev3proto.link.errors import SysCmdError as SysCmdError
+    from ev3proto.link.errors import SystemCommandError as SystemCommandError
+    from ev3proto.link.errors import TransferError as TransferError
+    from ev3proto.link.ev3 import EV3 as EV3
+    from ev3proto.messages import GV as GV
+    from ev3proto.messages import LV as LV
+    from ev3proto.messages import Argument as Argument
+    from ev3proto.messages import DaisyCommand as DaisyCommand
+    from ev3proto.messages import DaisyReply as DaisyReply
+    from ev3proto.messages import DirectCommand as DirectCommand
+    from ev3proto.messages import DirectReply as DirectReply
+    from ev3proto.messages import Message as Message
+    from ev3proto.messages import Operation as Operation
+    from ev3proto.messages import SensorReport as SensorReport
+    from ev3proto.messages import SystemCommand as SystemCommand
+    from ev3proto.messages import SystemReply as SystemReply
+    from ev3proto.messages import Variable as Variable
+    from ev3proto.schema.constructors import direct_command as direct_command
+    from ev3proto.schema.constructors import direct_reply as direct_reply
+    from ev3proto.schema.constructors import system_command as system_command
+    from ev3proto.schema.constructors import system_reply as system_reply
+    from ev3proto.schema.discovery import Beacon as Beacon
+    from ev3proto.schema.discovery import Unlock as Unlock
+    from ev3proto.schema.frame import parse as parse
+    from ev3proto.schema.instructions import operation as operation
+    from ev3proto.schema.names import ADR as ADR
+    from ev3proto.schema.names import GVX as GVX
+    from ev3proto.schema.names import HND as HND
+    from ev3proto.schema.names import LAB1 as LAB1
+    from ev3proto.schema.names import LC0 as LC0
+    from ev3proto.schema.names import LC1 as LC1
+    from ev3proto.schema.names import LC2 as LC2
+    from ev3proto.schema.names import LC4 as LC4
+    from ev3proto.schema.names import LCF as LCF
+    from ev3proto.schema.names import LCS as LCS
+    from ev3proto.schema.names import LCX as LCX
+    from ev3proto.schema.names import LVX as LVX
+    from ev3proto.stream import Decoder as Decoder
+    from ev3proto.stream import StreamError as StreamError
+    from ev3proto.tables.frame import MessageType as MessageType
+    from ev3proto.tables.system import SystemStatus as SystemStatus
 
 __version__ = VERSION
 
-_LATER = {
+_MODULES = ("capture", "enums", "errors", "messages", "ops", "program", "schema", "system", "tables")
+"""Parts that are modules."""
+
+_NAMES = {
     "ev3proto.checking.checking": ("check",),
     "ev3proto.checking.fixing": ("Fix", "fix"),
     "ev3proto.checking.report": ("Finding", "Report", "Severity"),
     "ev3proto.compose": ("Draft", "Global", "Label", "Local", "command"),
     "ev3proto.dialogue": ("Dialogue", "Exchange", "Transfer", "Value"),
+    "ev3proto.errors": ("BuildError", "DecodeError", "Fault"),
     "ev3proto.link.async_ev3": ("AsyncEV3",),
     "ev3proto.link.errors": (
         "ConnectionLostError",
@@ -89,101 +124,43 @@ _LATER = {
         "TransferError",
     ),
     "ev3proto.link.ev3": ("EV3",),
-    "ev3proto.schema.names": ("ADR", "GVX", "HND", "LAB1", "LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCX", "LVX"),
+    "ev3proto.messages": (
+        "GV",
+        "LV",
+        "Argument",
+        "DaisyCommand",
+        "DaisyReply",
+        "DirectCommand",
+        "DirectReply",
+        "Message",
+        "Operation",
+        "SensorReport",
+        "SystemCommand",
+        "SystemReply",
+        "Variable",
+    ),
+    "ev3proto.schema.constructors": ("direct_command", "direct_reply", "system_command", "system_reply"),
     "ev3proto.schema.discovery": ("Beacon", "Unlock"),
+    "ev3proto.schema.frame": ("parse",),
+    "ev3proto.schema.instructions": ("operation",),
+    "ev3proto.schema.names": ("ADR", "GVX", "HND", "LAB1", "LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCX", "LVX"),
     "ev3proto.stream": ("Decoder", "StreamError"),
+    "ev3proto.tables.frame": ("MessageType",),
+    "ev3proto.tables.system": ("SystemStatus",),
 }
-"""What is imported when it is first asked for: a program that only parses frames starts sooner without it."""
+"""All other names, by the modules that they are in."""
 
-_MODULES = ("capture", "enums", "ops", "program", "system")
-"""Parts that are modules, imported when they are first asked for, too."""
+_HOMES = {name: module for module, names in _NAMES.items() for name in names}
 
-_HOME = {name: module for module, names in _LATER.items() for name in names}
-
-__all__ = [
-    "ADR",
-    "EV3",
-    "GV",
-    "GVX",
-    "HND",
-    "LAB1",
-    "LC0",
-    "LC1",
-    "LC2",
-    "LC4",
-    "LCF",
-    "LCS",
-    "LCX",
-    "LV",
-    "LVX",
-    "Argument",
-    "AsyncEV3",
-    "Beacon",
-    "BuildError",
-    "ConnectionLostError",
-    "DaisyCommand",
-    "DaisyReply",
-    "DecodeError",
-    "Decoder",
-    "Dialogue",
-    "DirCmdError",
-    "DirectCommand",
-    "DirectCommandError",
-    "DirectReply",
-    "Draft",
-    "Exchange",
-    "Fault",
-    "Finding",
-    "Fix",
-    "Global",
-    "Label",
-    "LinkError",
-    "Local",
-    "Message",
-    "MessageType",
-    "NoAnswerError",
-    "NoBrickError",
-    "NoEV3",
-    "Operation",
-    "PortInUse",
-    "PortInUseError",
-    "Report",
-    "SensorReport",
-    "Severity",
-    "StreamError",
-    "SysCmdError",
-    "SystemCommand",
-    "SystemCommandError",
-    "SystemReply",
-    "SystemStatus",
-    "Transfer",
-    "TransferError",
-    "Unlock",
-    "Value",
-    "Variable",
-    "capture",
-    "check",
-    "command",
-    "direct_command",
-    "direct_reply",
-    "enums",
-    "fix",
-    "operation",
-    "ops",
-    "parse",
-    "program",
-    "system",
-    "system_command",
-    "system_reply",
-]
+__all__ = sorted({*_HOMES, *(each for each in _MODULES if each not in ("errors", "messages", "schema", "tables"))})
 
 
 def __getattr__(name: str) -> Any:
-    """What is imported late, and the constants of the instruction set: `opSound`, `TONE`, `LED_RED`, `PORT_A`, ..."""
+    """What is asked for the first time, and the constants of the instruction set: `opSound`, `TONE`, `LED_RED`, ..."""
     if name in _MODULES:
         return import_module(f"ev3proto.{name}")
-    if name in _HOME:
-        value = globals()[name] = getattr(import_module(_HOME[name]), name)
+    if name in _HOMES:
+        value = globals()[name] = getattr(import_module(_HOMES[name]), name)
         return value
     if name.startswith("__"):
         raise AttributeError(f"module 'ev3proto' has no attribute {name!r}")

@@ -143,5 +143,8 @@ def ended_by_signals() -> Iterator[None]:
     try:
         with _handled_by(end, _numbers()):
             yield
+    except Exception as error:
+        ended = ended_behind(error)
+        raise error if ended is None else ended from None
     finally:
         sys.unraisablehook = before

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-
-import click
 
 from ev3proto.generate import modules, output_schemas
 from ev3proto.generate.cheader import build as cheader
@@ -21,11 +19,11 @@ COMMAND = "python -m ev3proto.generate"
 """What brings all of it up to date."""
 
 
-def build(commands: click.Group) -> dict[str, str]:
+def build(more: Mapping[str, str]) -> dict[str, str]:
     """Makes all files; the same text every time.
 
     Args:
-        commands: The command line, which a page describes. It is above all that is here, so whoever starts this has it.
+        more: More files by their path: the page of the command line, which is above all that is here.
 
     Returns:
         Each file by its path in the project's folder.
@@ -38,18 +36,19 @@ def build(commands: click.Group) -> dict[str, str]:
         f"exports/{tables_json.TABLES_NAME}": tables_json.build_tables(),
         f"exports/{tables_json.SCHEMA_NAME}": tables_json.build_schema(),
         f"exports/{output_schemas.FILE_NAME}": output_schemas.build(),
-        **pages.build(commands),
+        **pages.build(),
+        **more,
     }
 
 
-def outdated(root: Path, commands: click.Group) -> Iterator[str]:
+def outdated(root: Path, more: Mapping[str, str]) -> Iterator[str]:
     """The paths of files that are not as the tables have them: to be written, or to be deleted.
 
     Args:
         root: The project's folder.
-        commands: As for `build`.
+        more: As for `build`.
     """
-    files = build(commands)
+    files = build(more)
     yield from _changed(root, files)
     yield from _left_over(root, files)
 
@@ -61,17 +60,17 @@ def _changed(root: Path, files: dict[str, str]) -> Iterator[str]:
             yield path
 
 
-def write(root: Path, commands: click.Group) -> Iterator[str]:
+def write(root: Path, more: Mapping[str, str]) -> Iterator[str]:
     """Brings the files up to date; yields the path of each that changed.
 
     Args:
         root: The project's folder.
-        commands: As for `build`.
+        more: As for `build`.
     """
     # The pages show how the modules are called, and look at them for that: those come first.
     yield from _write(root, modules.build())
     importlib.invalidate_caches()
-    files = build(commands)
+    files = build(more)
     yield from _write(root, files)
     for path in list(_left_over(root, files)):
         (root / path).unlink()

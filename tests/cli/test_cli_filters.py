@@ -14,7 +14,7 @@ from ev3proto.capture import read
 from ev3proto.capture.filter import compile_filter
 from ev3proto.capture.filter.names import NAMES
 from ev3proto.capture.timeline import collect
-from ev3proto.cli.main import SUBCOMMANDS, cli
+from ev3proto.cli.commands import SUBCOMMANDS, cli
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 WIFI = str(CAPTURES / "wifi.pcapng")

@@ -16,7 +16,7 @@ import click
 import pytest
 from support.cli import run_ev3proto_text as run
 
-from ev3proto.cli.main import cli
+from ev3proto.cli.commands import cli
 from ev3proto.version import VERSION
 
 ROOT = Path(__file__).parents[2]

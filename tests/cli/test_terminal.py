@@ -378,7 +378,7 @@ def test_a_narrow_terminal_cuts_no_number(kind: str, monkeypatch: pytest.MonkeyP
 
 
 def test_every_help() -> None:
-    from ev3proto.cli.main import SUBCOMMANDS
+    from ev3proto.cli.commands import SUBCOMMANDS
 
     for name in SUBCOMMANDS:
         harmless(name, "--help")

@@ -79,7 +79,7 @@ def test_in_an_environment_on_windows(tmp_path: Path, monkeypatch: pytest.Monkey
         ("scapy", "import ev3proto.scapy", "scapy"),
         ("hid", "import ev3proto; ev3proto.EV3(protocol=ev3proto.USB)", "usb"),
         ("serial", "import ev3proto; ev3proto.EV3(target='serial:/dev/null')", "serial"),
-        ("aiohttp", "from ev3proto.cli.main import cli; cli(['brick', '--port', '0', '--http'])", "page"),
+        ("aiohttp", "from ev3proto.cli.commands import cli; cli(['brick', '--port', '0', '--http'])", "page"),
     ],
 )
 def test_whoever_misses_a_package_is_shown_the_command(missing: str, program: str, extra: str) -> None:

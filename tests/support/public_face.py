@@ -28,7 +28,7 @@ from typing import Any
 import click
 from scapy.packet import Packet
 
-import ev3proto.cli.main
+import ev3proto.cli.commands
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import DIALECTS
 
@@ -67,7 +67,7 @@ def text() -> str:
         ("ev3proto.system", _system()),
         ("ev3proto.enums", _enums()),
         ("ev3proto.scapy", _scapy()),
-        ("The command line", _commands(ev3proto.cli.main.cli, "ev3proto")),
+        ("The command line", _commands(ev3proto.cli.commands.cli, "ev3proto")),
     ]
     return "\n".join(line for title, lines in sections for line in (f"# {title}", "", *lines, ""))
 

@@ -14,7 +14,8 @@ import traceback
 from importlib import import_module
 from pathlib import Path
 
-from ev3proto.cli.main import SUBCOMMANDS, main
+from ev3proto.cli.commands import SUBCOMMANDS
+from ev3proto.cli.main import main
 
 for _name in (*(f"ev3proto.cli.{name}" for name in SUBCOMMANDS), "ev3proto.capture", "rich.console", "rich.table"):
     import_module(_name)  # once for all, and not in every process

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import click
-
 from ev3proto.generate.pages import (
     checker_codes,
-    command_line,
     contents,
     enumerations,
     filters,
@@ -21,11 +18,8 @@ FOLDER = "docs/reference"
 """Where they are. A page there that has the generated mark and is not among them belongs to nothing any more."""
 
 
-def build(commands: click.Group) -> dict[str, str]:
-    """Makes all pages; the same text every time.
-
-    Args:
-        commands: The command line, which one of them describes.
+def build() -> dict[str, str]:
+    """Makes all pages but that of the command line; the same text every time.
 
     Returns:
         Each file by its path in the project's folder.
@@ -38,7 +32,6 @@ def build(commands: click.Group) -> dict[str, str]:
         "checker-codes.md": checker_codes.text(),
         "filters.md": filters.text(),
         "numbers.md": numbers.text(),
-        "command-line.md": command_line.text(commands),
         "python.md": python_api.text(),
     }
     return {f"{FOLDER}/{name}": text for name, text in pages.items()}

@@ -1,4 +1,4 @@
-"""The page of the command line: what `--help` prints of every subcommand."""
+"""The page of the documentation on the command line: what `--help` prints of every subcommand."""
 
 from __future__ import annotations
 
@@ -6,24 +6,22 @@ from collections.abc import Iterator
 
 import click
 
+from ev3proto.cli.commands import cli
+from ev3proto.generate.pages.build import FOLDER
 from ev3proto.generate.pages.markdown import block, page, table
 
 _WIDTH = 100
 _NAME = "ev3proto"
 
 
-def text(commands: click.Group) -> str:
-    """The page.
-
-    Args:
-        commands: `ev3proto` with its subcommands.
-    """
-    return page("The command line", _lines(commands))
+def reference_page() -> dict[str, str]:
+    """The page by its path in the project's folder."""
+    return {f"{FOLDER}/command-line.md": page("The command line", _lines())}
 
 
-def _lines(commands: click.Group) -> Iterator[str]:
-    context = click.Context(commands, info_name=_NAME, max_content_width=_WIDTH, terminal_width=_WIDTH)
-    found = list(_commands(commands, context))
+def _lines() -> Iterator[str]:
+    context = click.Context(cli, info_name=_NAME, max_content_width=_WIDTH, terminal_width=_WIDTH)
+    found = list(_commands(cli, context))
     yield "Exit status: 0 fine, 1 the input is at fault, 2 the call is."
     yield ""
     yield from table(

@@ -89,5 +89,4 @@ def _write(storage: Storage, path: bytes, data: bytes) -> bool:
     if file is None:
         return False
     with file:
-        storage.reserve(len(data))
-        return file.write(data) == len(data)
+        return file.put(data)

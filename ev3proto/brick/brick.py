@@ -55,6 +55,7 @@ from ev3proto.schema.header import (
 )
 from ev3proto.tables import check_dialect, operations
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MessageType
+from ev3proto.tables.system import SystemStatus
 
 _OBJECT_END = operations()["OBJECT_END"].opcode.number
 
@@ -363,12 +364,17 @@ class Brick(Equipment):
     # System commands
 
     def _take_system(self, channel: Hashable, frame: bytes, counter: int, wants_reply: bool) -> None:
-        found = self._system.answer(channel, frame)
-        if found is None or not wants_reply:
-            return
-        is_error, contents = found
-        kind = MessageType.SYSTEM_REPLY_ERROR if is_error else MessageType.SYSTEM_REPLY
-        self._reply(channel, counter, kind, contents)
+        try:
+            found = self._system.answer(channel, frame)
+        except Exception as error:
+            found = True, bytes((frame[HEADER_SIZE], SystemStatus.UNKNOWN_ERROR))
+            if not isinstance(error, OSError):
+                raise
+        finally:
+            if found is not None and wants_reply:
+                is_error, contents = found
+                kind = MessageType.SYSTEM_REPLY_ERROR if is_error else MessageType.SYSTEM_REPLY
+                self._reply(channel, counter, kind, contents)
 
     # Time and programs
 

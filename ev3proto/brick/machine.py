@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable
+from contextlib import suppress
 
 from ev3proto.brick.conversions import wrap8, wrap16
 from ev3proto.brick.equipment import Equipment
@@ -152,13 +153,17 @@ class Machine:
             is_waiting = True
         except Leave:
             pass
-        except (Failure, IndexError, ValueError, struct.error) as failure:
+        except (Failure, IndexError, ValueError, struct.error, OSError) as failure:
             # Reading code beyond its end makes an IndexError, a text in it that never ends a ValueError, a short
-            # variable beyond the memory a struct.error.
+            # variable beyond the memory a struct.error, a full disk an OSError.
             if program.slot != CMD_SLOT:
                 is_unknown = isinstance(failure, NoOperation)
                 self.brick.settings.log_error("VM_PROGRAM_INSTRUCTION_BREAK" if is_unknown else "VM_PROGRAM_FAIL_BREAK")
             self.end_program(program, FAIL)
+        except Exception:
+            # A defect, which would come again with each turn.
+            self.end_program(program, FAIL)
+            raise
         executed = most - left
         program.executed += executed
         return executed, is_waiting
@@ -342,7 +347,8 @@ class Machine:
         """Frees a handle of a program and closes what it named. Returns whether it named anything."""
         entry = program.handles.remove(handle)
         if isinstance(entry, Closable):
-            entry.close()
+            with suppress(OSError):
+                entry.close()
         return entry is not None
 
     # Results

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 from ev3proto.brick.handles import Closable
-from ev3proto.brick.storage import Storage
+from ev3proto.brick.storage import StoredFile
 
 MOST_RECENT = 10
 """Files in the list of those run last."""
@@ -23,9 +22,8 @@ class OpenFile(Closable):
 
     def __init__(
         self,
-        storage: Storage,
         place: Path,
-        file: io.FileIO,
+        file: StoredFile,
         for_writing: bool,
         name: bytes = b"",
         is_log: bool = False,
@@ -34,7 +32,6 @@ class OpenFile(Closable):
         self.for_writing = for_writing
         self.name = name
         self.is_log = is_log
-        self._storage = storage
         self._file = file
 
     def read(self, most: int) -> bytes:
@@ -57,12 +54,7 @@ class OpenFile(Closable):
 
     def write(self, data: bytes) -> bool:
         """Writes after what was written before. False where there is no room."""
-        if not self._storage.reserve(len(data)):
-            return False
-        try:
-            return self._file.write(data) == len(data)
-        except OSError:
-            return False
+        return self._file.put(data)
 
     def close(self) -> None:
         """Closes it."""

@@ -9,8 +9,8 @@ from __future__ import annotations
 import hashlib
 import io
 import os
-import shutil
 import stat
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -39,6 +39,10 @@ _HIDDEN = (b".", b"CVS")
 _OPEN_FLAGS = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
 
+_PIECE = 1 << 16
+"""Bytes that are copied at once."""
+
+
 class Totals(NamedTuple):
     """What a folder holds.
 
@@ -62,6 +66,7 @@ class Storage:
         self.quota = quota
         self.used = 0
         self._entries = 0
+        self._open_inodes: Counter[tuple[int, int]] = Counter()
         if self.root is not None:
             for name in FOLDERS:
                 (self.root / name).mkdir(parents=True, exist_ok=True)
@@ -107,7 +112,7 @@ class Storage:
 
     # Reading
 
-    def open_to_read(self, path: bytes) -> io.FileIO | None:
+    def open_to_read(self, path: bytes) -> StoredFile | None:
         """A file to read; None where there is none."""
         place = self.locate(path)
         if place is None or not _is_file(place):
@@ -173,11 +178,8 @@ class Storage:
 
     # Writing
 
-    def open_to_write(self, path: bytes, *, append: bool = False) -> io.FileIO | None:
-        """A file to write, made where there is none, emptied unless `append`; None where that cannot be.
-
-        Whoever writes to it asks `reserve` before.
-        """
+    def open_to_write(self, path: bytes, *, append: bool = False) -> StoredFile | None:
+        """A file to write, made where there is none, emptied unless `append`; None where that cannot be."""
         place = self.locate(path)
         if place is None or path.endswith(b"/"):
             return None
@@ -195,13 +197,6 @@ class Storage:
             elif not append:
                 self.used -= there.st_size
         return file
-
-    def reserve(self, size: int) -> bool:
-        """Takes so many bytes from the quota for what is going to be written; False where they are not there."""
-        if self.used + size > self.quota:
-            return False
-        self.used += size
-        return True
 
     @property
     def free(self) -> int:
@@ -241,7 +236,7 @@ class Storage:
         except OSError:
             return False
         self._entries -= 1
-        if stat.S_ISREG(status.st_mode):
+        if stat.S_ISREG(status.st_mode) and _inode(status) not in self._open_inodes:
             self.used -= status.st_size
         return True
 
@@ -279,19 +274,16 @@ class Storage:
         if reader is None:
             return False
         with reader:
-            size = os.fstat(reader.fileno()).st_size
             goal = self.locate(target)
             if goal is not None and _is_folder(goal):
                 self._delete_tree(target, MOST_DEPTH)
-            if size > self.free:
+            if os.fstat(reader.fileno()).st_size > self.free:
                 return False
             writer = self.open_to_write(target)
             if writer is None:
                 return False
             with writer:
-                self.reserve(size)
-                shutil.copyfileobj(reader, writer)
-        return True
+                return all(writer.put(piece) for piece in iter(lambda: reader.read(_PIECE), b""))
 
     def _delete_tree(self, path: bytes, depth: int) -> None:
         place = self.locate(path)
@@ -303,8 +295,7 @@ class Storage:
     def _may_make(self) -> bool:
         return self._entries < MOST_ENTRIES
 
-    @staticmethod
-    def _open(place: Path, flags: int, mode: str) -> io.FileIO | None:
+    def _open(self, place: Path, flags: int, mode: str) -> StoredFile | None:
         """Opens a regular file; None for anything else, however it came there."""
         try:
             descriptor = os.open(place, flags | _OPEN_FLAGS, 0o644)
@@ -313,7 +304,57 @@ class Storage:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
             os.close(descriptor)
             return None
-        return io.FileIO(descriptor, mode)
+        return StoredFile(self, descriptor, mode)
+
+    def opened(self, inode: tuple[int, int]) -> None:
+        """A file is open once more."""
+        self._open_inodes[inode] += 1
+
+    def closed(self, inode: tuple[int, int], status: os.stat_result) -> None:
+        """An open file is about to be closed: one that was deleted takes no room once all have closed it."""
+        self._open_inodes[inode] -= 1
+        if not self._open_inodes[inode]:
+            del self._open_inodes[inode]
+            if not status.st_nlink:
+                self.used -= status.st_size
+
+
+class StoredFile(io.FileIO):
+    """An open file, whose bytes count for as long as they are on the disk."""
+
+    def __init__(self, storage: Storage, descriptor: int, mode: str) -> None:
+        """Takes a descriptor over."""
+        super().__init__(descriptor, mode)
+        self._storage = storage
+        self._is_appended = mode == "ab"
+        self._inode = _inode(os.fstat(descriptor))
+        storage.opened(self._inode)
+
+    def put(self, data: bytes) -> bool:
+        """Writes; False where the quota or the disk has no room, which then may have taken some of it."""
+        storage, before = self._storage, self._size()
+        end = len(data) + (before if self._is_appended else self.tell())
+        if storage.used + max(0, end - before) > storage.quota:
+            return False
+        try:
+            return self.write(data) == len(data)
+        except OSError:
+            return False
+        finally:
+            storage.used += self._size() - before
+
+    def close(self) -> None:
+        """Closes it; a second call does nothing."""
+        if not self.closed:
+            self._storage.closed(self._inode, os.fstat(self.fileno()))
+        super().close()
+
+    def _size(self) -> int:
+        return os.fstat(self.fileno()).st_size
+
+
+def _inode(status: os.stat_result) -> tuple[int, int]:
+    return status.st_dev, status.st_ino
 
 
 def _sort_key(name: bytes) -> tuple[bool, bytes, bytes]:

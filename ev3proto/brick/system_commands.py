@@ -18,6 +18,7 @@ from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.path_names import is_allowed
 from ev3proto.brick.running_programs import USER_SLOT
+from ev3proto.brick.storage import StoredFile
 from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.constants import CONSTANTS
@@ -44,6 +45,9 @@ _ROOM_NEXT = MAX_FRAME - _REPLY_HEAD - 1
 
 _OPEN_HANDLES = bytes(HANDLES // 8 + 1)
 """LIST_OPEN_HANDLES answers this, whatever is open."""
+
+_MOST_PIN = 0xFE
+"""Bytes of a PIN that its length field counts with the zero after it."""
 
 _ADDRESS_ROOM = int(CONSTANTS["BTADRSIZE"])
 
@@ -98,7 +102,7 @@ class Transfer:
     channel: Hashable
     command: str
     place: Path | None
-    file: io.FileIO | None
+    file: StoredFile | None
     size: int
     done: int = 0
     listing: bytes = b""
@@ -215,12 +219,7 @@ class SystemCommands:
         return Answer(SystemStatus.END_OF_FILE, {"handle": handle})
 
     def _write(self, transfer: Transfer, data: bytes) -> bool:
-        if transfer.file is None or not self._brick.files.reserve(len(data)):
-            return False
-        try:
-            return transfer.file.write(data) == len(data)
-        except OSError:
-            return False
+        return transfer.file is not None and transfer.file.put(data)
 
     # From the brick
 
@@ -357,7 +356,7 @@ class SystemCommands:
     def bluetooth_pin(self, request: Request) -> Answer:
         """Only by USB, which this brick has not; its status says so, the type of the reply does not."""
         address = self._brick.settings.bluetooth_address
-        pin = request.text("pin").decode(STRING_CODING)
+        pin = request.text("pin")[:_MOST_PIN].decode(STRING_CODING)
         fields = {"mac_length": _ADDRESS_ROOM, "mac": address, "pin_length": len(pin) + 1, "pin": pin}
         return Answer(SystemStatus.ILLEGAL_CONNECTION, fields, is_error=False)
 

@@ -565,9 +565,8 @@ def test_a_full_folder_takes_no_more(tmp_path: Path) -> None:
     file = storage.open_to_write(b"../prjs/a")
     assert file is not None
     with file:
-        assert storage.reserve(8)
-        assert not storage.reserve(3)
-        file.write(b"12345678")
+        assert file.put(b"12345678")
+        assert not file.put(b"123")
     assert Storage(tmp_path, quota=10).free == 2
     assert storage.delete(b"../prjs/a")
     assert storage.free == 10

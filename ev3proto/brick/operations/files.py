@@ -88,7 +88,7 @@ def open_to_write(vm: Machine, name: bytes, handle: Place, *, append: bool, is_l
         handle.write16(0)
         vm.brick.settings.log_error("FILE_OPEN_ERROR")
         raise Failure
-    opened = OpenFile(files, found, file, True, name, is_log)
+    opened = OpenFile(found, file, True, name, is_log)
     add(vm, opened, handle)
     return opened
 
@@ -103,7 +103,7 @@ def open_read(vm: Machine, place: Place, handle: Place, size: Place) -> None:
         handle.write16(0)
         size.write32(0)
         return
-    add(vm, OpenFile(files, found, file, False, name), handle)
+    add(vm, OpenFile(found, file, False, name), handle)
     size.write32(files.totals(name).size)
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from functools import partial
 from typing import Protocol
 
 from ev3proto.brick.brick import Brick, Outgoing
@@ -178,7 +179,7 @@ class Host:
         """A client has gone; what it left to do is dropped."""
         self.connections.remove(connection)
         self._advance()
-        self._deliver(self.brick.disconnect(connection))
+        self._let(lambda: self.brick.disconnect(connection), "as a client went")
         if self._current is not None and self._current[0] is connection:
             self._current = None
         self._tell(lambda observer: observer.closed(connection))
@@ -250,13 +251,21 @@ class Host:
         frame = connection.take()
         if self.observers:
             self._tell(lambda observer: observer.frame(connection, frame, True))
-        try:
-            self._deliver(self.brick.receive_from(connection, frame))
-        except Exception as error:
-            # A defect of the brick must not take the other clients' brick away.
+        shown = frame[:_MOST_SHOWN].hex(" ") + (" ..." if len(frame) > _MOST_SHOWN else "")
+        if not self._let(lambda: self.brick.receive_from(connection, frame), f"at the frame {shown}"):
             self._current = None
-            shown = frame[:_MOST_SHOWN].hex(" ") + (" ..." if len(frame) > _MOST_SHOWN else "")
-            self.say_once(f"a defect of the virtual brick, please report it: {error!r} at the frame {shown}")
+
+    def _let(self, act: Callable[[], list[Outgoing]], place: str) -> bool:
+        """Has the brick do something, and delivers the replies. Returns False, and says so, for a defect of it.
+
+        A defect must not take the brick away from all clients.
+        """
+        try:
+            self._deliver(act())
+        except Exception as error:
+            self.say_once(f"a defect of the virtual brick, please report it: {error!r} {place}")
+            return False
+        return True
 
     def _settle(self) -> None:
         """Charges a connection for the command that has ended; if it kept others waiting, it is their turn as long."""
@@ -281,7 +290,8 @@ class Host:
         while now - self._now >= _LEAST_STEP or brick.is_computing:
             step = min(now - self._now, _MOST_STEP)
             self._now += step
-            self._deliver(brick.advance_all(step / _MICROSECONDS))
+            if not self._let(partial(brick.advance_all, step / _MICROSECONDS), "as time passed"):
+                break
             if brick.is_computing or self._loop.time() > until:
                 break
         if self._current is not None and brick.is_busy:
@@ -290,7 +300,7 @@ class Host:
                 self.say_once(
                     f"{connection.name}: its command was ended after {PATIENCE:g} s, because another client waits"
                 )
-                self._deliver(brick.end_command())
+                self._let(brick.end_command, "as a command was ended")
         if brick.is_dead:
             brick.is_dead = False
             self.say_once(

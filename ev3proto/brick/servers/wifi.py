@@ -178,9 +178,11 @@ class _Client(asyncio.Protocol):
         if self._timer is not None:
             self._timer.cancel()
         connection, self._connection = self._connection, None
-        if connection is not None:
-            self._host.close(connection)
-        self._wifi.went(self)
+        try:
+            if connection is not None:
+                self._host.close(connection)
+        finally:
+            self._wifi.went(self)
 
     # What the port calls
 

@@ -95,7 +95,7 @@ class Brick(Equipment):
     stretch  seconds of this computer's processor after which a call returns though a direct command could go on; the
              next call goes on with it. None: only when it ends or waits
 
-    `is_computing` says whether a direct command could go on.
+    `is_computing` says whether a direct command could go on; `has_ended_command`, whether one was ended by a limit.
     """
 
     def __init__(
@@ -105,6 +105,7 @@ class Brick(Equipment):
             raise ValueError(f"stretch must be seconds, 0 or more, or None, not {stretch!r}")
         super().__init__(root, check_dialect(dialect), self._stop_user_program)
         self.is_computing = False
+        self.has_ended_command = False
         self.machine = Machine(self, dispatch_table(self.dialect))
         self._global_memory = bytearray(GRANTED_GLOBALS)
         self._waiting: deque[Incoming] = deque()
@@ -248,7 +249,7 @@ class Brick(Equipment):
         return self._take()
 
     def disconnect(self, channel: Hashable) -> list[Outgoing]:
-        """Ends a connection: its waiting frames are dropped, and a command of its own that waits is ended.
+        """Ends a connection: its waiting frames are dropped; its command under way runs on, and is not answered.
 
         Returns the replies that became due to others.
         """
@@ -256,9 +257,7 @@ class Brick(Equipment):
         self._waiting_bytes = sum(len(waiting.frame) for waiting in self._waiting)
         self._system.disconnect(channel)
         if self._command is not None and self._command.channel == channel:
-            self.machine.end_program(self._command.program, FAIL)
-            self._command = None
-            self.is_computing = False
+            self._command.wants_reply = False
         self._serve()
         return self._take()
 
@@ -328,6 +327,7 @@ class Brick(Equipment):
             is_endless = command.executed >= MOST_OPERATIONS or command.spent > MOST_PROCESSOR_SECONDS
             if is_endless or self.microseconds - program.started >= MOST_SECONDS * 1_000_000:
                 self.machine.end_program(program, FAIL)
+                self.has_ended_command = True
                 break
             executed, is_waiting = self.machine.turn(program, command.stretch)
             if not is_waiting:

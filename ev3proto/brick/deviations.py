@@ -14,8 +14,8 @@ DEVIATIONS: tuple[str, ...] = (
     "The remainder of an integer division by zero is 0; the firmware dies.",
     "STRINGS STRING_TO_VALUE of a text without a number gives 0; the firmware gives any number.",
     f"A direct command that never ends is ended, with 0x04, after {MOST_OPERATIONS:,} operations,"
-    f" {MOST_PROCESSOR_SECONDS:g} s of this computer's processor, {MOST_SECONDS} s of waiting,"
-    " or when its connection ends. The real brick stays deaf.",
+    f" {MOST_PROCESSOR_SECONDS:g} s of this computer's processor, or {MOST_SECONDS} s of waiting."
+    " The real brick stays deaf.",
     "SYSTEM never runs a command: its status is -1.",
     "Files are those of one folder, which stands for /home/root/lms2012. Paths that lead outside lead nowhere; links"
     " and special files are not opened; files may take 6000 KB.",

@@ -242,11 +242,14 @@ def test_replies_go_to_the_connections_that_they_belong_to(brick: Brick) -> None
     assert [(reply.channel, reply.frame[2]) for reply in brick.advance_all(0.1)] == [("a", 1), ("b", 2)]
 
 
-def test_a_command_that_never_ends_is_ended_by_closing_its_connection(brick: Brick) -> None:
-    assert brick.receive_from("a", command(op("OBJECT_WAIT", 1))) == []
-    assert brick.is_busy
+def test_a_command_runs_on_when_its_client_has_gone(brick: Brick) -> None:
+    """Then the light turns red and the next client is served; nobody is there to be answered."""
+    wait = (op("TIMER_WAIT", 50, LV(0)), op("TIMER_READY", LV(0)), op("UI_WRITE.LED", 2))
+    assert brick.receive_from("a", command(*wait, locals=4)) == []
     assert brick.receive_from("b", command(op("NOP"), counter=2)) == []
-    assert [reply.channel for reply in brick.disconnect("a")] == ["b"]
+    assert brick.disconnect("a") == []
+    assert [reply.channel for reply in brick.advance_all(0.1)] == ["b"]
+    assert brick.leds == 2
 
 
 def test_an_endless_loop_is_ended_and_fails(brick: Brick, monkeypatch: pytest.MonkeyPatch) -> None:

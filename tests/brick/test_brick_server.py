@@ -10,6 +10,7 @@ import socket
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from random import Random
@@ -121,6 +122,39 @@ def test_a_client_that_goes_in_the_middle_of_a_frame(tmp_path: Path) -> None:
             client.send(VOLUME[:5])
         with Client(brick.port) as client:
             assert client.ask(VOLUME) == HUNDRED
+
+
+def until(is_so: Callable[[], bool]) -> None:
+    """Waits until something is so, for at most half a minute."""
+    end = time.monotonic() + 30
+    while not is_so():
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def test_what_a_client_sent_is_done_after_it_has_gone(tmp_path: Path) -> None:
+    """The last command waits 300 ms and turns the light orange, long after the client closed its socket."""
+    red = command("UI_WRITE(LED, LED_RED)")
+    later = command("DATA32 timer\nTIMER_WAIT(300, timer)\nTIMER_READY(timer)\nUI_WRITE(LED, LED_ORANGE)")
+    with served(tmp_path) as brick:
+        with Client(brick.port) as client:
+            client.send(red + later + command("UI_WRITE(LED, LED_RED_FLASH)"))
+        until(lambda: brick.now.brick.leds == 5)
+        assert brick.said == []
+
+
+def test_an_endless_command_of_a_client_that_has_gone_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.brick.brick.MOST_SECONDS", 1)
+    with served(tmp_path) as brick:
+        with Client(brick.port) as client:
+            # What it left to do after that is not done.
+            client.send(command("OBJECT_WAIT(1)") + command("UI_WRITE(LED, LED_RED)"))
+        with Client(brick.port) as client:
+            assert client.ask(VOLUME) == HUNDRED
+        assert brick.now.brick.leds == 1
+        assert re.fullmatch(
+            r"127\.0\.0\.1:\d+: a command that never ends was ended; a real brick stays deaf", brick.said[0]
+        )
 
 
 def test_garbage_and_frames_without_meaning(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from typing import Protocol
 
 from ev3proto.brick.brick import Brick, Outgoing
 from ev3proto.brick.servers.faults import Faults
-from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, PATIENCE
+from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEUED, PATIENCE
 from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import LENGTH_FIELD
 
@@ -76,6 +76,7 @@ class Connection:
     number   counted from 1, each connection its own
     used     seconds of the brick's time that it has had
     rests_until  when it is served again, after it kept others waiting
+    is_gone  whether its client has gone; what came before that is still served, and not answered
     """
 
     def __init__(self, host: Host, line: Line, name: str, carrier: str) -> None:
@@ -84,6 +85,7 @@ class Connection:
         self.number = 0
         self.used = 0.0
         self.rests_until = 0.0
+        self.is_gone = False
         self._host = host
         self._line = line
         self._incoming = bytearray()
@@ -104,6 +106,16 @@ class Connection:
         self._is_choked = is_choked
         if not is_choked:
             self._host.wake()
+
+    def leave(self) -> None:
+        """The client has gone."""
+        self.is_gone = True
+        self._is_choked = False
+
+    def drop_if_gone(self) -> None:
+        """Forgets what a client that has gone left to do."""
+        if self.is_gone:
+            self._incoming.clear()
 
     @property
     def is_ready(self) -> bool:
@@ -133,7 +145,8 @@ class Connection:
 
     def _send_late(self, frame: bytes) -> None:
         self._delayed -= 1
-        self._line.send(frame)
+        if not self.is_gone:
+            self._line.send(frame)
         self._host.wake()
 
 
@@ -176,14 +189,20 @@ class Host:
         return connection
 
     def close(self, connection: Connection) -> None:
-        """A client has gone; what it left to do is dropped."""
-        self.connections.remove(connection)
-        self._advance()
-        self._let(lambda: self.brick.disconnect(connection), "as a client went")
-        if self._current is not None and self._current[0] is connection:
-            self._current = None
+        """A client has gone; what it sent before is still done, as on the real brick."""
+        connection.leave()
+        gone = [each for each in self.connections if each.is_gone]
+        for other in gone[:-MOST_QUEUED]:
+            other.drop_if_gone()
         self._tell(lambda observer: observer.closed(connection))
         self.wake()
+
+    def _part(self) -> None:
+        """Ends the connections of clients that have gone and left nothing to do."""
+        for connection in [each for each in self.connections if each.is_gone and not each.is_ready]:
+            if self._current is None or self._current[0] is not connection:
+                self.connections.remove(connection)
+                self._let(partial(self.brick.disconnect, connection), "as a client went")
 
     def stop(self) -> None:
         """Stops the clock."""
@@ -212,6 +231,7 @@ class Host:
             self._advance()
             while not self.brick.is_busy:
                 self._settle()
+                self._part()
                 connection = self._next()
                 if connection is None:
                     break
@@ -300,7 +320,13 @@ class Host:
                 self.say_once(
                     f"{connection.name}: its command was ended after {PATIENCE:g} s, because another client waits"
                 )
+                connection.drop_if_gone()
                 self._let(brick.end_command, "as a command was ended")
+        if brick.has_ended_command:
+            brick.has_ended_command = False
+            if self._current is not None:
+                self._current[0].drop_if_gone()
+                self.say_once(f"{self._current[0].name}: a command that never ends was ended; a real brick stays deaf")
         if brick.is_dead:
             brick.is_dead = False
             self.say_once(
@@ -314,7 +340,7 @@ class Host:
     def _deliver(self, replies: list[Outgoing]) -> None:
         for channel, reply in replies:
             sent = self.faults.befall(reply)
-            if isinstance(channel, Connection) and sent is not None:
+            if isinstance(channel, Connection) and not channel.is_gone and sent is not None:
                 if self.observers:
                     self._show(channel, sent)
                 channel.send(sent, self.faults.delay)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from ev3proto.errors import DecodeError, Fault, as_bytes, counted
 from ev3proto.messages import Message
 from ev3proto.schema.frame import frame_schema
-from ev3proto.schema.header import frame_size, impossible_length, is_frame_size, may_be_long
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
+from ev3proto.schema.header import frame_size, out_of_step
+from ev3proto.tables.frame import LENGTH_FIELD
 
 
 class StreamError(DecodeError):
@@ -77,11 +77,8 @@ class Decoder:
                 del buffer[:size]
                 self._position += size
                 continue
-            if size > MAX_FRAME and (is_long := may_be_long(buffer)) is not False:
-                if is_long is None:
-                    return
-            elif not is_frame_size(size):
-                self._lost = StreamError(self._position, impossible_length(size - LENGTH_FIELD))
+            if (reason := out_of_step(buffer)) is not None:
+                self._lost = StreamError(self._position, reason)
                 raise self._lost
             if len(buffer) < size:
                 return

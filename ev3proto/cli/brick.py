@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -23,6 +24,7 @@ from ev3proto.temporary import temporary_folder
 from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
+    from ev3proto.brick.servers.reporting import Reporter
     from ev3proto.brick.servers.script import Script
     from ev3proto.brick.servers.server import Options
 
@@ -94,7 +96,12 @@ class _WithDifferences(click.Command):
 @click.option(
     "--record", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Capture (pcapng) to write."
 )
-@click.option("--report", is_flag=True, help="At the end, say what `check` finds in the clients' frames.")
+@click.option(
+    "--report", is_flag=True, help="At the end, say what `check` finds in the clients' frames; status 1 with errors."
+)
+@click.option("--errors-only", is_flag=True, help="Report errors only.")
+@click.option("--json", "as_json", is_flag=True, help="Report one JSON object a line.")
+@click.option("--serial-number", metavar="HEX", help="12 hexadecimal digits to show as the brick's own.")
 @click.option(
     "--screenshot",
     type=click.Path(dir_okay=False, path_type=Path),
@@ -124,6 +131,9 @@ def brick(
     script: Path | None,
     record: Path | None,
     report: bool,
+    errors_only: bool,
+    as_json: bool,
+    serial_number: str | None,
     screenshot: Path | None,
     delay: float,
     drop: float,
@@ -139,9 +149,13 @@ def brick(
 
     \b
     A script says what is plugged in, with raw readings by mode, and what happens:
-      period = 4.0               # begin again after so many seconds
+      name = "EV3"               # at most 12 characters
+      voltage = 7.9              # volt
+      current = 0.18             # ampere
+      period = 4.0               # seconds after which the steps begin again
       [ports.1]
-      type = "TYPE_TOUCH"
+      type = "TYPE_TOUCH"        # a name or number of TYPE
+      readings.0 = [0]           # mode 0
       [ports.B]
       type = "TYPE_TACHO"
       [[steps]]
@@ -176,7 +190,10 @@ def brick(
         screenshot=screenshot,
         script=read_script_file(script),
         dialect=dialect,
+        serial_number=_serial_number(serial_number),
     )
+    if (errors_only or as_json) and not report:
+        raise click.UsageError("--errors-only and --json are about what --report prints: give --report, too")
     if options.port is None and serial is None and page is None:
         raise click.UsageError("without WiFi there must be --serial or --http: nobody could reach the brick")
     if not quiet:
@@ -184,7 +201,22 @@ def brick(
         for sentence in DEVIATIONS:
             complain(f"- {sentence}")
     with folder(root) as place:
-        sys.exit(asyncio.run(_serve(options, place)))
+        reporter = asyncio.run(_serve(options, place))
+    if reporter is None:
+        return
+    if as_json:
+        for line in reporter.json_lines(errors_only=errors_only):
+            say(line)
+    else:
+        Printer().lines(reporter.lines(errors_only=errors_only))
+    sys.exit(1 if reporter.has_errors else 0)
+
+
+def _serial_number(text: str | None) -> str | None:
+    """Returns a serial number as the brick shows it. Raises click.BadParameter."""
+    if text is None or re.fullmatch(r"[0-9A-Fa-f]{12}", text):
+        return None if text is None else text.lower()
+    raise click.BadParameter(f"a serial number has 12 hexadecimal digits, not {text!r}", param_hint="--serial-number")
 
 
 def _expect_nothing_of_wifi() -> None:
@@ -195,8 +227,8 @@ def _expect_nothing_of_wifi() -> None:
             raise click.UsageError(f"--no-wifi leaves no use for --{name}: give one or the other")
 
 
-async def _serve(options: Options, root: Path) -> int:
-    """Runs the brick until it is interrupted; the exit status."""
+async def _serve(options: Options, root: Path) -> Reporter | None:
+    """Runs the brick until it is interrupted. Returns what has checked the clients' frames."""
     from ev3proto.brick.servers.server import ServerError, running
 
     try:
@@ -210,13 +242,10 @@ async def _serve(options: Options, root: Path) -> int:
                     say(f"page at {now.link}")
                 flush()
                 await ended.wait()
-            reporter = now.reporter
+            return now.reporter
     except ServerError as error:
         complain(str(error))
-        return 1
-    if reporter is not None:
-        Printer().lines(reporter.lines())
-    return 0
+        sys.exit(1)
 
 
 @contextmanager

@@ -181,24 +181,36 @@ class Proxy:
 
     def _from_client(self, client: socket.socket) -> None:
         decoder = Decoder(strict=False, dialect=self._options.dialect)
+        reason = self._pass_on(client, decoder)
+        left = decoder.pending
+        if reason is None and left and (fault := decoder.close()) is not None:
+            reason = fault.reason
+        if reason is not None:
+            self._say(f"the client's bytes are no frames: {reason}; its connection was closed")
+        if left:
+            shown = masked(left, dialect=self._options.dialect) if self._options.is_masked else left
+            with self._lock:
+                self._record(lambda recording: recording.frame(shown, True))
+
+    def _pass_on(self, client: socket.socket, decoder: Decoder) -> str | None:
+        """Hands the client's messages on until it goes. Returns why its bytes are no frames, where they are not."""
         while True:
             try:
                 data = client.recv(_CHUNK)
             except TimeoutError:
                 continue  # the time is for sending; a client may be silent as long as it likes
             except OSError:
-                return
+                return None
             if not data:
-                return
+                return None
             try:
                 for message in decoder.feed(data):
                     self._to_brick(message)
             except StreamError as error:
-                self._say(f"the client's bytes are no frames: {error}; its connection was closed")
-                return
+                return str(error)
             except ConnectionLostError as error:
                 self._lose(error)
-                return
+                return None
 
     def _to_brick(self, message: Message) -> None:
         frame = message.build()

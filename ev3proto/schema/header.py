@@ -6,6 +6,7 @@ The two Constructs declare the bytes. The functions here are how the whole proje
 
 from __future__ import annotations
 
+import re
 import struct
 from typing import NamedTuple
 
@@ -110,6 +111,21 @@ def impossible_length(length: int) -> str:
         f"no frame can start here: its length field would say {length}, a frame has {MIN_LENGTH} to {MAX_LENGTH} bytes"
         " after it"
     )
+
+
+def out_of_step(data: bytes | bytearray, at: int = 0) -> str | None:
+    """Returns why no frame starts at an offset, as a sentence; None where one may, or too little has come to tell."""
+    size = frame_size(data, at)
+    if is_frame_size(size) or (size > MAX_FRAME and may_be_long(data, at) is not False):
+        return None
+    if _TEXT.fullmatch(data, at, at + _SHOWN):
+        return f"length {size - LENGTH_FIELD}: text where a frame should be"
+    return impossible_length(size - LENGTH_FIELD)
+
+
+_SHOWN = 8
+_TEXT = re.compile(rb"[\x20-\x7E\t\r\n]+")
+"""Bytes that people type: programs that send text where frames are due are the commonest mistake of new libraries."""
 
 
 def is_frame_size(size: int) -> bool:

@@ -13,3 +13,11 @@ NAME = int(CONSTANTS["NAMESIZE"])
 
 EXTENSION = int(CONSTANTS["EXTSIZE"])
 """Bytes of the extension, its dot included."""
+
+USUAL_FOLDERS = (
+    *(f"apps/{name}" for name in ("Brick Datalog", "Brick Program", "IR Control", "Motor Control", "Port View")),
+    *(f"prjs/{name}" for name in ("BrkDL_SAVE", "BrkProg_SAVE")),
+    *(f"sys/{name}" for name in ("lib", "mod", "settings", "ui")),
+    *(f"tools/{name}" for name in ("Bluetooth", "Brick Info", "Sleep", "Volume", "WiFi")),
+)
+"""Folders of a brick as LEGO delivers it, below /home/root/lms2012."""

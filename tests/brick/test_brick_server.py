@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import re
 import signal
@@ -55,6 +56,7 @@ def test_first_line_says_where_it_listens(tmp_path: Path) -> None:
         assert client.ask(VOLUME) == HUNDRED
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=30)
+    # The frequency is a warning, and no error.
     assert process.returncode == 0
     assert "3 frames from clients" in out
     assert "W303" in out
@@ -155,6 +157,29 @@ def test_an_endless_command_of_a_client_that_has_gone_is_ended(tmp_path: Path, m
         assert re.fullmatch(
             r"127\.0\.0\.1:\d+: a command that never ends was ended; a real brick stays deaf", brick.said[0]
         )
+
+
+def test_a_client_out_of_step_is_named(tmp_path: Path) -> None:
+    """A program that sends text where frames are due waits for ever; so does the brick, which says why."""
+    with served(tmp_path) as brick, Client(brick.port) as client:
+        client.send(VOLUME + b"\0\0" + VOLUME)
+        assert [client.reply(), client.reply()] == [HUNDRED, HUNDRED]
+        client.send(b"Protocol: EV3\r\n")
+        until(lambda: len(brick.said) == 1)
+    assert brick.said[0].endswith(": length 29264: text where a frame should be")
+
+
+def test_a_frame_whose_rest_never_comes_is_shown_and_recorded(tmp_path: Path) -> None:
+    """A client that writes lengths of one too many."""
+    unfinished = bytes.fromhex("1100000001920a0000002f6e6f6e652f7800")
+    path = tmp_path / "talk.pcapng"
+    with served(tmp_path / "root", replace(PLAIN, record=path)) as brick:
+        with Client(brick.port) as client:
+            assert client.ask(VOLUME) == HUNDRED
+            client.send(unfinished)
+        until(lambda: bool(brick.said))
+    assert brick.said[0].endswith(": the connection ended inside a frame: 18 of its 19 bytes came")
+    assert unfinished in path.read_bytes()
 
 
 def test_garbage_and_frames_without_meaning(tmp_path: Path) -> None:
@@ -305,6 +330,74 @@ def test_nothing_outside_the_folder(tmp_path: Path) -> None:
             client.ask(system(0x9C, path + b"\0"))
         assert client.ask(system(0x99, b"\xe8\x03../link/\0"))[4] == 0x05
     assert secret.read_text() == "do not tell"
+
+
+# Reports
+
+
+def reported(tmp_path: Path, sent: list[bytes], *words: str) -> subprocess.CompletedProcess[str]:
+    """What `ev3proto brick --report` prints of some frames of a client, and of one that asks for the volume."""
+    call = [sys.executable, "-m", "ev3proto", "brick", "--port", "0", "--no-beacon", "--quiet", "--report", *words]
+    process = subprocess.Popen(
+        [*call, "--root", tmp_path / "root"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    line = process.stdout.readline()
+    with Client(int(line.rpartition(":")[2])) as client:
+        client.send(b"".join(sent) + VOLUME)
+        while client.reply() != HUNDRED:
+            pass
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=30)
+    return subprocess.CompletedProcess(call, process.returncode, out, err)
+
+
+REFUSED = bytes.fromhex("08000100800500810161")
+TOO_LOW = bytes.fromhex("0e002a0080000094010182c80082e803")
+
+
+def test_a_report_with_errors_ends_with_1(tmp_path: Path) -> None:
+    """Each kind of finding once, with its count and the first place."""
+    done = reported(tmp_path, [REFUSED, TOO_LOW, REFUSED, TOO_LOW, TOO_LOW])
+    assert done.returncode == 1
+    assert "6 frames from clients, 3 distinct findings" in done.stdout
+    assert done.stdout.count("error[E205]") == 1
+    assert done.stdout.count("warning[W303]") == 1
+    assert re.search(r"127\.0\.0\.1:\d+, frame 1, \d\.\d{3} s: the brick refuses it", done.stdout)
+    assert "= E205 in 2 frames" in done.stdout
+    assert "= W303 in 3 frames" in done.stdout
+
+
+def test_a_report_for_other_tools(tmp_path: Path) -> None:
+    done = reported(tmp_path, [REFUSED, TOO_LOW], "--json", "--errors-only", "--record", str(tmp_path / "t.pcapng"))
+    (entry,) = map(json.loads, done.stdout.splitlines())
+    assert (done.returncode, entry["code"], entry["frames"], entry["frame"]) == (1, "E205", 1, 1)
+    assert bytes.fromhex(entry["hex"]) == REFUSED
+    # The first packets of the recording open the connection.
+    assert entry["packet"] > 1
+
+
+@pytest.mark.parametrize(("shows", "codes"), [(True, set()), (False, {"W702"})])
+def test_what_is_drawn_may_be_shown_by_a_later_frame(tmp_path: Path, shows: bool, codes: set[str]) -> None:
+    drawn = [command("UI_DRAW(FILLCIRCLE, FG_COLOR, 89, 64, 40)")]
+    if shows:
+        drawn.append(command("UI_DRAW(UPDATE)"))
+    done = reported(tmp_path, drawn, "--json")
+    assert {json.loads(line)["code"] for line in done.stdout.splitlines()} & {"W702"} == codes
+
+
+def test_the_serial_number_is_that_of_the_beacon(tmp_path: Path) -> None:
+    with served(tmp_path, replace(PLAIN, serial_number="00165340abcd")) as brick:
+        assert brick.now.brick.settings.bluetooth_address == "00165340abcd"
+    done = run_ev3proto_text("brick", "--serial-number", "xyz")
+    assert done.returncode == 2
+    assert "a serial number has 12 hexadecimal digits, not 'xyz'" in done.stderr
+
+
+def test_the_folders_of_a_new_brick(tmp_path: Path) -> None:
+    with served(tmp_path):
+        assert (tmp_path / "prjs" / "BrkProg_SAVE").is_dir()
+        assert (tmp_path / "apps" / "Port View").is_dir()
 
 
 # Several clients

@@ -174,9 +174,14 @@ with ev3proto.EV3(target=f"wifi:{sys.argv[2]}") as brick:
 """The tests of somebody's library: they ask, and send a tone of a pitch that there is not."""
 
 
-def test_the_lines_for_ci_run(tmp_path: Path) -> None:
+REFUSED = CLIENT.replace("82 0000 82 e803", "82 0000 82")
+"""The same with a byte missing, so that the brick refuses the command."""
+
+
+@pytest.mark.parametrize(("client", "status", "said"), [(CLIENT, 0, "FREQUENCY"), (REFUSED, 1, "error[")])
+def test_the_lines_for_ci_run(tmp_path: Path, client: str, status: int, said: str) -> None:
     (script,) = blocks(ROOT / "docs" / "howto" / "test-your-library.md", "sh")
-    (tmp_path / "your-tests").write_text(CLIENT)
+    (tmp_path / "your-tests").write_text(client)
     (tmp_path / "your-tests").chmod(0o755)
     path = f"{tmp_path}{os.pathsep}{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     done = subprocess.run(
@@ -188,8 +193,8 @@ def test_the_lines_for_ci_run(tmp_path: Path) -> None:
         check=False,
         timeout=60,
     )
-    assert (done.returncode, done.stdout.splitlines()[0]) == (0, "True"), done.stderr
-    assert "FREQUENCY" in done.stdout, "the report names what check finds"
+    assert (done.returncode, done.stdout.splitlines()[0]) == (status, "True"), done.stderr
+    assert said in done.stdout, "the report names what check finds"
 
 
 def test_the_program_for_pyshark_prints_what_is_in_packets(tshark: Tshark) -> None:

@@ -375,6 +375,27 @@ def test_garbage_of_a_client_ends_its_connection_only() -> None:
         assert "the client's bytes are no frames" in found.said[0]
 
 
+def test_a_client_that_sends_text_is_named() -> None:
+    with standing("virtual") as found:
+        with Client(found.proxy.port) as client:
+            client.send(b"Protocol: EV3\r\n")
+            with pytest.raises(ConnectionError):
+                client.reply()
+        assert found.said == [
+            "the client's bytes are no frames: offset 0: length 29264: text where a frame should be; its connection was"
+            " closed"
+        ]
+
+
+def test_a_frame_whose_rest_never_comes_is_named() -> None:
+    with standing("virtual") as found:
+        with Client(found.proxy.port) as client:
+            client.send(bytes.fromhex("1100000001920a0000002f6e6f6e652f7800"))
+        with Client(found.proxy.port) as client:
+            assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
+        assert "the stream ends inside a frame, of which 18 bytes came" in found.said[0]
+
+
 def test_the_brick_goes_away(tmp_path: Path) -> None:
     with served(tmp_path) as brick:
         found = Standing(f"wifi:127.0.0.1:{brick.port}")

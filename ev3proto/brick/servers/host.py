@@ -14,7 +14,8 @@ from typing import Protocol
 from ev3proto.brick.brick import Brick, Outgoing
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEUED, PATIENCE
-from ev3proto.schema.header import frame_size
+from ev3proto.errors import counted
+from ev3proto.schema.header import frame_size, out_of_step
 from ev3proto.tables.frame import LENGTH_FIELD
 
 _COMPUTING_PERIOD, _BUSY_PERIOD, _IDLE_PERIOD = 0.0, 0.002, 0.02
@@ -35,8 +36,11 @@ _MOST_ADVANCING = 0.01
 _MOST_BEHIND = 250_000
 """Microseconds that the brick's clock may be behind. When this computer cannot keep up, that clock is slow."""
 
+_POLL = bytes(LENGTH_FIELD)
+
 _MICROSECONDS = 1_000_000
 _MOST_SHOWN = 48
+_MOST_SAID = 1000
 
 Say = Callable[[str], None]
 """Tells a sentence to who started the server."""
@@ -64,8 +68,11 @@ class Observer(Protocol):
     def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
         """A frame was taken from a client, or one was sent to it."""
 
+    def left(self, connection: Connection, data: bytes, reason: str) -> None:
+        """A client has gone, and its last bytes were not a whole frame, for a reason."""
+
     def closed(self, connection: Connection) -> None:
-        """A client has gone."""
+        """A client has gone, and all that it sent is done."""
 
 
 class Connection:
@@ -91,11 +98,13 @@ class Connection:
         self._incoming = bytearray()
         self._is_paused = False
         self._is_choked = False
+        self._is_out_of_step = False
         self._delayed = 0
 
     def feed(self, data: bytes) -> None:
         """Bytes came from the client."""
         self._incoming += data
+        self._look()
         if len(self._incoming) > MOST_BUFFERED and not self._is_paused:
             self._is_paused = True
             self._line.pause()
@@ -117,6 +126,21 @@ class Connection:
         if self.is_gone:
             self._incoming.clear()
 
+    def _look(self) -> None:
+        """Passes over polls, lengths of 0 between frames, as the firmware does; says when what follows is no frame."""
+        while self._incoming.startswith(_POLL):
+            del self._incoming[: len(_POLL)]
+        if len(self._incoming) >= LENGTH_FIELD and not self._is_out_of_step:
+            reason = out_of_step(self._incoming)
+            if reason is not None:
+                self._is_out_of_step = True
+                self._host.say_once(f"{self.name}: {reason}")
+
+    @property
+    def left(self) -> bytes:
+        """What has come of a frame that is not whole."""
+        return bytes(self._incoming)
+
     @property
     def is_ready(self) -> bool:
         """Whether a whole frame is there that can be served."""
@@ -130,6 +154,7 @@ class Connection:
         size = frame_size(self._incoming)
         frame = bytes(self._incoming[:size])
         del self._incoming[:size]
+        self._look()
         if self._is_paused and len(self._incoming) <= MOST_BUFFERED:
             self._is_paused = False
             self._line.resume()
@@ -194,7 +219,6 @@ class Host:
         gone = [each for each in self.connections if each.is_gone]
         for other in gone[:-MOST_QUEUED]:
             other.drop_if_gone()
-        self._tell(lambda observer: observer.closed(connection))
         self.wake()
 
     def _part(self) -> None:
@@ -203,6 +227,15 @@ class Host:
             if self._current is None or self._current[0] is not connection:
                 self.connections.remove(connection)
                 self._let(partial(self.brick.disconnect, connection), "as a client went")
+                self._say_goodbye(connection)
+
+    def _say_goodbye(self, connection: Connection) -> None:
+        """Tells observers that a connection is over, and what is left of an unfinished frame."""
+        if left := connection.left:
+            reason = (len(left) >= LENGTH_FIELD and out_of_step(left)) or _unfinished(left)
+            self.say_once(f"{connection.name}: {reason}")
+            self._tell(lambda observer: observer.left(connection, left, reason))
+        self._tell(lambda observer: observer.closed(connection))
 
     def stop(self) -> None:
         """Stops the clock."""
@@ -210,6 +243,12 @@ class Host:
             self._timer.cancel()
         self._timer = None
         self._is_stopped = True
+
+    def part_all(self) -> None:
+        """Ends all connections for the observers: the brick is about to be switched off."""
+        for connection in self.connections:
+            self._say_goodbye(connection)
+        self.observers.clear()
 
     # Serving
 
@@ -220,7 +259,7 @@ class Host:
 
     def say_once(self, sentence: str) -> None:
         """Tells a sentence, the first time only."""
-        if sentence not in self._was_said:
+        if sentence not in self._was_said and len(self._was_said) < _MOST_SAID:
             self._was_said.add(sentence)
             self.say(sentence)
 
@@ -358,3 +397,10 @@ class Host:
         else:
             period = _IDLE_PERIOD
         self._timer = self._loop.call_later(period, self.wake)
+
+
+def _unfinished(left: bytes) -> str:
+    """Says what is missing of a frame whose rest never came."""
+    if len(left) < LENGTH_FIELD:
+        return f"the connection ended inside a frame: {counted(len(left), 'byte')} of its length came"
+    return f"the connection ended inside a frame: {len(left)} of its {counted(frame_size(left), 'byte')} came"

@@ -23,7 +23,7 @@ _SEGMENT = 1460
 
 
 class Recorder:
-    """Writes a pcapng file while the brick is on."""
+    """Writes a pcapng file while the brick is on. `packets` counts those written."""
 
     def __init__(self, path: Path, say: Say) -> None:
         """Opens the file, and empties it. OSError where it cannot be written."""
@@ -34,6 +34,7 @@ class Recorder:
         self._interface = self._file.interface(Carrier("wifi"))
         self._writers: dict[Connection, tuple[CarrierWriter, int]] = {}
         self._is_open = True
+        self.packets = 0
 
     def opened(self, connection: Connection) -> None:
         """What comes before the first frame."""
@@ -56,6 +57,10 @@ class Recorder:
         for at in range(0, len(frame), _SEGMENT):
             self._write(connection, writer.between(is_from_host) if at == 0 else [])
             self._write(connection, writer.frame(frame[at : at + _SEGMENT], is_from_host))
+
+    def left(self, connection: Connection, data: bytes, reason: str) -> None:  # noqa: ARG002 - the bytes tell it
+        """Bytes that were not a whole frame, as they came."""
+        self.frame(connection, data, True)
 
     def closed(self, connection: Connection) -> None:
         """What comes after the last frame."""
@@ -80,6 +85,7 @@ class Recorder:
         try:
             for packet in packets:
                 self._file.write(writer.stamped(packet, now), now, interface)
+                self.packets += 1
             # What is recorded can be read while it grows, and is there if this process is killed.
             self._stream.flush()
         except OSError as error:

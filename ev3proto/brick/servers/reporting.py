@@ -1,51 +1,77 @@
-"""`--report`: what `check` has to say about the frames of the clients, each finding once."""
+"""`--report`: what `check` has to say about the frames of the clients, each kind of finding once."""
 
 from __future__ import annotations
 
+import json
+import time
 from collections import OrderedDict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from ev3proto.brick.servers.host import Connection
+from ev3proto.checking import codes
 from ev3proto.checking.checking import check
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.errors import counted
+from ev3proto.messages import DirectCommand
+from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER
+from ev3proto.tables.declaration import Effect
 from ev3proto.text.diagnostics import diagnostics
 from ev3proto.text.spans import Line, Role
-
-_MOST_KINDS = 200
-"""Different findings that are kept."""
 
 _MOST_KNOWN = 4096
 """Different frames of which the findings are remembered."""
 
-_COUNTER = slice(HEADER.length.sizeof(), HEADER.length.sizeof() + HEADER.counter.sizeof())
+_MOST_OPERATIONS = 8
+"""Names of operations that are listed with a kind of finding."""
 
-Kind = tuple[str, str | None, str | None]
-"""A finding's code, operation and parameter."""
+_MOST_BROKEN = 100
+"""Connections that ended inside a frame, or out of step, that are kept."""
+
+_COUNTER = slice(HEADER.length.sizeof(), HEADER.length.sizeof() + HEADER.counter.sizeof())
+_SHOWING = (Effect.SHOWS, Effect.DIALOG)
 
 
 @dataclass
-class _Found:
-    """A kind of finding: the first frame that has it, who sent that, and in how many frames it is."""
+class _Kind:
+    """All findings with one code: the first of them, where that is, and how many frames have one."""
 
     report: Report
     finding: Finding
-    sender: str
+    place: dict[str, Any]
+    operations: dict[str, None]
     frames: int = 0
+
+
+@dataclass(frozen=True)
+class _Checked:
+    """What is known of a frame: its findings, the first of each code, and whether it shows what was drawn."""
+
+    report: Report
+    findings: tuple[Finding, ...]
+    shows: bool
 
 
 class Reporter:
     """Checks the frames of all clients."""
 
-    def __init__(self, dialect: str = "official") -> None:
-        """Starts without any frame. ValueError for an unknown dialect."""
+    def __init__(self, dialect: str = "official", packet: Callable[[], int] | None = None) -> None:
+        """Starts without any frame.
+
+        Args:
+            dialect: The firmware whose instruction set to check by. ValueError for an unknown one.
+            packet: Returns the number of the last packet of the recording; None where nothing is recorded.
+        """
         self.frames = 0
         self._dialect = dialect
-        self._found: dict[Kind, _Found] = {}
-        self._known: OrderedDict[bytes, tuple[Kind, ...]] = OrderedDict()
-        self._left_out = 0
+        self._packet = packet
+        self._begin = time.monotonic()
+        self._kinds: dict[str, _Kind] = {}
+        self._not_shown: list[_Kind] = []
+        self._known: OrderedDict[bytes, _Checked] = OrderedDict()
+        self._broken: list[tuple[dict[str, Any], str]] = []
 
     def opened(self, connection: Connection) -> None:
         """Nothing to check."""
@@ -53,48 +79,108 @@ class Reporter:
     def closed(self, connection: Connection) -> None:
         """Nothing to check."""
 
+    def left(self, connection: Connection, data: bytes, reason: str) -> None:  # noqa: ARG002 - the recording has them
+        """Keeps how a client's bytes ended."""
+        if len(self._broken) < _MOST_BROKEN:
+            self._broken.append((self._place(connection), reason))
+
     def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
         """Checks a frame of a client, unless one like it was checked before."""
         if not is_from_host:
             return
         self.frames += 1
+        checked = self._checked(connection, frame)
+        if checked.shows:
+            self._not_shown.clear()
+        for finding in checked.findings:
+            kind = _Kind(checked.report, finding, self._place(connection), {})
+            if finding.code == codes.NOT_SHOWN.code:
+                # A later command may show it.
+                self._not_shown.append(kind)
+            else:
+                self._count(kind)
+
+    def _checked(self, connection: Connection, frame: bytes) -> _Checked:
         # All that a client counts up is the message counter.
         alike = frame[: _COUNTER.start] + frame[_COUNTER.stop :]
-        kinds = self._known.get(alike)
-        if kinds is None:
-            kinds = self._check(connection, frame)
-            self._known[alike] = kinds
+        found = self._known.get(alike)
+        if found is None:
+            report = check(frame, dialect=self._dialect, carrier=connection.carrier)
+            first: dict[str, Finding] = {}
+            for finding in report.findings:
+                first.setdefault(finding.code, finding)
+            found = _Checked(report, tuple(first.values()), _shows(frame, self._dialect))
+            self._known[alike] = found
             if len(self._known) > _MOST_KNOWN:
                 self._known.popitem(last=False)
-        for kind in kinds:
-            self._found[kind].frames += 1
+        return found
 
-    def _check(self, connection: Connection, frame: bytes) -> tuple[Kind, ...]:
-        report = check(frame, dialect=self._dialect, carrier=connection.carrier)
-        kinds: dict[Kind, Finding] = {}
-        for finding in report.findings:
-            kinds.setdefault((finding.code, finding.operation, finding.parameter), finding)
-        for kind, finding in list(kinds.items()):
-            if kind in self._found:
-                continue
-            if len(self._found) < _MOST_KINDS:
-                self._found[kind] = _Found(report, finding, connection.name)
-            else:
-                self._left_out += 1
-                del kinds[kind]
-        return tuple(kinds)
+    def _count(self, kind: _Kind) -> None:
+        known = self._kinds.setdefault(kind.finding.code, kind)
+        known.frames += 1
+        if kind.finding.operation is not None and len(known.operations) <= _MOST_OPERATIONS:
+            known.operations[kind.finding.operation] = None
 
-    def lines(self) -> Iterator[Line]:
-        """What was found, for people: each kind of finding with the first frame that has it."""
+    def _place(self, connection: Connection) -> dict[str, Any]:
+        """Who sent a frame, which one it is, and when: `packet` counts those of the recording, `frame` the clients'."""
+        place: dict[str, Any] = {"client": connection.name, "frame": self.frames}
+        if self._packet is not None:
+            place["packet"] = self._packet()
+        place["seconds"] = round(time.monotonic() - self._begin, 6)
+        return place
+
+    # What was found
+
+    @property
+    def has_errors(self) -> bool:
+        """Whether any frame has an error, or a client sent what is not a frame."""
+        return bool(self._broken) or any(kind.finding.severity is Severity.ERROR for kind in self._sorted(True))
+
+    def lines(self, *, errors_only: bool = False) -> Iterator[Line]:
+        """What was found, for people: each kind of finding with its count and the first frame that has it."""
         many = f"{counted(self.frames, 'frame')} from clients"
-        if not self._found:
-            yield [(f"{many}: no findings", Role.PLAIN)]
+        kind_of_finding = "error" if errors_only else "finding"
+        kinds = self._sorted(errors_only)
+        if not kinds and not self._broken:
+            yield [(f"{many}: no {kind_of_finding}s", Role.PLAIN)]
             return
-        yield [(f"{many}, {len(self._found)} different findings", Role.HEADING)]
-        for found in sorted(self._found.values(), key=lambda found: list(Severity).index(found.finding.severity)):
+        yield [(f"{many}, {counted(len(kinds), f'distinct {kind_of_finding}')}", Role.HEADING)]
+        for place, reason in self._broken:
+            yield [(f"{_named(place)}: {reason}", Role.FAULT)]
+        for kind in kinds:
             yield []
-            place = f"{found.sender}, in {counted(found.frames, 'frame')}"
-            yield from diagnostics(found.report, [found.finding], place=place, dialect=self._dialect)
-        if self._left_out:
-            yield []
-            yield [(f"and {self._left_out} more findings of other kinds", Role.ASIDE)]
+            yield from diagnostics(kind.report, [kind.finding], place=_named(kind.place), dialect=self._dialect)
+            others = [name for name in kind.operations if name != kind.finding.operation]
+            more = f"; also in {', '.join(others[:_MOST_OPERATIONS])}" if others else ""
+            etc = ", ..." if len(others) > _MOST_OPERATIONS else ""
+            yield [(f"     = {kind.finding.code} in {counted(kind.frames, 'frame')}{more}{etc}", Role.ASIDE)]
+
+    def json_lines(self, *, errors_only: bool = False) -> Iterator[str]:
+        """The same for other tools: an object for each kind of finding, and for each client that was out of step."""
+        for place, reason in self._broken:
+            yield json.dumps({**place, "severity": Severity.ERROR, "message": reason}, ensure_ascii=False)
+        for kind in self._sorted(errors_only):
+            entry = {**kind.place, **kind.finding.as_dict(), "frames": kind.frames, "operations": list(kind.operations)}
+            yield json.dumps({**entry, "hex": kind.report.frame.hex()}, ensure_ascii=False)
+
+    def _sorted(self, errors_only: bool) -> list[_Kind]:
+        """The kinds of findings, errors first; those of drawings that nothing has shown until now are among them."""
+        for kind in self._not_shown:
+            self._count(kind)
+        self._not_shown.clear()
+        shown = [kind for kind in self._kinds.values() if not errors_only or kind.finding.severity is Severity.ERROR]
+        return sorted(shown, key=lambda kind: list(Severity).index(kind.finding.severity))
+
+
+def _shows(frame: bytes, dialect: str) -> bool:
+    """Returns whether a command shows what was drawn before it."""
+    message = parse(frame, strict=False, dialect=dialect)
+    if not isinstance(message, DirectCommand):
+        return False
+    return any(effect in _SHOWING for operation in message.operations for effect in operation.declaration.effects)
+
+
+def _named(place: dict[str, Any]) -> str:
+    """`127.0.0.1:5555, packet 13, 0.250 s`."""
+    number = f"packet {place['packet']}" if "packet" in place else f"frame {place['frame']}"
+    return f"{place['client']}, {number}, {place['seconds']:.3f} s"

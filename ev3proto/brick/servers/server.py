@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import ipaddress
 import os
 from collections.abc import AsyncIterator
@@ -24,6 +25,7 @@ from ev3proto.brick.servers.serial_port import SerialError, SerialPort
 from ev3proto.brick.servers.wifi import Wifi, WifiError
 from ev3proto.extras import install_command
 from ev3proto.tables.discovery import TCP_PORT
+from ev3proto.tables.paths import USUAL_FOLDERS
 from ev3proto.whole_files import write_whole
 
 LOOPBACK = "127.0.0.1"
@@ -52,6 +54,7 @@ class Options:
     report      whether clients' frames are checked
     screenshot  file for a picture of the display at the end
     script      what is plugged in, and what happens
+    serial_number  12 hexadecimal digits that the brick shows as its own; None: those it always has
     dialect     the firmware's instruction set
     """
 
@@ -67,6 +70,7 @@ class Options:
     screenshot: Path | None = None
     script: Script = field(default_factory=Script)
     dialect: str = "official"
+    serial_number: str | None = None
 
 
 @dataclass(frozen=True)
@@ -111,18 +115,23 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
     async with AsyncExitStack() as stack:
         brick = Brick(root, dialect=options.dialect, stretch=STRETCH)
         options.script.set_up(brick)
+        if options.serial_number is not None:
+            brick.settings.bluetooth_address = options.serial_number
+        _make_usual_folders(root)
         host = Host(brick, say, options.faults)
         stack.callback(host.stop)
         if options.screenshot is not None:
             _expect_place(options.screenshot)
             stack.callback(_save_screenshot, brick, options.screenshot, say)
-        if options.record is not None:
-            recorder = _recorder(options.record, say)
+        recorder = None if options.record is None else _recorder(options.record, say)
+        if recorder is not None:
             host.observers.append(recorder)
             stack.callback(recorder.close)
-        reporter = Reporter(options.dialect) if options.report else None
-        if reporter is not None:
+        reporter = None
+        if options.report:
+            reporter = Reporter(options.dialect, None if recorder is None else lambda: recorder.packets)
             host.observers.append(reporter)
+        stack.callback(host.part_all)
         link, looked = "", asyncio.Event()
         if options.page is not None:
             link, looked = await stack.enter_async_context(_page(host, options.address, options.page))
@@ -145,6 +154,13 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         steps = asyncio.create_task(_follow(options.script, host))
         stack.callback(steps.cancel)
         yield Running(brick, host, address, port, link, looked, reporter)
+
+
+def _make_usual_folders(root: Path) -> None:
+    """Makes the folders that LEGO's bricks have, where programs look for what is not there."""
+    for name in USUAL_FOLDERS:
+        with contextlib.suppress(OSError):
+            (root / name).mkdir(parents=True, exist_ok=True)
 
 
 def _told(context: dict[str, Any]) -> str:

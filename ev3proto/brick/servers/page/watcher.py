@@ -104,6 +104,9 @@ class Watcher:
     def opened(self, connection: Connection) -> None:
         """Nothing to show yet."""
 
+    def left(self, connection: Connection, data: bytes, reason: str) -> None:
+        """Nothing to show: the host says it."""
+
     def closed(self, connection: Connection) -> None:
         """Nothing to show."""
 

@@ -45,6 +45,7 @@ _TURN = 0.1
 _UNLOCK_TIME = 30.0
 _SEND_TIME = 30.0
 _MOST_WAITING = 1024
+_MOST_STRANGERS = 64
 
 
 @dataclass(frozen=True)
@@ -116,6 +117,8 @@ class Proxy:
         self._lock = threading.Lock()
         self._pairing: Pairing[Record] = Pairing(_MOST_WAITING)
         self._client: socket.socket | None = None
+        self._strangers: set[socket.socket] = set()
+        self._unlocked: queue.SimpleQueue[socket.socket | None] = queue.SimpleQueue()
         self._is_over = threading.Event()
         self._delayed: queue.Queue[tuple[float, socket.socket, bytes] | None] = queue.Queue(_MOST_WAITING)
         self._listening = _listen(options)
@@ -128,16 +131,15 @@ class Proxy:
         late = threading.Thread(target=self._deliver_late, name="hands replies on late", daemon=True)
         if self._options.faults.delay:
             late.start()
+        threading.Thread(target=self._accept, name="accepts clients", daemon=True).start()
         try:
-            while not self._is_over.is_set():
-                try:
-                    client, peer = self._listening.accept()
-                except OSError:
-                    break
+            while (client := self._unlocked.get()) is not None:
                 with client:
-                    self._serve(client, peer[0])
+                    self._serve(client)
         finally:
             self.stop()
+            while (left := self._unlocked.get()) is not None:
+                left.close()
             reader.join()
             if late.is_alive():
                 with contextlib.suppress(queue.Full):  # then it waits for no other, but for the time of one
@@ -147,7 +149,8 @@ class Proxy:
     def stop(self) -> None:
         """Ends everything; may be called from another thread, or when a signal comes."""
         self._is_over.set()
-        for each in (self._listening, self._client):
+        self._unlocked.put(None)
+        for each in (self._listening, self._client, *self._strangers):
             if each is not None:
                 with contextlib.suppress(OSError):
                     each.shutdown(socket.SHUT_RDWR)
@@ -156,14 +159,39 @@ class Proxy:
 
     # The client
 
-    def _serve(self, client: socket.socket, address: str) -> None:
-        wanted = self._options.only_from
-        if wanted is not None and address != wanted:
-            self._say(f"{address} was sent away: only {wanted} is served (--from)")
+    def _accept(self) -> None:
+        """Takes clients; one that says nothing keeps no other waiting."""
+        while not self._is_over.is_set():
+            try:
+                client, peer = self._listening.accept()
+            except OSError:
+                return
+            wanted = self._options.only_from
+            if wanted is not None and peer[0] != wanted:
+                self._say(f"{peer[0]} was sent away: only {wanted} is served (--from)")
+                client.close()
+            elif len(self._strangers) >= _MOST_STRANGERS:
+                client.close()
+            else:
+                self._strangers.add(client)
+                threading.Thread(target=self._unlock, args=(client, peer[0]), daemon=True).start()
+
+    def _unlock(self, client: socket.socket, address: str) -> None:
+        """Waits for the unlock text of a client, which is served in its turn then."""
+        is_unlocked = _is_unlocked(client)
+        self._strangers.discard(client)
+        if is_unlocked:
+            self._unlocked.put(client)
             return
-        client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        if not _is_unlocked(client):
+        client.close()
+        if not self._is_over.is_set():
             self._say(f"{address} did not send the unlock text of a WiFi brick, and was sent away")
+
+    def _serve(self, client: socket.socket) -> None:
+        client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        try:
+            client.sendall(ACCEPT)
+        except OSError:
             return
         client.settimeout(_SEND_TIME)
         with self._lock:
@@ -338,7 +366,7 @@ def _listen(options: ProxyOptions) -> socket.socket:
 
 
 def _is_unlocked(client: socket.socket) -> bool:
-    """Waits for the unlock text and accepts it."""
+    """Waits for the unlock text."""
     text = b""
     deadline = time.monotonic() + _UNLOCK_TIME
     client.settimeout(_UNLOCK_TIME)
@@ -348,7 +376,6 @@ def _is_unlocked(client: socket.socket) -> bool:
             if not piece or time.monotonic() > deadline:
                 return False
             text = text[-len(_UNLOCK) :] + piece
-        client.sendall(ACCEPT)
     except OSError:
         return False
     return True

@@ -49,9 +49,10 @@ class ReplyStream:
     def missing(self) -> int:
         """Bytes that the frame which is not complete yet still lacks, as far as is known."""
         buffer = self._buffer
-        if not buffer:
-            return 0
-        return (frame_size(buffer) if len(buffer) >= LENGTH_FIELD else HEADER_SIZE) - len(buffer)
+        if len(buffer) < LENGTH_FIELD:
+            return HEADER_SIZE - len(buffer) if buffer else 0
+        size = frame_size(buffer)
+        return size - len(buffer) if HEADER_SIZE <= size <= LARGEST_REPLY else 0
 
     def feed(self, data: bytes) -> list[bytes | Garbage]:
         """Takes the next bytes.

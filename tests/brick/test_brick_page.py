@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
 import re
+import socket
 import time
 import urllib.error
 import urllib.request
@@ -74,6 +76,29 @@ def test_policy_of_the_page(brick: Served) -> None:
     assert headers["X-Content-Type-Options"] == "nosniff"
     assert headers["Referrer-Policy"] == "no-referrer"
     assert not re.search(rb"<script(?![^>]*src=)|style=|\son\w+=", body)
+
+
+@pytest.mark.parametrize(
+    "request_",
+    [
+        bytes.fromhex("16030100c6010000c20303") + bytes(180),  # TLS
+        b"GET /\x1b[31m HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"GET / HTTP/1.1\r\nX: " + b"a" * 100_000 + b"\r\n\r\n",
+        b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\n",
+    ],
+)
+def test_what_is_not_http_is_refused_in_a_sentence(
+    brick: Served, request_: bytes, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
+) -> None:
+    port = int(re.findall(r":(\d+)/", brick.now.link)[0])
+    for _ in range(2):
+        with socket.create_connection(("127.0.0.1", port), 10) as client, contextlib.suppress(ConnectionError):
+            client.sendall(request_)
+            assert client.recv(100).startswith(b"HTTP/1.0 400 ")
+    assert fetch(brick.now.link)[0] == 200
+    assert set(brick.said) <= {"a request to the page was not HTTP, and was refused"}
+    assert len(brick.said) <= 1
+    assert (caplog.text, capfd.readouterr().err) == ("", "")
 
 
 def test_token_is_another_one_at_each_start(tmp_path: Path) -> None:

@@ -103,6 +103,17 @@ def test_one_client_at_a_time(tmp_path: Path) -> None:
         assert "--clients" in brick.said[0]
 
 
+def test_a_client_that_says_nothing_keeps_nobody_waiting(tmp_path: Path) -> None:
+    with served(tmp_path) as brick, contextlib.ExitStack() as stack:
+        silent = [stack.enter_context(Client(brick.port, unlocks=False)) for _ in range(70)]
+        silent[-1].send(b"GET /")
+        with Client(brick.port, timeout=5) as client:
+            assert client.ask(VOLUME) == HUNDRED
+        silent[-1].send(UNLOCK[5:])
+        assert silent[-1].read(16) == ACCEPT
+        assert silent[-1].ask(VOLUME) == HUNDRED
+
+
 def test_beacon(tmp_path: Path) -> None:
     with beacon_port(), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
         listener.bind(("127.0.0.1", 3015))

@@ -396,6 +396,16 @@ def test_a_frame_whose_rest_never_comes_is_named() -> None:
         assert "the stream ends inside a frame, of which 18 bytes came" in found.said[0]
 
 
+def test_a_client_that_says_nothing_keeps_nobody_waiting() -> None:
+    with (
+        standing("virtual") as found,
+        Client(found.proxy.port, unlocks=False),
+        Client(found.proxy.port, timeout=5) as client,
+    ):
+        assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
+        assert found.said == []
+
+
 def test_the_brick_goes_away(tmp_path: Path) -> None:
     with served(tmp_path) as brick:
         found = Standing(f"wifi:127.0.0.1:{brick.port}")

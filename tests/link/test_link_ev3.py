@@ -303,6 +303,18 @@ def test_waiting_again_for_what_did_not_come() -> None:
         assert my_ev3.wait_for_reply(counter) == b"\x07"
 
 
+@pytest.mark.parametrize("sent", [b"\0\0\0\0", b"\0\0", b"\xff\xff\xff\xff"])
+def test_a_brick_that_goes_away_after_what_is_no_reply(sent: bytes) -> None:
+    def answer(_: bytes, send: Callable[[bytes], None]) -> None:
+        send(sent)
+        raise HangUp
+
+    with stub_brick(answer) as port, stubbed(port) as my_ev3:
+        with pytest.raises(ev3proto.ConnectionLostError) as raised:
+            my_ev3.send_direct_cmd(NOP, global_mem=1)
+        assert "did not" not in str(raised.value)
+
+
 def test_a_brick_that_goes_away_in_the_middle_of_a_reply() -> None:
     def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
         send(reply(frame, bytes(9))[:8])

@@ -47,8 +47,9 @@ class Wifi:
         self.port = 0
         self._host = host
         self._clients = clients
-        self._served: set[_Client] = set()
+        self._strangers: dict[_Client, None] = {}
         self._queued: deque[_Client] = deque()
+        self._served: set[_Client] = set()
         self._server: asyncio.Server | None = None
         self._beacon: asyncio.Task[None] | None = None
 
@@ -79,32 +80,43 @@ class Wifi:
             self._beacon.cancel()
         if self._server is not None:
             self._server.close()
-        for client in [*self._served, *self._queued]:
+        for client in [*self._served, *self._queued, *self._strangers]:
             client.drop()
 
     # Clients
 
     def came(self, client: _Client) -> None:
-        """A client has connected: it is served, waits, or is sent away."""
-        if len(self._served) < self._clients:
-            self._served.add(client)
-            client.begin()
-        elif len(self._queued) < MOST_QUEUED:
-            self._queued.append(client)
-            client.pause()
+        """A client has connected. Until it sends the unlock text, it keeps nobody waiting."""
+        self._strangers[client] = None
+        if len(self._strangers) > MOST_QUEUED:
+            next(iter(self._strangers)).drop()
+
+    def unlocked(self, client: _Client) -> None:
+        """A client has sent the unlock text: it is served, waits, or is disconnected."""
+        self._strangers.pop(client, None)
+        if len(self._queued) >= MOST_QUEUED:
+            client.drop()
+            return
+        self._queued.append(client)
+        self._serve_next()
+        if client in self._queued:
             self._host.say_once(
                 "a client waits for another one to go: the real brick, too, serves one at a time (see --clients)"
             )
-        else:
-            client.drop()
 
     def went(self, client: _Client) -> None:
         """A client has gone: the next one is served."""
+        self._strangers.pop(client, None)
         if client in self._queued:
             self._queued.remove(client)
         self._served.discard(client)
+        self._serve_next()
+
+    def _serve_next(self) -> None:
         while self._queued and len(self._served) < self._clients:
-            self.came(self._queued.popleft())
+            client = self._queued.popleft()
+            self._served.add(client)
+            client.accept()
 
     # The beacon
 
@@ -149,6 +161,7 @@ class _Client(asyncio.Protocol):
         self._transport: asyncio.Transport | None = None
         self._connection: Connection | None = None
         self._text = b""
+        self._rest: bytes | None = None
         self._timer: asyncio.TimerHandle | None = None
 
     # What asyncio calls
@@ -157,14 +170,16 @@ class _Client(asyncio.Protocol):
         assert isinstance(transport, asyncio.Transport)
         self._transport = transport
         transport.set_write_buffer_limits(MOST_UNREAD)
-        # Python before 3.11.5 begins to read after this call, and whoever waits must not be read.
-        asyncio.get_running_loop().call_soon(self._wifi.came, self)
+        self._timer = asyncio.get_running_loop().call_later(UNLOCK_TIME, self.drop)
+        self._wifi.came(self)
 
     def data_received(self, data: bytes) -> None:
         if self._connection is not None:
             self._connection.feed(data)
-        else:
+        elif self._rest is None:
             self._unlock(data)
+        else:
+            self._rest += data
 
     def pause_writing(self) -> None:
         if self._connection is not None:
@@ -186,11 +201,17 @@ class _Client(asyncio.Protocol):
 
     # What the port calls
 
-    def begin(self) -> None:
+    def accept(self) -> None:
         """Its turn has come."""
         assert self._transport is not None
-        self._timer = asyncio.get_running_loop().call_later(UNLOCK_TIME, self.drop)
+        assert self._rest is not None
+        host, port = self._transport.get_extra_info("peername")[:2]
+        self._connection = self._host.open(self, f"{host}:{port}", "wifi")
+        # The zero that some firmware sends after it would stand before the first reply, where clients read 16 bytes.
+        self._transport.write(ACCEPT)
         self.resume()
+        if self._rest:
+            self._connection.feed(self._rest)
 
     def drop(self) -> None:
         """Ends the connection at once."""
@@ -202,7 +223,7 @@ class _Client(asyncio.Protocol):
         for at in range(0, len(data), _FIRST_READ):
             piece = data[at : at + _FIRST_READ]
             if _UNLOCK in self._text + piece:
-                self._accept(data[at + _FIRST_READ :])
+                self._wait(data[at + _FIRST_READ :])
                 if piece.partition(UNLOCK_PROTOCOL.encode())[2].strip(b"\r\n\0"):
                     self._host.say_once(
                         f"what a client sends right after the unlock text is lost with it, within {_FIRST_READ} bytes,"
@@ -211,16 +232,12 @@ class _Client(asyncio.Protocol):
                 return
             self._text = (self._text + piece)[-len(_UNLOCK) :]
 
-    def _accept(self, rest: bytes) -> None:
-        assert self._transport is not None
+    def _wait(self, rest: bytes) -> None:
         assert self._timer is not None
         self._timer.cancel()
-        host, port = self._transport.get_extra_info("peername")[:2]
-        self._connection = self._host.open(self, f"{host}:{port}", "wifi")
-        # The zero that some firmware sends after it would stand before the first reply, where clients read 16 bytes.
-        self._transport.write(ACCEPT)
-        if rest:
-            self._connection.feed(rest)
+        self._rest = rest
+        self.pause()
+        self._wifi.unlocked(self)
 
     # What the connection calls
 

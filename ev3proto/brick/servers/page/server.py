@@ -10,6 +10,7 @@ import asyncio
 import hmac
 import ipaddress
 import json
+import logging
 import secrets
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable
@@ -18,6 +19,7 @@ from importlib.resources import files
 from typing import Any
 
 from aiohttp import WSMsgType, web
+from aiohttp.http import HttpProcessingError
 
 from ev3proto.brick.devices.display.canvas import WIDTH
 from ev3proto.brick.devices.display.png import write_png
@@ -83,7 +85,9 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
     application.router.add_get("/live", page.live)
     application.router.add_get("/file", page.file)
     application.router.add_get("/display.png", page.display)
-    runner = web.AppRunner(application, access_log=None, handle_signals=False, shutdown_timeout=0.2)
+    logger = logging.Logger(__name__)
+    logger.addHandler(_Log(host))
+    runner = web.AppRunner(application, access_log=None, logger=logger, handle_signals=False, shutdown_timeout=0.2)
     await runner.setup()
     try:
         try:
@@ -100,6 +104,21 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
     finally:
         await page.close()
         await runner.cleanup()
+
+
+class _Log(logging.Handler):
+    """What the server library logs, as a sentence of the brick."""
+
+    def __init__(self, host: Host) -> None:
+        super().__init__(logging.WARNING)
+        self._host = host
+
+    def emit(self, record: logging.LogRecord) -> None:
+        error = record.exc_info[1] if record.exc_info else None
+        if isinstance(error, HttpProcessingError):
+            self._host.say_once("a request to the page was not HTTP, and was refused")
+        else:
+            self._host.say_once(f"a defect of the page, please report it: {error or record.getMessage()!r}")
 
 
 class _Page:

@@ -6,6 +6,7 @@ Files that others read while they grow, such as recordings, grow by whole pieces
 
 from __future__ import annotations
 
+import io
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -19,8 +20,13 @@ _MOST_NAME = 100
 """Characters of a file's name that its stand-in has in its own, which must not become too long."""
 
 
+def private(path: str, flags: int) -> int:
+    """Opens a file, as an `opener`; a new one can be read by its owner only. Recordings and bricks' files hold PINs."""
+    return os.open(path, flags, 0o600)
+
+
 @contextmanager
-def whole_file(path: Path) -> Iterator[BinaryIO]:
+def whole_file(path: Path, *, is_private: bool = False) -> Iterator[BinaryIO]:
     """Takes the bytes of a file, which is in its place once the `with` ends without an exception.
 
     The file keeps the rights of the one that it replaces. A symbolic link stays one, and what it leads to is replaced.
@@ -28,6 +34,7 @@ def whole_file(path: Path) -> Iterator[BinaryIO]:
 
     Args:
         path: Where the file goes.
+        is_private: A new file can be read by its owner only.
 
     Yields:
         What takes the bytes.
@@ -43,7 +50,7 @@ def whole_file(path: Path) -> Iterator[BinaryIO]:
                 yield stream
             return
         try:
-            with beside.open("xb") as stream:
+            with open(beside, "xb", opener=private if is_private else None) as stream:
                 yield stream
             if target.exists():
                 beside.chmod(target.stat().st_mode & 0o7777)
@@ -65,18 +72,21 @@ def _remove(path: Path) -> None:
         raise
 
 
-def write_whole(path: Path, data: bytes) -> None:
+def write_whole(path: Path, data: bytes, *, is_private: bool = False) -> None:
     """Writes a file that appears only when it is complete; the arguments and errors are those of `whole_file`."""
-    with whole_file(path) as stream:
+    with whole_file(path, is_private=is_private) as stream:
         stream.write(data)
 
 
 class GrowingFile:
-    """A file that grows from flush to flush: what was written between two of them is in it whole, or not at all."""
+    """A recording that grows from flush to flush: what was written between two of them is in it whole, or not at all.
+
+    A new one can be read by its owner only.
+    """
 
     def __init__(self, path: Path) -> None:
         """Opens the file, and empties it. Raises OSError where it cannot be written."""
-        self._file = path.open("wb", buffering=0)
+        self._file = io.FileIO(path, "wb", opener=private)
         self._waiting: list[bytes] = []
         self._size = 0
 

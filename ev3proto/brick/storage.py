@@ -298,7 +298,7 @@ class Storage:
     def _open(self, place: Path, flags: int, mode: str) -> StoredFile | None:
         """Opens a regular file; None for anything else, however it came there."""
         try:
-            descriptor = os.open(place, flags | _OPEN_FLAGS, 0o644)
+            descriptor = os.open(place, flags | _OPEN_FLAGS, 0o600)
         except OSError:
             return None
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):

@@ -379,8 +379,12 @@ class _Pieces:
         """Where a file is; an empty one is made where nothing was written. Raises OSError where it is not whole."""
         if number in self._failed:
             raise self._failed[number]
+        return self._made(number)
+
+    def _made(self, number: int) -> Path:
+        """The place of a file, which its owner only can read: files hold PINs."""
         path = self._folder / str(number)
-        path.touch()
+        path.touch(0o600)
         return path
 
     def append(self, number: int, piece: bytes) -> None:
@@ -391,7 +395,7 @@ class _Pieces:
             if number not in self._open:
                 if len(self._open) == MOST_OPEN:
                     self._close_oldest()
-                self._open[number] = (self._folder / str(number)).open("ab")
+                self._open[number] = self._made(number).open("ab")
             self._open.move_to_end(number)
             self._open[number].write(piece)
         except OSError as error:

@@ -266,7 +266,7 @@ class AsyncEV3:
         """Reads a file from the brick; see `EV3.upload`."""
         data = await self._run(file_moves.upload(path, progress))
         if destination is not None:
-            await asyncio.to_thread(write_whole, Path(destination), data)
+            await asyncio.to_thread(write_whole, Path(destination), data, is_private=True)
         return data
 
     async def list_dir(self, path: str) -> Listing:

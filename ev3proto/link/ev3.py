@@ -420,7 +420,7 @@ class EV3:
         """
         data = self._run(file_moves.upload(path, progress))
         if destination is not None:
-            write_whole(Path(destination), data)
+            write_whole(Path(destination), data, is_private=True)
         return data
 
     def list_dir(self, path: str) -> Listing:

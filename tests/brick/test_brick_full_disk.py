@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
-import resource
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from support.bricks import FAIL, OK, command, op, run
+from support.full_disk import full_disk
 from support.server import Client, served, system, upload
 
 import ev3proto
@@ -19,17 +17,6 @@ from ev3proto.tables.system import SystemStatus
 
 NOP = command(op("NOP"), counter=7)
 NOP_REPLY = bytes.fromhex("0300070002")
-
-
-@contextlib.contextmanager
-def full_disk(size: int) -> Iterator[None]:
-    """No file can grow beyond so many bytes."""
-    before = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
 
 def on_disk(root: Path) -> int:

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
@@ -157,3 +158,42 @@ def test_a_recording_that_cannot_be_opened(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
         GrowingFile(tmp_path / "none" / "x")
     gc.collect()
+
+
+# Rights
+
+
+def mode(path: Path) -> int:
+    return path.stat().st_mode & 0o777
+
+
+@pytest.fixture
+def usual_umask() -> Iterator[None]:
+    before = os.umask(0o022)
+    yield
+    os.umask(before)
+
+
+@pytest.mark.usefixtures("usual_umask")
+def test_what_may_hold_a_pin_can_be_read_by_its_owner_only(tmp_path: Path) -> None:
+    (tmp_path / "brick").mkdir()
+    with ev3proto.EV3(target=f"virtual:{tmp_path / 'brick'}") as brick:
+        brick.download(b"1234", "../prjs/pin.rtf")
+        brick.upload("../prjs/pin.rtf", tmp_path / "pin.rtf")
+    GrowingFile(tmp_path / "talk.pcapng").close()
+    (tmp_path / "log").write_text(moved(("../prjs/a.rtf", b"1234")))
+    assert run("files", tmp_path / "log", "-o", tmp_path / "files").returncode == 0
+    (recovered,) = (path for path in (tmp_path / "files").rglob("*") if path.is_file())
+    for path in (tmp_path / "brick/prjs/pin.rtf", tmp_path / "pin.rtf", tmp_path / "talk.pcapng", recovered):
+        assert (path.name, mode(path)) == (path.name, 0o600)
+
+
+@pytest.mark.usefixtures("usual_umask")
+def test_a_file_that_is_there_keeps_its_rights(tmp_path: Path) -> None:
+    path = tmp_path / "talk.pcapng"
+    path.touch(0o640)
+    GrowingFile(path).close()
+    write_whole(path, b"", is_private=True)
+    assert mode(path) == 0o640
+    write_whole(tmp_path / "frame.bin", b"")
+    assert mode(tmp_path / "frame.bin") == 0o644

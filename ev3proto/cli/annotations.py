@@ -5,18 +5,16 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from urllib.parse import quote
 
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.cli.programs import SOURCE_CODE
+from ev3proto.program.source.errors import SourceWarning
+from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.version import VERSION
-
-if TYPE_CHECKING:
-    from ev3proto.program.source.errors import SourceWarning
-    from ev3proto.text.assembly.errors import AssemblyError
 
 SARIF_SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 SARIF_VERSION = "2.1.0"

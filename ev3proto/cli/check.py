@@ -11,6 +11,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from ev3proto.checking.checking import check as check_frame
+from ev3proto.checking.codes import CODES, Code
+from ev3proto.checking.program_codes import PROGRAM_CODES
+from ev3proto.checking.report import Finding, Report
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.programs import (
@@ -24,17 +28,18 @@ from ev3proto.cli.programs import (
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import counted, near_misses
 from ev3proto.tables.carriers import CARRIERS
+from ev3proto.text.diagnostics import diagnostics, explanation, fixed
 from ev3proto.text.paste import Pasted
 from ev3proto.text.spans import Line, Role
 from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
-    from ev3proto.capture import Record
-    from ev3proto.checking.codes import Code
+    from ev3proto.capture.record import Record
     from ev3proto.checking.fixing import Fix
-    from ev3proto.checking.report import Finding, Report
     from ev3proto.cli.annotations import Annotations
     from ev3proto.program.source.errors import SourceWarning
+
+# Captures, fixes and programs are loaded where they are needed: a frame is checked in three quarters of the time.
 
 FORMATS = ("text", "json", "sarif", "github")
 """How findings are printed."""
@@ -104,13 +109,7 @@ class Checking(SourceReader):
     wanted = "command"
 
     def __init__(self, reading: CaptureOptions, options: CheckOptions, *, is_single: bool) -> None:
-        # Here and not for each frame: even of a module that is loaded already, an import takes longer than some rules.
-        from ev3proto.checking.checking import check
-        from ev3proto.text.diagnostics import diagnostics, diagnostics_texts
-
         super().__init__(reading)
-        self._check = check
-        self._diagnostics, self._diagnostics_texts = diagnostics, diagnostics_texts
         self._options = options
         self._is_single = is_single
         self._printer = Printer()
@@ -140,7 +139,7 @@ class Checking(SourceReader):
 
     def capture(self, capture: CaptureSource) -> int:
         """The commands in a capture, each as what carried it takes it."""
-        from ev3proto.capture import Record
+        from ev3proto.capture.record import Record
 
         before = self.frames
         for event in capture.events():
@@ -253,7 +252,7 @@ class Checking(SourceReader):
             report = found.report
             self._show_fix(found, place)
         else:
-            report = self._check(frame, dialect=self.reading.dialect, carrier=carrier)
+            report = check_frame(frame, dialect=self.reading.dialect, carrier=carrier)
             self._show(report, place)
         self._count(report)
 
@@ -270,14 +269,9 @@ class Checking(SourceReader):
         shown = self._options.shown(report)
         self._stand_apart(len(shown) > 0)
         label, dialect = place.label, self.reading.dialect
-        if self._printer.is_plain:
-            self._printer.texts(self._diagnostics_texts(report, shown, place=label, dialect=dialect))
-        else:
-            self._printer.lines(self._diagnostics(report, shown, place=label, dialect=dialect))
+        self._printer.lines(diagnostics(report, shown, place=label, dialect=dialect))
 
     def _show_fix(self, fix: Fix, place: Place) -> None:
-        from ev3proto.text.diagnostics import fixed
-
         if self._is_shown_otherwise(fix.report, place, fix.as_dict):
             return
         shown = self._options.shown(fix.report)
@@ -436,11 +430,6 @@ def check(
 
 def _explain(name: str, *, as_json: bool, dialect: str) -> None:
     """Prints what a code means, or the list of all. Raises click.BadParameter for one that there is not."""
-    from ev3proto.checking.checking import check as check_frame
-    from ev3proto.checking.codes import CODES
-    from ev3proto.checking.program_codes import PROGRAM_CODES
-    from ev3proto.text.diagnostics import explanation
-
     known = PROGRAM_CODES | CODES
     found = list(known.values()) if name == ALL_CODES else [known[name.upper()]] if name.upper() in known else []
     if not found:

@@ -3,27 +3,18 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING
 
 import click
 
 from ev3proto.cli.captures import MIB, CaptureOptions, CaptureSource, given_up, reading_options
 from ev3proto.cli.output import complain
-from ev3proto.cli.programs import PROGRAM_FORMATS, is_image, read_program
+from ev3proto.cli.programs import PROGRAM_FORMATS, read_program
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.text.heading import Seen
 from ev3proto.text.paste import Pasted
 from ev3proto.text.split import Piece
-from ev3proto.text.visible import visible
-
-if TYPE_CHECKING:
-    from ev3proto.capture import Record
-    from ev3proto.capture.files import RecoveredFile
-
-_SIGN = 4
-"""Bytes at the start of a file by which a program is recognized."""
 
 
 class Decoding(SourceReader):
@@ -44,53 +35,20 @@ class Decoding(SourceReader):
         return self._as_dialogues or self._as_programs or super().wants_records
 
     def capture(self, capture: CaptureSource) -> int:
-        """Its frames and texts, or its dialogues."""
-        from ev3proto.capture import Announcement, Record
+        """Its frames and texts, or its dialogues, or the programs that it moves."""
+        # A frame needs no captures: it is shown in three quarters of the time without them.
+        from ev3proto.cli.recorded import moved_programs, show_capture
 
         before = self._show.count
         if self._as_programs:
-            self._moved_programs(capture)
-        elif self._as_dialogues:
-            for pair in capture.dialogues():
-                self._show.dialogue(pair, capture.account.first_ns or 0)
-                for record in pair:
-                    if record is not None:
-                        self._fault(record, capture)
+            for origin, image in moved_programs(capture, self.complain):
+                self._shown(origin, origin, image)
         else:
-            show = self._show
-            for event in capture.events():
-                if isinstance(event, Record):
-                    if show.record(event, capture.account.first_ns or 0) is not None:
-                        self._fault(event, capture)
-                elif isinstance(event, Announcement):
-                    show.announcement(event, capture.account.first_ns or 0)
+            for record in show_capture(self._show, capture, as_dialogues=self._as_dialogues):
+                fault = record.message.fault
+                if fault is not None:
+                    self.complain(f"{capture.label}, {capture.unit} {record.number}: fault at {fault}")
         return self._show.count - before
-
-    def _moved_programs(self, capture: CaptureSource) -> None:
-        """The programs that a capture moves to or from the brick, as far as they were captured."""
-        from ev3proto.capture import CaptureError
-        from ev3proto.capture.files import recover
-        from ev3proto.temporary import temporary_folder
-
-        with temporary_folder() as folder:
-            found: list[RecoveredFile] = []
-            try:
-                # One by one, so that what was found stays when the capture comes to a bad end.
-                found += recover(capture.events(), folder)
-            except CaptureError as error:
-                self.complain(f"{capture.label}: {error}")
-            except OSError as error:
-                self.complain(f"the programs cannot be written to {folder}: {error.strerror or error}")
-            for file in found:
-                image = b"" if file.file is None else file.file.read_bytes()
-                if is_image(image[:_SIGN]):
-                    origin = f"{capture.label}, {capture.unit} {file.packets[0]}: {visible(file.path)}"
-                    self._shown(origin, origin, image)
-
-    def _fault(self, record: Record, capture: CaptureSource) -> None:
-        """Complains about a frame that is faulty."""
-        if record.message.fault is not None:
-            self.complain(f"{capture.label}, {capture.unit} {record.number}: fault at {record.message.fault}")
 
     def program(self, source: Source, image: bytes) -> None:
         """A program image, in the format that was asked for."""
@@ -170,7 +128,7 @@ def decode(
             raise click.UsageError(
                 f"--dialogues has a line a command and --format {style} none: omit it, or give --json"
             )
-    show = Show("json" if as_json else style, dialect=reading.dialect)
+    show = Show("json" if as_json else style)
     decoding = Decoding(show, reading, as_dialogues=as_dialogues, as_programs=as_programs)
     decoding.read_all(sources(names))
     decoding.say_what_was_given_up()

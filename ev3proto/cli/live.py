@@ -12,6 +12,7 @@ from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.cli.captures import MIB, MOST_COMPLAINTS, CaptureOptions, reading_options
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain
+from ev3proto.cli.recorded import show_announcement, show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.pyshark.live import Live
 from ev3proto.pyshark.program import EngineError
@@ -83,7 +84,7 @@ class _Watching:
         """Shows all events until there are no more."""
         for pair in dialogues(self._beside(events), PATIENCE_NS):
             if self._is_wanted(pair):
-                self._show.dialogue(pair, self._start_ns or 0)
+                show_dialogue(self._show, pair, self._start_ns or 0)
         if self._skipped > MOST_COMPLAINTS:
             complain(f"and {self._skipped - MOST_COMPLAINTS} more places that could not be read")
 
@@ -94,7 +95,7 @@ class _Watching:
                 self._start_ns = event.time_ns
             if isinstance(event, Announcement):
                 if self._chosen is None and (self._as_json or self._is_new(event)):
-                    self._show.announcement(event, self._start_ns)
+                    show_announcement(self._show, event, self._start_ns)
             elif isinstance(event, Skipped):
                 self._skipped += 1
                 if self._skipped <= MOST_COMPLAINTS:

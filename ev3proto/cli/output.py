@@ -10,14 +10,14 @@ from __future__ import annotations
 import io
 import os
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, BinaryIO, TextIO, cast
 
 import click
 
 from ev3proto.text.spans import Line, Role, plain_text
-from ev3proto.text.visible import is_visible, visible, visible_lines
+from ev3proto.text.visible import visible, visible_lines
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer, WriteableBuffer
@@ -117,34 +117,19 @@ class Printer:
     def __init__(self, *, at_once: bool = False) -> None:
         self._output = _output()
         self._at_once = at_once
-        self._paint = _Paint() if self._output.is_terminal and not os.environ.get("NO_COLOR") else None
-
-    @property
-    def is_plain(self) -> bool:
-        """Whether nothing is coloured, so that texts say all that lines do."""
-        return self._paint is None
+        is_coloured = self._output.is_terminal and not os.environ.get("NO_COLOR")
+        self._text: Callable[[Line], str] = _Paint() if is_coloured else plain_text
 
     def lines(self, lines: Iterable[Line]) -> None:
         """Prints lines that are made of pieces."""
-        if self._paint is not None:
-            for line in lines:
-                self._output.write(self._paint(line) + "\n")
-            if self._at_once:
-                self._output.flush()
-            return
-        self.texts([plain_text(line) for line in lines])
+        text = self._text
+        self._output.write("".join([f"{text(line)}\n" for line in lines]))
+        if self._at_once:
+            self._output.flush()
 
     def text(self, text: str) -> None:
         """Prints one line."""
         self._output.write(visible(text) + "\n")
-        if self._at_once:
-            self._output.flush()
-
-    def texts(self, lines: Sequence[str]) -> None:
-        """Prints lines."""
-        if lines:
-            harmless = is_visible("".join(lines))
-            self._output.write("\n".join(lines if harmless else map(visible, lines)) + "\n")
         if self._at_once:
             self._output.flush()
 

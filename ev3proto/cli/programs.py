@@ -81,7 +81,8 @@ def show_program(
     if style in NOTATIONS:
         from ev3proto.program import source_of
 
-        printer.texts(source_of(program).rstrip("\n").split("\n"))
+        for line in source_of(program).rstrip("\n").split("\n"):
+            printer.text(line)
     else:
         from ev3proto.program.listing import listing, program_tree
 

@@ -14,6 +14,7 @@ import click
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import OutputError, complain, flush, is_terminal, say
+from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType
 from ev3proto.tables.declaration import DIALECTS
@@ -133,7 +134,7 @@ class _Shown:
 
     def __call__(self, pair: RequestReply) -> None:
         if self._show is not None:
-            self._show.dialogue(pair, self.start_ns)
+            show_dialogue(self._show, pair, self.start_ns)
             flush()
 
 

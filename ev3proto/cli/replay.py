@@ -11,6 +11,7 @@ import click
 
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType, channel_to, timeout_option
 from ev3proto.errors import counted, near_misses
@@ -176,7 +177,7 @@ class _Replaying:
         except NoAnswerError as error:
             complain(str(error))
         received = None if reply is None else self._records.received(reply, command)
-        self._show.dialogue(RequestReply(command, received), self._records.start_ns)
+        show_dialogue(self._show, RequestReply(command, received), self._records.start_ns)
         if reply is not None:
             self._handles.learn(step.reply, reply)
         likeness, difference = compare(step, frame, reply, self._dialect)

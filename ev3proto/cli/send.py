@@ -10,6 +10,7 @@ import click
 from ev3proto.cli.captures import CaptureOptions
 from ev3proto.cli.encode import Encoding, Wants
 from ev3proto.cli.output import complain
+from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.sources import Source, sources
 from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
@@ -137,10 +138,10 @@ def _talk(channel: Channel, messages: list[Message], show: Show, timeout: float,
             ticket = channel.send_frame(frame)
             answer = channel.wait(ticket, timeout) if ticket.request.wants_reply else b""
         except LinkError as error:
-            show.dialogue(RequestReply(command, None), records.start_ns)
+            show_dialogue(show, RequestReply(command, None), records.start_ns)
             complain(str(error))
             return False
         received = records.received(answer, command) if answer else None
-        show.dialogue(RequestReply(command, received), records.start_ns)
+        show_dialogue(show, RequestReply(command, received), records.start_ns)
         is_fine &= received is None or not is_error(received.message)
     return is_fine

@@ -13,12 +13,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from functools import lru_cache
 from itertools import groupby, pairwise
 from operator import attrgetter
 from textwrap import wrap
-from typing import TYPE_CHECKING
 
+from ev3proto.checking.codes import Code
+from ev3proto.checking.fixing import Fix
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Message
@@ -26,19 +26,13 @@ from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD
 from ev3proto.text.excerpt import Excerpt
-from ev3proto.text.spans import Line, Role, Span, plain_text
-
-if TYPE_CHECKING:
-    from ev3proto.checking.codes import Code
-    from ev3proto.checking.fixing import Fix
+from ev3proto.text.spans import Line, Role, Span
 
 MOST_ALIKE = 4
 """Findings with the same code that are shown of one frame; of the others, only the offsets are listed."""
 
 _MOST_OFFSETS = 12
-_MOST_COUNTS = 256
 _TEXT_WIDTH = 100
-_SEVERITIES = tuple(Severity)
 
 ROLES = {Severity.ERROR: Role.FAULT, Severity.WARNING: Role.VALUE, Severity.HINT: Role.MEANING}
 """How each severity looks."""
@@ -55,20 +49,13 @@ def _verdict(report: Report) -> str:
 
 def tally(findings: Iterable[Finding]) -> str:
     """`2 errors, 1 hint`, or `no findings`."""
-    severities = [finding.severity for finding in findings]
-    return _counts(*[severities.count(severity) for severity in _SEVERITIES])
-
-
-@lru_cache(_MOST_COUNTS)
-def _counts(*numbers: int) -> str:
-    """The numbers of findings of each severity in words. Most frames have few, so that they are like one another."""
-    counts = [counted(count, severity) for count, severity in zip(numbers, _SEVERITIES, strict=True)]
-    return ", ".join(text for count, text in zip(numbers, counts, strict=True) if count) or "no findings"
+    counts = Counter(finding.severity for finding in findings)
+    return ", ".join(counted(counts[one], one) for one in Severity if counts[one]) or "no findings"
 
 
 def diagnostics(
     report: Report, findings: Sequence[Finding] | None = None, *, place: str = "", dialect: str = "official"
-) -> list[Line]:
+) -> Iterator[Line]:
     """The verdict, then every finding with its bytes.
 
     Args:
@@ -77,67 +64,38 @@ def diagnostics(
         place: Where the frame comes from, such as `robot.log, line 3`; it stands in front of every offset.
         dialect: The firmware whose instruction set the frame is read by.
 
-    Returns:
+    Yields:
         Lines; what belongs together has an empty line before it.
 
     """
-    shown = report.findings if findings is None else tuple(findings)
-    lines = [_summary(report, len(shown), place)]
-    if not shown or _is_fine(report):
-        return lines
-    excerpt = Excerpt(report.frame, dialect)
-    kept, left = _without_repetitions(shown)
-    for _, together in groupby(kept, _SPAN):
-        lines.append([])
-        _add_together(list(together), excerpt, place, lines)
-    if left:
-        lines.append([])
-        lines += map(_repetitions, left)
-    return lines
-
-
-def diagnostics_texts(
-    report: Report, findings: Sequence[Finding] | None = None, *, place: str = "", dialect: str = "official"
-) -> list[str]:
-    """The same lines as texts.
-
-    They are written as texts from the start, which takes a third less time than joining spans.
-    """
-    shown = report.findings if findings is None else tuple(findings)
-    if not shown or _is_fine(report):
-        return [plain_text(_summary(report, len(shown), place))]
-    texts = [
-        f"{f'{place}: ' if place else ''}{_verdict(report)}; {tally(report.findings)}{_hidden(report, len(shown))}"
-    ]
-    excerpt = Excerpt(report.frame, dialect)
-    kept, left = _without_repetitions(shown)
-    _add_texts(kept, excerpt, place, texts)
-    if left:
-        texts.append("")
-        texts += [plain_text(_repetitions(alike)) for alike in left]
-    return texts
-
-
-def _is_fine(report: Report) -> bool:
-    return report.accepted and not report.findings
-
-
-def _summary(report: Report, shown: int, place: str) -> Line:
-    """The verdict, and what was found. `shown` is the number of findings that follow."""
-    line: Line = [(f"{place}: ", Role.HEADING)] if place else []
-    if _is_fine(report):
-        return [*line, ("accepted", Role.NAME), (": no findings", Role.PLAIN)]
-    return [
-        *line,
+    shown = report.findings if findings is None else findings
+    where: Line = [(f"{place}: ", Role.HEADING)] if place else []
+    if report.accepted and not report.findings:
+        yield [*where, ("accepted", Role.NAME), (": no findings", Role.PLAIN)]
+        return
+    hidden = len(report.findings) - len(shown)
+    yield [
+        *where,
         (_verdict(report), Role.NAME if report.accepted else Role.FAULT),
         (f"; {tally(report.findings)}", Role.PLAIN),
-        (_hidden(report, shown), Role.ASIDE),
+        (f" ({hidden} not shown)" if hidden else "", Role.ASIDE),
     ]
-
-
-def _hidden(report: Report, shown: int) -> str:
-    hidden = len(report.findings) - shown
-    return f" ({hidden} not shown)" if hidden else ""
+    if not shown:
+        return
+    excerpt = Excerpt(report.frame, dialect)
+    kept, left = _without_repetitions(shown)
+    for _, together in groupby(kept, attrgetter("offset", "length")):
+        yield []
+        yield from _on_one_span(list(together), excerpt, place)
+    if left:
+        yield []
+    for alike in left:
+        offsets = ", ".join(str(finding.offset) for finding in alike[:_MOST_OFFSETS])
+        more = ", ..." if len(alike) > _MOST_OFFSETS else ""
+        yield [
+            _mark(alike[0]),
+            (f": and {len(alike)} more of these, at offsets {offsets}{more}", Role.PLAIN),
+        ]
 
 
 def fixed(
@@ -209,107 +167,38 @@ def _cuts(message: Message, size: int) -> list[int]:
 
 def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], list[list[Finding]]]:
     """The findings to show, and by code those that repeat what was shown often enough."""
-    if len(findings) <= MOST_ALIKE:
-        return list(findings), []
-    codes = [finding.code for finding in findings]
-    if len(codes) - len(set(codes)) <= MOST_ALIKE:
-        # However they are shared out, no code has more findings than one and all those that are left over.
-        return list(findings), []
-    # One that is left over is not worth a line that says that there is one more.
-    seen = {code: 0 for code, count in Counter(codes).items() if count > MOST_ALIKE + 1}
-    if not seen:
-        return list(findings), []
+    counts = Counter(finding.code for finding in findings)
+    seen: Counter[str] = Counter()
     kept: list[Finding] = []
     left: dict[str, list[Finding]] = {}
-    for finding, code in zip(findings, codes, strict=True):
-        if code in seen:
-            seen[code] += 1
-            if seen[code] > MOST_ALIKE:
-                left.setdefault(code, []).append(finding)
-                continue
-        kept.append(finding)
+    for finding in findings:
+        seen[finding.code] += 1
+        # One that is left over is not worth a line that says that there is one more.
+        if seen[finding.code] <= MOST_ALIKE or counts[finding.code] <= MOST_ALIKE + 1:
+            kept.append(finding)
+        else:
+            left.setdefault(finding.code, []).append(finding)
     return kept, list(left.values())
 
 
-_SPAN = attrgetter("offset", "length")
-
-
-def _repetitions(alike: list[Finding]) -> Line:
-    first = alike[0]
-    offsets = ", ".join(str(finding.offset) for finding in alike[:_MOST_OFFSETS])
-    more = ", ..." if len(alike) > _MOST_OFFSETS else ""
-    return [
-        _mark(first),
-        (f": and {len(alike)} more of these, at offsets {offsets}{more}", Role.PLAIN),
-    ]
-
-
-def _add_together(findings: list[Finding], excerpt: Excerpt, place: str, lines: list[Line]) -> None:
-    """Adds the lines of the findings on one span of bytes."""
-    first = findings[0]
+def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> Iterator[Line]:
+    """The lines of the findings on one span of bytes. Help that several of them have is given once."""
     for finding in findings:
-        lines.append([_mark(finding), (f": {finding.message}", Role.HEADING)])
-    where = f"offset {first.offset}{_about(first)}"
-    lines.append([(f"{excerpt.margin}--> ", Role.ASIDE), (f"{place}, {where}" if place else where, Role.PLAIN)])
-    worst = first.severity if len(findings) == 1 else min((it.severity for it in findings), key=_SEVERITIES.index)
-    excerpt.show(first, ROLES[worst], lines)
-    for word, help_ in _helps(findings):
-        lines.append([(f"{excerpt.margin} = ", Role.ASIDE), (word, Role.OPERATION), (help_, Role.PLAIN)])
-
-
-def _add_texts(findings: list[Finding], excerpt: Excerpt, place: str, texts: list[str]) -> None:
-    """Adds the same lines of all findings as texts.
-
-    This is half of the time that `check` takes for a capture, so that it makes no calls that it can do without.
-    """
-    margin = excerpt.margin
-    before = f"{margin}--> {place}, offset " if place else f"{margin}--> offset "
-    for (offset, _), group in groupby(findings, _SPAN):
-        first, *others = group
-        operation, parameter, code = first.operation, first.parameter, first.code
-        texts += ("", f"{_MARKS.get(code) or _mark_text(first)}{first.message}".rstrip())
-        for finding in others:
-            texts.append(f"{_mark_text(finding)}{finding.message}".rstrip())
-        if operation is not None and parameter is not None:
-            texts.append(f"{before}{offset}, {parameter} of {operation}")
-        else:
-            texts.append(f"{before}{offset}{_about(first)}".rstrip())
-        texts += excerpt.texts(first)
-        if not others:
-            texts.append(f"{margin} = help: {first.help}".rstrip())
-            continue
-        for word, help_ in _helps([first, *others]):
-            texts.append(f"{margin} = {word}{help_}".rstrip())
-
-
-def _helps(findings: list[Finding]) -> list[tuple[str, str]]:
-    """What stands before the help of each finding, and the help; one that several have is given once."""
-    if len(findings) == 1:
-        return [("help: ", findings[0].help)]
+        yield [_mark(finding), (f": {finding.message}", Role.HEADING)]
+    first = findings[0]
+    about = " of ".join(filter(None, (first.parameter, first.operation)))
+    where = f"offset {first.offset}{f', {about}' if about else ''}"
+    yield [(f"{excerpt.margin}--> ", Role.ASIDE), (f"{place}, {where}" if place else where, Role.PLAIN)]
+    worst = next(severity for severity in Severity if severity in [finding.severity for finding in findings])
+    yield from excerpt.show(first, ROLES[worst])
     helps: dict[str, str] = {}
     for finding in findings:
         helps.setdefault(finding.help, finding.code)
-    return [(f"help for {code}: " if len(helps) > 1 else "help: ", help_) for help_, code in helps.items()]
+    for help_, code in helps.items():
+        word = f"help for {code}: " if len(helps) > 1 else "help: "
+        yield [(f"{excerpt.margin} = ", Role.ASIDE), (word, Role.OPERATION), (help_, Role.PLAIN)]
 
 
 def _mark(finding: Finding) -> Span:
     """`error[E301]`."""
-    return f"{finding.severity!s}[{finding.code}]", ROLES[finding.severity]
-
-
-_MARKS: dict[str, str] = {}
-"""What stands before the message of a finding, by its code."""
-
-
-def _mark_text(finding: Finding) -> str:
-    return _MARKS.get(finding.code) or _MARKS.setdefault(finding.code, f"{_mark(finding)[0]}: ")
-
-
-def _about(finding: Finding) -> str:
-    """`, VOLUME of SOUND.TONE`."""
-    operation, parameter = finding.operation, finding.parameter
-    if operation is None and parameter is None:
-        return ""
-    if operation is None or parameter is None:
-        return f", {operation or parameter}"
-    return f", {parameter} of {operation}"
+    return f"{finding.severity}[{finding.code}]", ROLES[finding.severity]

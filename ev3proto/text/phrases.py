@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import math
 import struct
-from functools import cache
-from typing import TYPE_CHECKING
 
 from ev3proto.dialogue import Value, ValueType
 from ev3proto.messages import Argument
-from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT, Encoding
-
-if TYPE_CHECKING:
-    from json import JSONEncoder
+from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
 
 _LETTERS = {LOCAL: "L", GLOBAL: "G"}
+_encode = json.JSONEncoder(ensure_ascii=False).encode
 _SINGLE = struct.Struct("<f")
 
 
@@ -35,16 +32,9 @@ def short_float(value: float) -> str:
     return repr(int(number)) + ".0" if number.is_integer() and abs(number) < 1e7 else repr(number)
 
 
-@cache
-def _encoder() -> JSONEncoder:
-    import json  # it takes long to load, and most frames have no texts
-
-    return json.JSONEncoder(ensure_ascii=False)
-
-
 def quoted(text: str) -> str:
     """A text in double quotes, control characters escaped, letters of every language as they are."""
-    return _encoder().encode(text)
+    return _encode(text)
 
 
 def spaced_hex(data: bytes) -> str:
@@ -69,30 +59,22 @@ def plain(value: ValueType) -> str:
 
 def argument_value(argument: Argument) -> str:
     """An argument's value: `440`, `"myEV3"`, `GV(0)`, with handle and address marked."""
-    before, after = around_value(argument.form)
-    return f"{before}{plain(argument.value)}{after}"
-
-
-@cache
-def around_value(form: Encoding) -> tuple[str, str]:
-    """What stands before and after a value of an encoding: `handle GV(` and `)`."""
-    before, after = (f"{_LETTERS[form.kind]}V(", ")") if form.kind in _LETTERS else ("", "")
+    form, text = argument.form, plain(argument.value)
+    if form.kind in _LETTERS:
+        text = f"{_LETTERS[form.kind]}V({text})"
     if form.handle:
-        before = f"handle {before}"
-    if form.address:
-        before = f"address {before}"
-    return before, after
+        text = f"handle {text}"
+    return f"address {text}" if form.address else text
 
 
 def argument_meaning(argument: Argument) -> str:
     """What the tables know of a constant: its name in the enumeration, or its special meaning, or else its unit."""
-    parameter, form, value, _, _ = argument
-    if form.kind in (LOCAL, GLOBAL, TEXT):
+    parameter, value = argument.parameter, argument.value
+    if argument.form.kind in (LOCAL, GLOBAL, TEXT):
         return ""
-    if parameter.enum is not None:
-        symbol = argument.symbol
-        if symbol is not None:
-            return symbol
+    symbol = argument.symbol
+    if symbol is not None:
+        return symbol
     if parameter.special and isinstance(value, int) and value in parameter.special:
         return parameter.special[value]
     return parameter.unit or ""

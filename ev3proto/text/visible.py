@@ -10,9 +10,7 @@ from __future__ import annotations
 
 import re
 
-from ev3proto.text.late_pattern import late_pattern
-
-_HARMFUL = late_pattern(
+_HARMFUL = re.compile(
     "[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff\ufff9-\ufffb\ufffe\uffff"
     "\U000e0000-\U000e007f]"
 )
@@ -31,19 +29,6 @@ def visible(text: str) -> str:
     """
     # Most texts are harmless, and this test takes a tenth of the time of the other.
     return text if text.isprintable() else _HARMFUL.sub(_escaped, text)
-
-
-_MARKED = bytes(0xFF if byte < 0x20 or byte == 0x7F else byte for byte in range(0x80)).ljust(0x100)
-"""Characters by their ASCII code, control characters as something that is none of them."""
-
-
-def is_visible(text: str) -> bool:
-    """Whether a long text is harmless as it is. Of one line, `visible` finds that out as fast."""
-    if not text.isascii():
-        return text.isprintable()
-    # Python looks up each character to say whether it is printable, which takes four times as long.
-    data = text.encode()
-    return data.translate(_MARKED) == data
 
 
 def visible_lines(text: str) -> str:

@@ -10,7 +10,7 @@ import pytest
 import ev3proto
 from ev3proto.checking.fixing import Change, Fix
 from ev3proto.checking.report import Finding, Report, Severity
-from ev3proto.text.diagnostics import MOST_ALIKE, diagnostics, diagnostics_texts, fixed, grouped_hex, tally
+from ev3proto.text.diagnostics import MOST_ALIKE, diagnostics, fixed, grouped_hex, tally
 from ev3proto.text.paste import read_text
 from ev3proto.text.spans import Line, Role, plain_text
 
@@ -166,15 +166,6 @@ def test_any_bytes_and_any_span(frame: bytes) -> None:
             found = report(frame, replace(LENGTH, offset=offset, length=length))
             lines = texts(diagnostics(found))
             assert any("^" in line for line in lines) == bool(frame)
-            assert diagnostics_texts(found) == lines
-
-
-@pytest.mark.parametrize("place", ["", "robot.log, line 3"])
-@pytest.mark.parametrize("findings", [(), (LOW,), (QUIET, LOW, LONG), (LENGTH,) * 20])
-def test_the_texts_are_those_of_the_lines(findings: tuple[Finding, ...], place: str) -> None:
-    found = report(TONE, *findings)
-    assert diagnostics_texts(found, place=place) == texts(diagnostics(found, place=place))
-    assert diagnostics_texts(found, findings[:1], place=place) == texts(diagnostics(found, findings[:1], place=place))
 
 
 def test_the_colour_is_that_of_the_worst() -> None:

@@ -27,15 +27,13 @@ PARTS_NOT_NEEDED = (
     "text.diagnostics",
     "text.assembly",
     "text.dialogues",
-    "text.json_format",
     "text.paste.fitting",
     "text.paste.forms",
     "text.paste.reader",
     "text.paste.scanner",
-    "text.table",
     "whole_files",
 )
-OTHERS_NOT_NEEDED = ("asyncio", "hypothesis", "json", "pyshark", "rich", "scapy", "secrets", "tempfile")
+OTHERS_NOT_NEEDED = ("asyncio", "hypothesis", "pyshark", "rich", "scapy", "secrets", "tempfile")
 
 PROGRAM = """
 import sys
@@ -80,9 +78,7 @@ def test_the_schemas_of_other_opcodes_are_not_made() -> None:
     assert done.stdout == "SOUND\n"
 
 
-@pytest.mark.parametrize(
-    ("module", "name"), [("ev3proto.text.paste.reader", "_DENSE"), ("ev3proto.text.visible", "_HARMFUL")]
-)
+@pytest.mark.parametrize(("module", "name"), [("ev3proto.text.paste.reader", "_DENSE")])
 def test_expressions_are_compiled_when_they_are_first_used(module: str, name: str) -> None:
     program = (
         "import importlib, sys\n"

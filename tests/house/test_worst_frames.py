@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from functools import partial
 
@@ -16,10 +17,11 @@ from ev3proto.schema.frame import read_last
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.diagnostics import diagnostics, fixed
 from ev3proto.text.heading import Seen
-from ev3proto.text.json_format.from_messages import record_text
+from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.notations import NOTATIONS
+from ev3proto.text.spans import plain_text
 from ev3proto.text.table import table
-from ev3proto.text.tree import tree, tree_texts
+from ev3proto.text.tree import tree
 
 BODY = 1017
 MOST = 12
@@ -88,12 +90,11 @@ FRAMES = {
 }
 
 FACES: dict[str, Callable[[bytes], object]] = {
-    "tree": lambda frame: tree_texts(_exchange(frame), Seen()),
-    "tree in colours": lambda frame: list(tree(_exchange(frame), Seen())),
-    "JSON": lambda frame: record_text(_exchange(frame), Seen()),
+    "tree": lambda frame: list(map(plain_text, tree(_exchange(frame), Seen()))),
+    "JSON": lambda frame: json.dumps(record(_exchange(frame), Seen())),
     "table": lambda frame: list(table(_exchange(frame), Seen())),
     "assembly": lambda frame: [list(assembly(_exchange(frame), "", notation)) for notation in NOTATIONS],
-    "check": lambda frame: diagnostics(check(_new(frame))),
+    "check": lambda frame: list(diagnostics(check(_new(frame)))),
     "fix": lambda frame: list(fixed(fix(_new(frame)))),
 }
 

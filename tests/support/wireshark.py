@@ -1,7 +1,7 @@
 """Runs tshark with the dissector: the distribution's, or the one that the variable EV3PROTO_TSHARK names.
 
-A tshark with a folder `root` beside it runs inside that folder, as those that tests/newer-tshark makes do: there all
-paths are others. So captures and scripts lie in a work folder whose absolute path means the same inside and outside.
+As root, tshark 4.4 and later load no Lua script. So there the user nobody runs it, and captures and scripts
+lie in a work folder that everybody can read.
 """
 
 from __future__ import annotations
@@ -79,7 +79,6 @@ class Tshark:
     path: Path = field(init=False)  # what runs tshark as it must be run, for pyshark too
     version: tuple[int, int] = field(init=False)
     lua: str = field(init=False)  # "Lua 5.2"; empty when no script is loaded
-    chrooted: bool = field(init=False)
     _fields: dict[str, Any] | None = field(init=False, repr=False, default=None)
     _cleanup: contextlib.ExitStack = field(init=False, repr=False, default_factory=contextlib.ExitStack)
 
@@ -103,19 +102,9 @@ class Tshark:
         self._cleanup.close()
 
     def _open(self, stack: contextlib.ExitStack) -> None:
-        root = self.program.parent / "root"
-        self.chrooted = root.is_dir()
-        if self.chrooted:
-            inside = Path(tempfile.mkdtemp(prefix="ev3proto-", dir=root / "tmp"))
-            stack.callback(shutil.rmtree, inside, ignore_errors=True)
-            self.folder = Path("/tmp") / inside.name
-            self.folder.symlink_to(inside)
-            stack.callback(self.folder.unlink)
-            self.path = self.program
-        else:
-            self.folder = Path(tempfile.mkdtemp(prefix="ev3proto-", dir="/tmp"))
-            stack.callback(shutil.rmtree, self.folder, ignore_errors=True)
-            self.path = self._plain()
+        self.folder = Path(tempfile.mkdtemp(prefix="ev3proto-", dir="/tmp"))
+        stack.callback(shutil.rmtree, self.folder, ignore_errors=True)
+        self.path = self._plain()
         self.folder.chmod(0o777)
         self.version = self._version()
         self.lua = self._lua()
@@ -123,7 +112,7 @@ class Tshark:
             number = ".".join(map(str, self.version))
             raise AssertionError(
                 f"tshark {number}, {self.program}, loads no Lua script, which 4.4 and later never do as root: run the "
-                f"tests as an ordinary user, or set {SETTING} to what runs one so, such as tests/newer-tshark makes"
+                "tests as an ordinary user"
             )
         if self.script is not None:
             self.load(self.script)

@@ -28,6 +28,7 @@ SUBCOMMANDS = (
     "dissector",
     "encode",
     "export",
+    "extcap",
     "files",
     "help",
     "live",

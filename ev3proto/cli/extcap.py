@@ -1,0 +1,139 @@
+"""`ev3proto extcap`: the proxy as an interface in Wireshark's list, by the interface that Wireshark calls extcap."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import ExitStack, closing
+from pathlib import Path
+from typing import BinaryIO, cast
+
+import click
+
+from ev3proto.cli.ending import stopped_by_signals
+from ev3proto.cli.output import complain, say
+from ev3proto.cli.targets import TargetType
+from ev3proto.link.announcing import Announcement
+from ev3proto.link.carriers import open_wire
+from ev3proto.link.errors import LinkError
+from ev3proto.link.proxy import Proxy, ProxyOptions
+from ev3proto.link.recording import Recording
+from ev3proto.link.targets import Target
+from ev3proto.schema.discovery import Beacon
+from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
+from ev3proto.version import VERSION
+
+INTERFACE = "ev3proxy"
+"""The name of the interface; Wireshark shows it as "EV3 proxy"."""
+
+_ETHERNET = 1
+"""The link type of recordings, as libpcap numbers it."""
+
+_LOOPBACK = "127.0.0.1"
+_UNKNOWN_SERIAL = "0" * 12
+
+_CONFIGURATION = (
+    "arg {number=0}{call=--target}{display=Brick}{type=string}{default=usb}{required=true}"
+    "{tooltip=usb, wifi, wifi:HOST, bluetooth:MAC, serial:PORT or virtual}",
+    f"arg {{number=1}}{{call=--port}}{{display=Port}}{{type=unsigned}}{{range=1,65535}}{{default={TCP_PORT}}}"
+    "{tooltip=Programs connect to this port of 127.0.0.1}",
+    "arg {number=2}{call=--read-only}{display=Read only}{type=boolflag}{default=false}"
+    "{tooltip=Let nothing through that changes the brick}",
+)
+
+
+@click.command(context_settings={"ignore_unknown_options": True, "allow_extra_args": True})
+@click.option("--extcap-interfaces", "lists_interfaces", is_flag=True, help="List the interfaces.")
+@click.option("--extcap-dlts", "lists_link_types", is_flag=True, help="List the link types of the interface.")
+@click.option("--extcap-config", "lists_options", is_flag=True, help="List the options of the interface.")
+@click.option("--extcap-interface", "interface", metavar="NAME", help=f"The interface: {INTERFACE}.")
+@click.option("--capture", is_flag=True, help="Capture until interrupted.")
+@click.option("--fifo", type=click.Path(path_type=Path), metavar="PATH", help="Where to write the capture.")
+@click.option(
+    "--target", type=TargetType(), default="usb", show_default=True, help="The brick, as for `ev3proto send`."
+)
+@click.option("--port", type=click.IntRange(0, 65535), default=TCP_PORT, show_default=True, help="Where to listen.")
+@click.option("--read-only", is_flag=True, help="Let nothing through that changes the brick.")
+def extcap(
+    lists_interfaces: bool,
+    lists_link_types: bool,
+    lists_options: bool,
+    interface: str | None,
+    capture: bool,
+    fifo: Path | None,
+    target: Target,
+    port: int,
+    read_only: bool,
+) -> None:
+    """Lets Wireshark capture through `ev3proto proxy`: Wireshark calls this, users do not.
+
+    `ev3proto dissector install` puts a launcher into Wireshark's personal extcap folder. Then "EV3 proxy" is in the
+    list of interfaces. Start it, and connect a program to port 5555 of this computer, as to a brick. No root, no
+    sniffer.
+
+    \b
+      ev3proto extcap --extcap-interfaces
+      ev3proto extcap --extcap-interface ev3proxy --extcap-config
+    """  # noqa: D301 - the mark by which click leaves lines as they are
+    if lists_interfaces:
+        say(f"extcap {{version={VERSION}}}{{display=ev3proto}}")
+        say(f"interface {{value={INTERFACE}}}{{display=EV3 proxy}}")
+        return
+    if interface != INTERFACE:
+        raise click.UsageError(f"give --extcap-interfaces, or --extcap-interface {INTERFACE}")
+    if lists_link_types:
+        say(f"dlt {{number={_ETHERNET}}}{{name=EN10MB}}{{display=Ethernet}}")
+    elif lists_options:
+        for line in _CONFIGURATION:
+            say(line)
+    elif capture and fifo is not None:
+        _capture(fifo, target, ProxyOptions(_LOOPBACK, port, is_read_only=read_only))
+    else:
+        raise click.UsageError("give --extcap-dlts, --extcap-config, or --capture with --fifo PATH")
+
+
+def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
+    """Runs the proxy until Wireshark ends it or reads no more."""
+    with ExitStack() as stack:
+        try:
+            pipe = _Pipe(stack.enter_context(fifo.open("wb")))
+            wire = stack.enter_context(closing(open_wire(target)))
+            proxy = Proxy(
+                wire,
+                str(target),
+                options,
+                show=lambda _pair: None,
+                say=complain,
+                recording=Recording(cast(BinaryIO, pipe)),
+            )
+        except (LinkError, OSError) as error:
+            complain(str(error) if isinstance(error, LinkError) else f"{fifo}: {error.strerror or error}")
+            sys.exit(1)
+        pipe.proxy = proxy
+        beacon = Beacon(target.serial_number or _UNKNOWN_SERIAL, str(proxy.port))
+        stack.callback(Announcement(beacon, _LOOPBACK, BEACON_PORT).stop)
+        with stopped_by_signals(proxy.stop):
+            proxy.serve()
+    if proxy.lost is not None:
+        complain(str(proxy.lost))
+        sys.exit(1)
+
+
+class _Pipe:
+    """The pipe to Wireshark. When that reads no more the capture was stopped, and so is the proxy."""
+
+    def __init__(self, stream: BinaryIO) -> None:
+        self._stream = stream
+        self.proxy: Proxy | None = None
+
+    def write(self, data: bytes) -> int:
+        """Writes bytes. Raises OSError."""
+        return self._stream.write(data)
+
+    def flush(self) -> None:
+        """Sends what was written. Raises OSError."""
+        try:
+            self._stream.flush()
+        except OSError:
+            if self.proxy is not None:
+                self.proxy.stop()
+            raise

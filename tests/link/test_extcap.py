@@ -1,0 +1,96 @@
+"""`ev3proto extcap`: "EV3 proxy" among Wireshark's interfaces, and a capture with it by the real tshark."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import socket
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from support.cli import run_ev3proto_text as run
+from support.server import Client, command
+
+from ev3proto.capture import Record, read
+
+TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
+VOLUME = command("DATA8 volume\nINFO(GET_VOLUME, volume)")
+
+
+def test_what_it_says_of_itself() -> None:
+    assert run("extcap", "--extcap-interfaces", "--extcap-version=4.0").stdout.splitlines()[1:] == [
+        "interface {value=ev3proxy}{display=EV3 proxy}"
+    ]
+    assert run("extcap", "--extcap-interface", "ev3proxy", "--extcap-dlts").stdout == (
+        "dlt {number=1}{name=EN10MB}{display=Ethernet}\n"
+    )
+    options = run("extcap", "--extcap-interface", "ev3proxy", "--extcap-config").stdout.splitlines()
+    assert [line.partition("{call=")[2].partition("}")[0] for line in options] == ["--target", "--port", "--read-only"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ([], "give --extcap-interfaces, or --extcap-interface ev3proxy"),
+        (["--extcap-interface", "eth0", "--extcap-dlts"], "--extcap-interface ev3proxy"),
+        (["--extcap-interface", "ev3proxy", "--capture"], "--capture with --fifo PATH"),
+    ],
+)
+def test_what_it_cannot_do(words: list[str], sentence: str) -> None:
+    done = run("extcap", *words)
+    assert done.returncode == 2
+    assert sentence in done.stderr
+
+
+def test_a_brick_that_is_not_there_is_named(tmp_path: Path) -> None:
+    words = ["--extcap-interface", "ev3proxy", "--capture", "--fifo", str(tmp_path / "pipe")]
+    done = run("extcap", *words, "--target", "wifi:127.0.0.1:1", "--port", "0")
+    assert done.returncode == 1
+    assert "nobody listens" in done.stderr or "nothing is listening" in done.stderr
+
+
+def free_port() -> int:
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        return int(listening.getsockname()[1])
+
+
+def connected(port: int) -> Client:
+    """A client of the proxy, as soon as that listens."""
+    end = time.monotonic() + 60
+    while True:
+        try:
+            return Client(port)
+        except OSError:
+            assert time.monotonic() < end
+            time.sleep(0.1)
+
+
+def test_tshark_captures_through_the_proxy(tmp_path: Path) -> None:
+    """The launcher is in the personal folder of Wireshark 4.0, and in that of later ones."""
+    for folder in (tmp_path / ".config" / "wireshark" / "extcap", tmp_path / ".local" / "lib" / "wireshark" / "extcap"):
+        folder.mkdir(parents=True)
+        launcher = folder / "ev3proxy"
+        launcher.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m ev3proto extcap "$@"\n')
+        launcher.chmod(0o755)
+    port = free_port()
+    settings = [f"extcap.ev3proxy.{name}:{value}" for name, value in (("target", "virtual"), ("port", port))]
+    path = tmp_path / "talk.pcapng"
+    words = ["-i", "ev3proxy", *(word for setting in settings for word in ("-o", setting)), "-w", str(path), "-q"]
+    environment = {**os.environ, "HOME": str(tmp_path)}
+    tshark = subprocess.Popen(["tshark", *words], env=environment, stderr=subprocess.PIPE, text=True)
+    try:
+        with connected(port) as client:
+            client.send(TONE)
+            assert client.ask(VOLUME) == bytes.fromhex("040001000264")
+        end = time.monotonic() + 30
+        while not path.exists() or TONE not in path.read_bytes():
+            assert time.monotonic() < end
+            time.sleep(0.1)
+    finally:
+        tshark.terminate()
+        _, said = tshark.communicate(timeout=30)
+    first = next(event for event in read(path) if isinstance(event, Record))
+    assert first.message.build() == TONE, said

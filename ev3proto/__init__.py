@@ -27,9 +27,9 @@ if TYPE_CHECKING:
     from ev3proto import system as system
     from ev3proto import tables as tables
     from ev3proto.checking.checking import check as check
-    from ev3proto.checking.fixing import Fix as Fix
     from ev3proto.checking.fixing import fix as fix
     from ev3proto.checking.report import Finding as Finding
+    from ev3proto.checking.report import Fix as Fix
     from ev3proto.checking.report import Report as Report
     from ev3proto.checking.report import Severity as Severity
     from ev3proto.compose import Draft as Draft
@@ -103,8 +103,8 @@ _MODULES = ("capture", "enums", "errors", "messages", "ops", "program", "schema"
 
 _NAMES = {
     "ev3proto.checking.checking": ("check",),
-    "ev3proto.checking.fixing": ("Fix", "fix"),
-    "ev3proto.checking.report": ("Finding", "Report", "Severity"),
+    "ev3proto.checking.fixing": ("fix",),
+    "ev3proto.checking.report": ("Finding", "Fix", "Report", "Severity"),
     "ev3proto.compose": ("Draft", "Global", "Label", "Local", "command"),
     "ev3proto.dialogue": ("Dialogue", "Exchange", "Transfer", "Value"),
     "ev3proto.errors": ("BuildError", "DecodeError", "Fault"),
@@ -160,6 +160,8 @@ def __getattr__(name: str) -> Any:
     if name in _MODULES:
         return import_module(f"ev3proto.{name}")
     if name in _HOMES:
+        if _HOMES[name].startswith("ev3proto.checking."):
+            import_module("ev3proto.text.diagnostics")  # what `str` makes of reports and fixes
         value = globals()[name] = getattr(import_module(_HOMES[name]), name)
         return value
     if name.startswith("__"):

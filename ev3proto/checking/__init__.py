@@ -4,6 +4,7 @@
 in one table (`codes`). `fixing` fixes what can be fixed with certainty.
 """
 
-from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.checking.fixing import fix
+from ev3proto.checking.report import Change, Finding, Fix, Report, Severity
 
-__all__ = ["Finding", "Report", "Severity"]
+__all__ = ["Change", "Finding", "Fix", "Report", "Severity", "fix"]

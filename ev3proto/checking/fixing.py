@@ -7,16 +7,15 @@ another index, everywhere at once. Whatever cannot be fixed with certainty is sa
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Flag, auto
 from functools import lru_cache
 from itertools import chain
-from typing import Any
 
 from ev3proto.checking.checking import check
 from ev3proto.checking.facts import operation_facts
 from ev3proto.checking.moving import WIDEST, Layout, is_misaligned, multiple
-from ev3proto.checking.report import Report
+from ev3proto.checking.report import Change, Fix, Report, uses
 from ev3proto.checking.rules.encodings import is_longer, shortest
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
 from ev3proto.errors import as_bytes, counted
@@ -30,66 +29,6 @@ from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MAX_
 
 _MOST_NAMED = 3
 """Changes that are named where they are not made."""
-
-
-@dataclass(frozen=True, slots=True)
-class Change:
-    """One thing that was fixed.
-
-    what    `length field`, `global memory`, `FREQUENCY of SOUND.TONE at offset 10`
-    before  what stood there
-    after   what stands there now
-    why     half a sentence
-    """
-
-    what: str
-    before: str
-    after: str
-    why: str
-
-    def __str__(self) -> str:
-        return f"{self.what}: {self.before} -> {self.after} ({self.why})"
-
-    def as_dict(self) -> dict[str, str]:
-        """The same for other tools."""
-        return {name: getattr(self, name) for name in self.__slots__}
-
-
-@dataclass(frozen=True, slots=True)
-class Fix:
-    """A frame and what was fixed in it.
-
-    frame     the fixed bytes; those that were given where nothing was fixed
-    changes   what was fixed, in the order in which it was done
-    unfixed   sentences: what looked fixable and was left, and why
-    report    what a check says of the fixed bytes
-    """
-
-    frame: bytes
-    changes: tuple[Change, ...]
-    unfixed: tuple[str, ...]
-    report: Report
-
-    def __str__(self) -> str:
-        """What `ev3proto check --fix` prints of it."""
-        from ev3proto.text.diagnostics import fixed
-        from ev3proto.text.spans import plain_text
-        from ev3proto.text.visible import visible
-
-        return "\n".join(visible(plain_text(line)) for line in fixed(self, dialect=self.report.dialect))
-
-    @property
-    def unmended(self) -> tuple[str, ...]:
-        """`unfixed` by its former name."""
-        return self.unfixed
-
-    def as_dict(self) -> dict[str, Any]:
-        """The same for other tools; `hex` is the fixed frame."""
-        return {
-            **self.report.as_dict(),
-            "changes": [change.as_dict() for change in self.changes],
-            "unmended": list(self.unfixed),
-        }
 
 
 def fix(
@@ -122,6 +61,9 @@ def fix(
             return Fix(report.frame, tuple(changes), tuple(fixing.unfixed), report)
         # Steps that made it worse may be what it needs now.
     return Fix(report.frame, tuple(changes), (), report)
+
+
+uses.fix = fix
 
 
 class _Step(Flag):

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from ev3proto.checking.fixing import Fix
+from typing import Any
 
 
 class Severity(StrEnum):
@@ -18,7 +16,7 @@ class Severity(StrEnum):
     HINT = "hint"
 
 
-@dataclass(frozen=True, slots=True, init=False)
+@dataclass(frozen=True, slots=True)
 class Finding:
     """One thing that is wrong, or could be better.
 
@@ -41,28 +39,6 @@ class Finding:
     operation: str | None = None
     parameter: str | None = None
 
-    # A frame may have a thousand of them. The method that a frozen class gets takes three times as long as to fill the
-    # slots: `pytest benchmarks -k checking` shows it in "check".
-    def __init__(
-        self,
-        severity: Severity,
-        code: str,
-        offset: int,
-        length: int,
-        message: str,
-        help: str,
-        operation: str | None = None,
-        parameter: str | None = None,
-    ) -> None:
-        _set_severity(self, severity)
-        _set_code(self, code)
-        _set_offset(self, offset)
-        _set_length(self, length)
-        _set_message(self, message)
-        _set_help(self, help)
-        _set_operation(self, operation)
-        _set_parameter(self, parameter)
-
     def as_dict(self) -> dict[str, Any]:
         """The same for other tools, `help` as `mend`; keys that do not apply are absent."""
         entry: dict[str, Any] = {
@@ -83,11 +59,6 @@ class Finding:
     def mend(self) -> str:
         """`help` by its former name."""
         return self.help
-
-
-_set_severity, _set_code, _set_offset, _set_length, _set_message, _set_help, _set_operation, _set_parameter = (
-    getattr(Finding, name).__set__ for name in Finding.__slots__
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,18 +83,12 @@ class Report:
 
     def __str__(self) -> str:
         """What `ev3proto check` prints of it."""
-        from ev3proto.text.diagnostics import diagnostics
-        from ev3proto.text.spans import plain_text
-        from ev3proto.text.visible import visible
-
-        return "\n".join(visible(plain_text(line)) for line in diagnostics(self, dialect=self.dialect))
+        return uses.report_text(self)
 
     @property
     def fixed(self) -> Fix:
         """The frame with everything fixed that can be fixed with certainty, as `ev3proto check --fix` prints it."""
-        from ev3proto.checking.fixing import fix
-
-        return fix(self.frame, dialect=self.dialect, carrier=self.carrier)
+        return uses.fix(self.frame, dialect=self.dialect, carrier=self.carrier)
 
     def of(self, severity: Severity) -> tuple[Finding, ...]:
         """The findings of one severity."""
@@ -147,3 +112,75 @@ class Report:
             "findings": [finding.as_dict() for finding in self.findings],
             "hex": self.frame.hex(),
         }
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One thing that was fixed.
+
+    what    `length field`, `global memory`, `FREQUENCY of SOUND.TONE at offset 10`
+    before  what stood there
+    after   what stands there now
+    why     half a sentence
+    """
+
+    what: str
+    before: str
+    after: str
+    why: str
+
+    def __str__(self) -> str:
+        return f"{self.what}: {self.before} -> {self.after} ({self.why})"
+
+    def as_dict(self) -> dict[str, str]:
+        """The same for other tools."""
+        return {name: getattr(self, name) for name in self.__slots__}
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """A frame and what was fixed in it.
+
+    frame     the fixed bytes; those that were given where nothing was fixed
+    changes   what was fixed, in the order in which it was done
+    unfixed   sentences: what looked fixable and was left, and why
+    report    what a check says of the fixed bytes
+    """
+
+    frame: bytes
+    changes: tuple[Change, ...]
+    unfixed: tuple[str, ...]
+    report: Report
+
+    def __str__(self) -> str:
+        """What `ev3proto check --fix` prints of it."""
+        return uses.fix_text(self)
+
+    @property
+    def unmended(self) -> tuple[str, ...]:
+        """`unfixed` by its former name."""
+        return self.unfixed
+
+    def as_dict(self) -> dict[str, Any]:
+        """The same for other tools; `hex` is the fixed frame."""
+        return {
+            **self.report.as_dict(),
+            "changes": [change.as_dict() for change in self.changes],
+            "unmended": list(self.unfixed),
+        }
+
+
+class Uses:
+    """What floors above give a report to do; each registers its function when it is loaded.
+
+    fix          fixes a frame: `checking.fixing`
+    report_text  what is printed of a report, and
+    fix_text     of a fix: `text.diagnostics`, which `ev3proto.check` and `ev3proto.fix` load
+    """
+
+    fix: Callable[..., Fix]
+    report_text: Callable[[Report], str] = staticmethod(repr)
+    fix_text: Callable[[Fix], str] = staticmethod(repr)
+
+
+uses = Uses()

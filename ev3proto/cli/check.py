@@ -14,7 +14,7 @@ import click
 from ev3proto.checking.checking import check as check_frame
 from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.program_codes import PROGRAM_CODES
-from ev3proto.checking.report import Finding, Report
+from ev3proto.checking.report import Finding, Fix, Report
 from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.programs import (
@@ -35,7 +35,6 @@ from ev3proto.text.split import Piece
 
 if TYPE_CHECKING:
     from ev3proto.capture.record import Record
-    from ev3proto.checking.fixing import Fix
     from ev3proto.cli.annotations import Annotations
     from ev3proto.program.source.errors import SourceWarning
 

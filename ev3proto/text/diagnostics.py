@@ -18,15 +18,14 @@ from operator import attrgetter
 from textwrap import wrap
 
 from ev3proto.checking.codes import Code
-from ev3proto.checking.fixing import Fix
-from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.checking.report import Finding, Fix, Report, Severity, uses
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Message
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD
 from ev3proto.text.excerpt import Excerpt
-from ev3proto.text.spans import Line, Role, Span
+from ev3proto.text.spans import Line, Role, Span, plain_text
 
 MOST_ALIKE = 4
 """Findings with the same code that are shown of one frame; of the others, only the offsets are listed."""
@@ -202,3 +201,14 @@ def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> Itera
 def _mark(finding: Finding) -> Span:
     """`error[E301]`."""
     return f"{finding.severity}[{finding.code}]", ROLES[finding.severity]
+
+
+def _report_text(report: Report) -> str:
+    return "\n".join(map(plain_text, diagnostics(report, dialect=report.dialect)))
+
+
+def _fix_text(fix: Fix) -> str:
+    return "\n".join(map(plain_text, fixed(fix, dialect=fix.report.dialect)))
+
+
+uses.report_text, uses.fix_text = _report_text, _fix_text

@@ -8,8 +8,7 @@ from dataclasses import replace
 import pytest
 
 import ev3proto
-from ev3proto.checking.fixing import Change, Fix
-from ev3proto.checking.report import Finding, Report, Severity
+from ev3proto.checking.report import Change, Finding, Fix, Report, Severity
 from ev3proto.text.diagnostics import MOST_ALIKE, diagnostics, fixed, grouped_hex, tally
 from ev3proto.text.paste import read_text
 from ev3proto.text.spans import Line, Role, plain_text

@@ -10,7 +10,8 @@ from support.effort import effort
 import ev3proto
 from ev3proto import GV, LV, DirectCommand, Operation, Variable, operation
 from ev3proto.checking.checking import check
-from ev3proto.checking.fixing import Fix, fix
+from ev3proto.checking.fixing import fix
+from ev3proto.checking.report import Fix
 from ev3proto.schema.argument import encode_as
 from ev3proto.testing import frames, mutated_frames
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import fields
 
 from ev3proto.capture.statistics import Summary
-from ev3proto.checking.fixing import Change
-from ev3proto.checking.report import Severity
+from ev3proto.checking.report import Change, Severity
 from ev3proto.generate.output_schemas.messages import definitions
 from ev3proto.generate.output_schemas.parts import (
     FLAG,

@@ -12,8 +12,7 @@ from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.cli.programs import SOURCE_CODE
-from ev3proto.program.source.errors import SourceWarning
-from ev3proto.text.assembly.errors import AssemblyError
+from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 from ev3proto.version import VERSION
 
 SARIF_SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"

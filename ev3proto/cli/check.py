@@ -36,7 +36,7 @@ from ev3proto.text.split import Piece
 if TYPE_CHECKING:
     from ev3proto.capture.record import Record
     from ev3proto.cli.annotations import Annotations
-    from ev3proto.program.source.errors import SourceWarning
+    from ev3proto.text.assembly.errors import SourceWarning
 
 # Captures, fixes and programs are loaded where they are needed: a frame is checked in three quarters of the time.
 

@@ -351,8 +351,8 @@ class _Version(click.ParamType):
 @click.option(
     "--source",
     "source_dialect",
-    type=click.Choice(("strict", "lego")),
-    help="Of a program: the dialect that its source is in; without this, strict first and then LEGO's own.",
+    type=click.Choice(("strict", "lego", "basic")),
+    help="Of a program: the dialect that its source is in; without this, strict, LEGO's own and EV3 Basic's are tried.",
 )
 @click.option("--version", "version", type=_Version(), metavar="NUMBER", help="Of a program: the image's version.")
 @click.option(

@@ -18,8 +18,7 @@ if TYPE_CHECKING:
     from ev3proto.checking.codes import Code
     from ev3proto.cli.sources import Source
     from ev3proto.program import Program
-    from ev3proto.program.source.errors import SourceWarning
-    from ev3proto.text.assembly.errors import AssemblyError
+    from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 
 SUFFIX, SOURCE_SUFFIX = ".rbf", ".lms"
 RBF = "rbf"
@@ -127,7 +126,7 @@ def source_findings(error: AssemblyError | None = None, warnings: Iterable[Sourc
 
 def read_source(source: Source) -> bytes | None:
     """The bytes of a source; None, and a complaint, where it cannot be read."""
-    from ev3proto.program.source.source import MAX_SOURCE
+    from ev3proto.program.sources import MAX_SOURCE
 
     try:
         with source.open() as stream:
@@ -191,7 +190,7 @@ def encode_program(
         except OSError as error:
             complain(f"{path}: cannot be written: {error.strerror or error}")
             return 1
-    written = "the strict dialect" if made.dialect == "strict" else "LEGO's dialect"
+    written = {"strict": "the strict dialect", "lego": "LEGO's dialect"}.get(made.dialect, "EV3 Basic's dialect")
     size, objects = counted(len(made.image), "byte"), counted(len(made.program.objects), "object")
     complain(f"{path or 'the image'}: {size}, {objects}, from a source in {written}")
     return 0

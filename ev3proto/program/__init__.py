@@ -15,28 +15,14 @@ own `Struct`.
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
-
+from ev3proto.program.checking import check_program
 from ev3proto.program.header import HEADER
 from ev3proto.program.image import IMAGE, Program, build, parse
 from ev3proto.program.objects import NO_DEFECTS, CodeObject, Defects
 from ev3proto.program.parameters import ProgramParameter
+from ev3proto.program.sources import Assembled, SourceDialect, assemble
+from ev3proto.program.writing import source_of
 from ev3proto.tables.program import DEFAULT_VERSION, ObjectKind
-
-if TYPE_CHECKING:
-    from ev3proto.program.checking import check_program
-    from ev3proto.program.source.disassembly import source_of
-    from ev3proto.program.source.source import Assembled, SourceDialect, assemble
-
-_LATER = {
-    "Assembled": "source.source",
-    "SourceDialect": "source.source",
-    "assemble": "source.source",
-    "check_program": "checking",
-    "source_of": "source.disassembly",
-}
-"""What is imported when it is first asked for: who only reads images starts sooner without it."""
 
 __all__ = [
     "DEFAULT_VERSION",
@@ -56,11 +42,3 @@ __all__ = [
     "parse",
     "source_of",
 ]
-
-
-def __getattr__(name: str) -> Any:
-    """What is imported late."""
-    if name not in _LATER:
-        raise AttributeError(f"module 'ev3proto.program' has no attribute {name!r}")
-    value = globals()[name] = getattr(import_module(f"ev3proto.program.{_LATER[name]}"), name)
-    return value

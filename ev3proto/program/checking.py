@@ -14,8 +14,8 @@ from ev3proto.program.image import Program, parse
 from ev3proto.program.objects import CodeObject
 from ev3proto.program.report import ProgramReport
 from ev3proto.program.retyped import CALL
-from ev3proto.program.source.disassembly import goal_of
 from ev3proto.program.walk import SIZE_AT, Walk, walk
+from ev3proto.program.writing import goal_of
 from ev3proto.tables.declaration import Direction, Effect
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.program import ObjectKind

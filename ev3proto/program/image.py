@@ -255,15 +255,13 @@ class Entry(NamedTuple):
 def regular_offsets(entries: Sequence[Entry]) -> Iterator[int]:
     """Where the codes start as every writer puts them: in their order, without gaps, shared code once."""
     at = IMAGE_HEADER_SIZE + len(entries) * OBJECT_HEADER_SIZE
-    offsets: list[int] = []
+    starts: list[int] = []
     for entry in entries:
-        if entry.shares is not None and 0 < entry.shares <= len(offsets):
-            offset = offsets[entry.shares - 1]
-        else:
-            offset = at
-            at += len(entry.code)
-        offsets.append(offset)
-        yield offset
+        starts.append(at)
+        at += len(entry.code)
+    for start, entry in zip(starts, entries, strict=True):
+        is_shared = entry.shares is not None and 0 < entry.shares <= len(entries)
+        yield starts[entry.shares - 1] if is_shared and entry.shares is not None else start
 
 
 def _entry(part: CodeObject) -> Entry:

@@ -8,7 +8,7 @@ from ev3proto.errors import counted
 from ev3proto.messages import Operation
 from ev3proto.program.image import Program
 from ev3proto.program.objects import CodeObject
-from ev3proto.program.source.disassembly import ObjectCode, Writer
+from ev3proto.program.writing import ObjectCode, Writer
 from ev3proto.tables.declaration import Direction
 from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.program import VERSIONS, ObjectKind

@@ -51,11 +51,8 @@ BACKSLASH = ("\\\\", "\\")
 LEGO_ESCAPES = ((r"\'", "'"), ("''", "'"), (r"\s", " "))
 """Those that only LEGO's dialect has."""
 
-FORMS = (
-    *("LC0", "LC1", "LC2", "LC4", "LCF", "LCS", "LCS_OLD", "LAB1", "HND", "ADR"),
-    *("LV0", "LV1", "LV2", "LV4", "GV0", "GV1", "GV2", "GV4"),
-)
-"""Ours, no assembler has them: the words that name the encoding of a value, where it is not the usual one."""
+BASIC_NAMES = {"JR_DYNAMIC": "JR", "AND8888_32": "AND32", "EXTRACTLOWBYTE": "MOVE8_8", "INJECTLOWBYTE": "MOVE8_8"}
+"""Names that EV3 Basic's assembler has for operations where its types would not fit."""
 
 BYTES = "bytes"
 """Ours: bytes as they are."""

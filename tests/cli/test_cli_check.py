@@ -267,7 +267,7 @@ def test_json_has_what_is_wrong_with_a_source(tmp_path: Path) -> None:
             "code": "source",
             "offset": 0,
             "length": 0,
-            "message": "there is no operation FOO",
+            "message": "unknown operation FOO",
             "mend": "change line 3 of the source",
             "line": 3,
             "column": 3,

@@ -186,12 +186,12 @@ def test_bad_assembly_is_shown_with_its_place(tmp_path: Path) -> None:
         f"{path}, line 2, column 9: SOUND has no CMD TOEN: did you mean TONE?\n"
         "    SOUND(TOEN, 1, 440, 1000)\n"
         "          ^\n"
-        f"{path}, line 3, column 1: there is no operation SUOND: did you mean SOUND?\n"
+        f"{path}, line 3, column 1: unknown operation SUOND: did you mean SOUND?\n"
         "  SUOND(TONE)\n"
         "  ^\n"
     )
     assert run("SUOND(TONE)").output == (
-        "line 1, column 1: there is no operation SUOND: did you mean SOUND?\n  SUOND(TONE)\n  ^\n"
+        "line 1, column 1: unknown operation SUOND: did you mean SOUND?\n  SUOND(TONE)\n  ^\n"
     )
 
 

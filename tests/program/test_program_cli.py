@@ -123,7 +123,7 @@ def test_encode_says_what_is_wrong_with_a_source(source: Path, tmp_path: Path) -
     result = run_ev3proto_text("encode", source, "-o", tmp_path / "made.rbf")
     assert result.returncode == 1
     assert result.stderr.splitlines() == [
-        f"{source}, line 12, column 17: there is no LED_RAD: did you mean LED_RED or LED_RR or LED_RG?",
+        f"{source}, line 12, column 17: unknown name LED_RAD: did you mean LED_RED or LED_RR or LED_RG?",
         "    UI_WRITE(LED, LED_RAD)",
         "                  ^",
     ]
@@ -169,7 +169,7 @@ def test_check_takes_programs_and_their_sources(image: Path, source: Path) -> No
     source.write_text(SOURCE.replace("CALL(Say", "CALL(Sayy"))
     result = run_ev3proto_text("check", source)
     assert result.returncode == 1
-    assert "there is no Sayy: did you mean Say?" in result.stderr
+    assert "unknown name Sayy: did you mean Say?" in result.stderr
 
 
 def test_check_explains_the_codes_of_programs() -> None:

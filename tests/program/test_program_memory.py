@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from ev3proto import program as programs
 from ev3proto.program import assemble
-from ev3proto.program.source.variables import declared
+from ev3proto.program.variables import declared
 from ev3proto.tables.declaration import Type
 from ev3proto.text.assembly import AssemblyError
 
@@ -76,5 +76,5 @@ def test_a_setting(setting: str, header: str) -> None:
 
 @pytest.mark.parametrize("setting", ["colour 5", "version red", "version 65536", "gap 3 xyz", "locals -1"])
 def test_what_is_no_setting(setting: str) -> None:
-    with pytest.raises(AssemblyError, match=f"line 1, column 14: {setting} is no setting"):
+    with pytest.raises(AssemblyError, match=f"line 1, column 14: {setting} is not a setting"):
         assemble(f"// ev3proto: {setting}\nvmthread M {{ }}")

@@ -11,7 +11,7 @@ from support.programs import IMAGE, SHORTEST, image_of
 
 from ev3proto import program as programs
 from ev3proto.program import assemble, source_of
-from ev3proto.program.source.names import builtin_names
+from ev3proto.text.assembly.names import firmware_names
 
 
 @pytest.mark.parametrize("image", [IMAGE, SHORTEST])
@@ -51,7 +51,7 @@ def test_the_source_of_the_example_is_what_people_write() -> None:
 
 
 def test_its_own_names_hide_none_of_the_firmwares() -> None:
-    names = builtin_names()
+    names = firmware_names()
     assert not [name for name in names if name[:1].islower()]
 
 

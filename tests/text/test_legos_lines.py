@@ -86,13 +86,13 @@ def test_a_subroutine_is_called_with_whatever_it_takes(text: str) -> None:
 
 def test_what_is_missing_is_named() -> None:
     assert reason("CALL(Show,'text')") == (
-        "there is no object Show: `define Show 2` in front of it tells the number of the object, counted from 1"
+        "unknown object Show: `define Show 2` in front of it tells the number of the object, counted from 1"
     )
     assert reason("INPUT_DEVICE(READY_SI,0,Port,0,0,1,GV0(0))").endswith(
         " Or `DATA8 Port` in front of it declares a variable"
     )
     assert reason("MOVE8_8(SQRTT,LV0(0))") == (
-        "there is no variable or constant SQRTT: did you mean SQRT? Or `DATA8 SQRTT` in front of it declares a variable"
+        "unknown variable or constant SQRTT: did you mean SQRT? Or `DATA8 SQRTT` in front of it declares a variable"
     )
     assert reason("CALL(2,3,'text')") == "PARAMETERS says 3, but 1 values follow"
     assert reason("IN_16 width\nMOVE16_16(width, LV0(0))") == (
@@ -112,7 +112,7 @@ def test_what_is_missing_is_named() -> None:
 def test_a_suggestion_is_never_what_is_wrong(text: str, near: str) -> None:
     sentence = reason(text)
     assert near in sentence
-    wrong = sentence.partition("there is no ")[2].partition(" ")[0]
+    wrong = sentence.partition("unknown ")[2].partition(" ")[0]
     assert wrong not in sentence.partition("did you mean")[2].replace("?", "").split()
 
 
@@ -150,6 +150,6 @@ def test_a_program_has_the_letters_of_motor_ports(dialect: str) -> None:
 
 @pytest.mark.parametrize("dialect", ["strict", "lego"])
 def test_other_names_stay_unknown(dialect: str) -> None:
-    for line, name in (("OUTPUT_POWER(0,A+Q,50)", "A"), ("MOVE8_8(B,B)", "B"), ("OUTPUT_POWER(A,1,50)", "A")):
-        with pytest.raises(AssemblyError, match=f"there is no {name}"):
+    for line, name in (("OUTPUT_POWER(0,A+Q,50)", "Q"), ("MOVE8_8(B,B)", "B"), ("OUTPUT_POWER(A,1,50)", "A")):
+        with pytest.raises(AssemblyError, match=f"unknown name {name}"):
             program.assemble(f"vmthread MAIN\n{{\n{line}\n}}\n", dialect=dialect)

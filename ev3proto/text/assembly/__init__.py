@@ -46,14 +46,11 @@ begins a message that is nothing but bytes.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from ev3proto.messages import Message
+from ev3proto.text.assembly.assembling import assembled
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.macro_notation import operation_line
-
-if TYPE_CHECKING:
-    from ev3proto.messages import Message
 
 __all__ = ["AssemblyError", "assemble", "assembly", "operation_line"]
 
@@ -84,6 +81,4 @@ def assemble(
         AssemblyError: The text is no assembly, or a value in it is not legal. The error has line, column, the line's
             text, and in `others` what else is wrong.
     """
-    from ev3proto.text.assembly.assembling import assembled  # those who only decode should not wait for it
-
     return list(assembled(text, dialect=dialect, counter=counter, reply=reply, unchecked=unchecked))

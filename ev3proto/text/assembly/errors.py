@@ -1,23 +1,30 @@
-"""What is wrong with an assembly text: where, what stands there, what was expected."""
+"""What is wrong with an assembly text: where, what is there, what was expected. Frames and programs have the same."""
 
 from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterable
+from typing import NamedTuple
 
 MOST_ERRORS = 20
 """Errors of one text that are reported; what follows the twentieth mostly follows from the others."""
 
-MOST_SAID = 500
+_MOST_SAID = 500
 """Characters of a sentence: what is cited in it may be as long as the text."""
 
 _MOST_SHOWN = 100
 """Characters of a line that are shown around an error."""
 
+_MOST_CITED = 40
+
 
 class AssemblyError(ValueError):
-    """A text that is no assembly.
+    """A text that is not assembly.
 
     line    where the trouble starts, counted from 1
     column  the same, counted from 1
-    reason  one sentence: what stands there, what was expected, the near miss
+    reason  one sentence: what is there, what was expected, the near miss
     text    the line, as it was written
     others  what else is wrong with the text, in its order
     """
@@ -44,3 +51,61 @@ class AssemblyError(ValueError):
         # A tab stays one, so that the mark stands below its character whatever a tab's width is.
         padding = "".join("\t" if character == "\t" else " " for character in before)
         return f"{shown}\n{padding}^"
+
+
+class SourceError(Exception):
+    """One error, at an offset in the text; people get it as an AssemblyError."""
+
+    def __init__(self, at: int, reason: str) -> None:
+        self.at = at
+        self.reason = reason
+        super().__init__(reason)
+
+
+class SourceWarning(NamedTuple):
+    """Something that is assembled, and perhaps not meant.
+
+    line    counted from 1
+    column  counted from 1
+    reason  one sentence
+    """
+
+    line: int
+    column: int
+    reason: str
+
+    def __str__(self) -> str:
+        return f"line {self.line}, column {self.column}: {self.reason}"
+
+
+class Lines:
+    """The lines of a text, for turning offsets into lines and columns."""
+
+    def __init__(self, text: str, newline: str) -> None:
+        self._text = text
+        self._starts = [0, *(found.end() for found in re.finditer(newline, text))]
+
+    def place(self, at: int) -> tuple[int, int]:
+        """Line and column of an offset, both counted from 1."""
+        line = bisect_right(self._starts, at)
+        return line, at - self._starts[line - 1] + 1
+
+    def error(self, errors: Iterable[SourceError]) -> AssemblyError:
+        """All errors as one, in the order of the text."""
+        first, *others = map(self._one, sorted(errors, key=lambda error: error.at)[:MOST_ERRORS])
+        return AssemblyError(first.line, first.column, first.reason, first.text, tuple(others))
+
+    def warnings(self, found: Iterable[tuple[int, str]]) -> tuple[SourceWarning, ...]:
+        """Warnings with their places, in the order of the text."""
+        return tuple(SourceWarning(*self.place(at), reason) for at, reason in sorted(set(found)))
+
+    def _one(self, error: SourceError) -> AssemblyError:
+        line, column = self.place(error.at)
+        end = self._starts[line] if line < len(self._starts) else len(self._text)
+        reason = error.reason if len(error.reason) <= _MOST_SAID else f"{error.reason[:_MOST_SAID]}..."
+        return AssemblyError(line, column, reason, self._text[self._starts[line - 1] : end].rstrip("\r\n"))
+
+
+def cited(text: str) -> str:
+    """What was written, cut where it is long."""
+    return text if len(text) <= _MOST_CITED else f"{text[:_MOST_CITED]}..."

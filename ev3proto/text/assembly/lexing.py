@@ -1,115 +1,122 @@
-"""Assembly text cut into tokens: names, numbers, texts, marks. Lines count where a statement ends with its line."""
+"""Assembly text cut into tokens: names, numbers, texts, marks. What they look like is the notation's matter."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
-from enum import StrEnum
+from functools import cache
+from typing import NamedTuple
 
-from ev3proto.text.late_pattern import late_pattern
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.text.assembly.errors import SourceError
+from ev3proto.text.assembly.notations import Notation
 
 MAX_NAME = 200
 """Characters of a name."""
 
-
-class TokenKind(StrEnum):
-    """What a token is. A word starts like a number and is none: hex, where bytes are written."""
-
-    NAME = "name"
-    NUMBER = "number"
-    WORD = "word"
-    TEXT = "text"
-    MARK = "mark"
-    BAD = "bad"
-    END = "end"
+NAME, NUMBER, WORD, TEXT, MARK, BAD, END = "name", "number", "word", "text", "mark", "bad", "end"
+"""What a token is. A word starts like a number and is none: hex, where bytes are written."""
 
 
-@dataclass(frozen=True, slots=True)
-class Token:
+class Token(NamedTuple):
     """A piece of the text.
 
     kind      what it is
     text      as it was written; of a bad one, the sentence that says what is wrong
-    line      counted from 1
-    column    of its first character, counted from 1
+    at        offset of its first character
     is_first  it is the first of its line
     """
 
-    kind: TokenKind
+    kind: str
     text: str
-    line: int
-    column: int
+    at: int
     is_first: bool
+
+    @property
+    def end(self) -> int:
+        """The offset after it."""
+        return self.at + len(self.text)
 
     def is_mark(self, *marks: str) -> bool:
         """Whether it is one of these marks."""
-        return self.kind is TokenKind.MARK and self.text in marks
+        return self.kind == MARK and self.text in marks
 
 
-_TOKEN = late_pattern(
-    r"""(?P<blank>[ \t\r\f\v\ufeff]+ | //[^\n]*)
-      | (?P<newline>\n)
-      | (?P<comment>/\*)
-      | (?P<number>(?:0[xX][0-9a-fA-F]+ | 0[bB][01]+ | (?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?[fF]?)(?![\w.]))
-      | (?P<name>[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*)
-      | (?P<word>\w+)
-      | (?P<text>"(?:[^"\\\n]|\\[^\n])*" | '(?:[^'\\\n]|\\[^\n])*')
-      | (?P<mark>\.\.\. | [-+*/|()\[\]{},:;=@&#])""",
-    re.VERBOSE | re.ASCII,
-)
+@cache
+def _pattern(notation: Notation) -> re.Pattern[str]:
+    return re.compile(
+        rf"""(?P<blank>(?>(?:{notation.blank})+)|{notation.comment}[^\r\n]*+)
+          |(?P<newline>{notation.newline})
+          |(?P<comment>/\*)
+          |(?P<number>(?:{notation.number})(?![\w.]))
+          |(?P<name>[A-Za-z_]\w*+(?>(?:\.[A-Za-z_]\w*+)*))
+          |(?P<word>\.?\w[\w.]*+)
+          |(?P<text>"(?>(?:[^"\\\r\n]|\\[^\r\n])*)"|{notation.text})
+          |(?P<mark>{notation.marks})""".replace("\n", "").replace("          |", "|"),
+        re.ASCII,
+    )
 
 
-def tokens(text: str) -> Iterator[Token]:
+def tokens(text: str, notation: Notation) -> Iterator[Token]:
     """The tokens of a text, and one for its end. What is none is a bad token; nothing is raised."""
-    at = line_start = 0
-    line = 1
+    match = _pattern(notation).match
+    at = 0
     is_first = True
     while at < len(text):
-        found = _TOKEN.match(text, at)
+        found = match(text, at)
         kind = found.lastgroup if found else None
-        if found and kind == "newline":
-            at = line_start = found.end()
-            line, is_first = line + 1, True
-            continue
-        if found and kind == "blank":
+        if found is None or kind is None:
+            token = _bad(text, at)
+            yield Token(BAD, token, at, is_first)
+            at = _behind_bad(text, at)
+        elif kind == "blank":
             at = found.end()
             continue
-        if found and kind == "comment":
+        elif kind == "newline":
+            at, is_first = found.end(), True
+            continue
+        elif kind == "comment":
             end = text.find("*/", found.end())
             if end < 0:
-                yield Token(
-                    TokenKind.BAD, "the comment that starts here has no */", line, at - line_start + 1, is_first
-                )
+                yield Token(BAD, "the comment that starts here has no */", at, is_first)
                 break
-            line += text.count("\n", at, end)
-            line_start = max(line_start, text.rfind("\n", at, end) + 1)
+            is_first |= "\n" in text[at:end] or "\r" in text[at:end]
             at = end + 2
             continue
-        column = at - line_start + 1
-        if found and kind == "name" and found.end() - at > MAX_NAME:
-            yield Token(TokenKind.BAD, f"a name has at most {MAX_NAME} characters", line, column, is_first)
-            at = found.end()
-        elif found:
-            yield Token(TokenKind(kind or ""), found[0], line, column, is_first)
-            at = found.end()
         else:
-            reason, at = _bad(text, at)
-            yield Token(TokenKind.BAD, reason, line, column, is_first)
+            written = found[0]
+            if kind == NAME and len(written) > MAX_NAME:
+                yield Token(BAD, f"a name has at most {MAX_NAME} characters", at, is_first)
+            else:
+                folded = written.upper() if notation.folds and kind == NAME else written
+                yield Token(kind, folded, at, is_first)
+            at = found.end()
         is_first = False
-    yield Token(TokenKind.END, "", line, len(text) - line_start + 1, True)
+    yield Token(END, "", len(text), True)
 
 
-def _bad(text: str, at: int) -> tuple[str, int]:
-    """What is wrong with a character that starts no token, and where to read on."""
+def _bad(text: str, at: int) -> str:
+    """What is wrong with a character that starts no token."""
     character = text[at]
-    if character in "\"'":
-        end = text.find("\n", at)
-        return f"the text that starts here has no {character} at its end", len(text) if end < 0 else end
-    return f"{character!r} cannot stand here", at + 1
+    return (
+        f"the text that starts here has no {character} at its end"
+        if character in "\"'"
+        else f"unexpected {character!r}"
+    )
 
 
-_ESCAPE = late_pattern(r"\\(x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|.)", re.DOTALL)
+_LINE_END = re.compile(r"[\r\n]")
+
+
+def _behind_bad(text: str, at: int) -> int:
+    """Where to read on."""
+    if text[at] not in "\"'":
+        return at + 1
+    end = _LINE_END.search(text, at)
+    return end.start() if end else len(text)
+
+
+_ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|.)", re.DOTALL)
 _ESCAPES = {
     "n": "\n",
     "r": "\r",
@@ -123,29 +130,59 @@ _ESCAPES = {
     "\\": "\\",
     "/": "/",
 }
-ESCAPES = r"\n \r \t \b \f \q (an apostrophe) \0 \" \' \\ \/ \x41 \u0041"
-"""The escapes in texts, for people."""
+_KNOWN_ESCAPES = r"\n \r \t \b \f \q (an apostrophe) \0 \" \' \\ \/ \x41 \u0041"
 
 
-def unescaped(token: Token) -> tuple[str, int | None]:
-    """What stands between a text's quotes, and where in the token its first unknown escape is, None without one.
+def text_of(token: Token, notation: Notation, coding: str, warnings: list[tuple[int, str]]) -> str:
+    """What stands between a text's quotes, its escapes replaced. Raises SourceError for an unknown one.
 
-    A backslash before a blank is none: LEGO's assembler leaves it as it is, which names of files need.
+    Args:
+        token: The text with its quotes.
+        notation: The notation that it is written in.
+        coding: That in which the assembler of the notation writes texts; each byte becomes a character.
+        warnings: Gets what is right and may not be meant.
     """
     body = token.text[1:-1]
-    if "\\" not in body:
-        return body, None
-    unknown: int | None = None
+    if notation.escapes is None or token.text[0] == '"':
+        return _unescaped(token, body)
+    if "\\" in body or "''" in body:
+        body = _replaced(token, body, notation, warnings)
+    try:
+        return body.encode(coding).decode(STRING_CODING)
+    except UnicodeEncodeError:
+        # LEGO's assembler writes of each character its low byte.
+        return bytes(ord(character) & 0xFF for character in body).decode(STRING_CODING)
+
+
+def _unescaped(token: Token, body: str) -> str:
+    """The text with escapes as in C, from the left. A backslash before a blank is none, as names of files need it."""
 
     def meant(found: re.Match[str]) -> str:
-        nonlocal unknown
         escape = found[1]
         if len(escape) > 1:
             return chr(int(escape[1:], 16))
         if escape == " ":
             return found[0]
-        if escape not in _ESCAPES and unknown is None:
-            unknown = found.start() + 1
-        return _ESCAPES.get(escape, "")
+        if escape not in _ESCAPES:
+            raise SourceError(token.at + 1 + found.start(), rf"unknown escape \{escape}: there are {_KNOWN_ESCAPES}")
+        return _ESCAPES[escape]
 
-    return _ESCAPE.sub(meant, body), unknown
+    return _ESCAPE.sub(meant, body) if "\\" in body else body
+
+
+def _replaced(token: Token, body: str, notation: Notation, warnings: list[tuple[int, str]]) -> str:
+    """The text with the escapes of a program's notation, which are replaced kind after kind."""
+    escapes = notation.escapes or ()
+    if not notation.keeps_escapes:
+        known = {escape[1] for escape, _ in escapes}
+        for found in _ESCAPE.finditer(body):
+            if found[1][0] not in known:
+                listed = ", ".join(escape for escape, _ in escapes)
+                raise SourceError(token.at + 1 + found.start(), rf"unknown escape \{found[1][0]}: there are {listed}")
+        if re.search(r"\\\\[nqrt]", body):
+            warnings.append(
+                (token.at, r"escapes are replaced kind after kind: of \\n stays a backslash with the line end after it")
+            )
+    for escape, character in escapes:
+        body = body.replace(escape, character)
+    return body

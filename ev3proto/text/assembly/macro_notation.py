@@ -12,7 +12,8 @@ from ev3proto.messages import Argument, Operation
 from ev3proto.schema.identification import LABEL_BYTE
 from ev3proto.tables.declaration import Enumeration
 from ev3proto.tables.encoding import CONSTANT, JUMP
-from ev3proto.text.assembly.words import BYTES, CUT
+from ev3proto.tables.source import BYTES
+from ev3proto.text.assembly.words import CUT
 from ev3proto.text.phrases import quoted, short_float, spaced_hex
 
 

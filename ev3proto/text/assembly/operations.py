@@ -15,21 +15,12 @@ from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DIALECTS, Enumeration, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT
 from ev3proto.tables.system import SYSTEM
-from ev3proto.text.assembly.lexing import Token, TokenKind
-from ev3proto.text.assembly.parser import (
-    SHORTEST,
-    Call,
-    Literal,
-    Macro,
-    Named,
-    Raw,
-    Value,
-    WrittenArgument,
-    error_at,
-    is_operation_word,
-)
-from ev3proto.text.assembly.symbols import NOT_NUMBERS, suggestion
-from ev3proto.text.assembly.values import CodePiece, Encoder, PendingJump
+from ev3proto.text.assembly.errors import SourceError
+from ev3proto.text.assembly.names import NOT_NUMBERS, suggestion
+from ev3proto.text.assembly.parsing import is_operation_word
+from ev3proto.text.assembly.syntax import Call, Form, Name, Number, Raw, Value, WrittenArgument
+from ev3proto.text.assembly.values import Encoder, Piece
+from ev3proto.text.assembly.words import SHORTEST
 
 _MOST_NAMED = 8
 """CMDs that an error names."""
@@ -53,11 +44,11 @@ class Assembler:
         self._set: InstructionSet = instruction_set(dialect)
         self._encoder = encoder
 
-    def is_operation(self, token: Token) -> bool:
+    def is_operation(self, name: str) -> bool:
         """Whether a name is that of an operation, spelled as it should be."""
-        return _bare(token.text).partition(".")[0] in opcodes(self._dialect)
+        return _bare(name).partition(".")[0] in opcodes(self._dialect)
 
-    def operation(self, call: Call, *, is_checked: bool) -> list[CodePiece]:
+    def operation(self, call: Call, *, is_checked: bool) -> list[Piece]:
         """The pieces of an operation: bytes, and jumps whose distance nobody knows yet.
 
         Args:
@@ -65,7 +56,7 @@ class Assembler:
             is_checked: Refuse values that mean nothing to the brick, as `ev3proto.ops` does.
 
         Raises:
-            AssemblyError: Says which value is wrong, and what would be right.
+            SourceError: Says which value is wrong, and what would be right.
         """
         schema, head, arguments = self._selected(call)
         if not call.is_complete:
@@ -74,10 +65,10 @@ class Assembler:
         arguments = self._with_count(schema, arguments, call)
         fixed = schema.fixed
         if schema.list_parameter is None and len(arguments) > len(fixed):
-            raise error_at(arguments[len(fixed)].token, f"{_takes(schema)}, and here are {len(arguments)}")
+            raise SourceError(arguments[len(fixed)].at, f"{_takes(schema)}, and here are {len(arguments)}")
         if len(arguments) < len(fixed):
             missing = fixed[len(arguments)].parameter
-            raise error_at(
+            raise SourceError(
                 call.end, f"{_takes(schema)}, and here are {len(arguments)}: {missing.name} is missing ({missing.text})"
             )
         pieces = [self._encoder.argument(given.value, one) for given, one in zip(arguments, fixed, strict=False)]
@@ -90,49 +81,49 @@ class Assembler:
 
     def _selected(self, call: Call) -> tuple[OperationSchema, bytes, tuple[WrittenArgument, ...]]:
         """The schema of an operation, the bytes of opcode and CMD, the values that are left."""
-        name, _, command = _bare(call.token.text).partition(".")
+        name, _, command = _bare(call.name).partition(".")
         opcode = opcodes(self._dialect).get(name)
         if opcode is None:
-            raise error_at(call.token, self._unknown(call.token.text, name))
+            raise SourceError(call.at, self._unknown(call.name, name))
         head = bytes((opcode.number,))
         plain = self._set.opcodes[opcode.number]
         if plain is not None:
             if command:
-                raise error_at(call.token, f"{name} has no CMD, so none can stand after its name")
+                raise SourceError(call.at, f"{name} has no CMD, so none can stand after its name")
             return plain, head, call.arguments
         family = self._set.families[opcode.number]
         assert family is not None, "an opcode of a dialect is plain or has CMDs"
         if command:
-            number = self._command_number(family, command, call.token)
+            number = self._command_number(family, command, call.at)
             return family.commands[number], head + encode_integer(number), call.arguments
         if not call.arguments:
-            raise error_at(call.end, f"the CMD of {name} is missing: it has {_commands(family)}")
+            raise SourceError(call.end, f"the CMD of {name} is missing: it has {_commands(family)}")
         cmd, number = self._cmd(family, call.arguments[0].value)
         return family.commands[number], head + cmd, call.arguments[1:]
 
     def _cmd(self, family: FamilySchema, value: Value) -> tuple[bytes, int]:
         """The bytes of CMD and its number."""
         named = value
-        while isinstance(named, Macro):
-            named = named.part
+        while isinstance(named, Form):
+            named = named.value
         # A name that the text defines may be that of a CMD, too: LEGO's sources define SIZE and LINE.
-        if isinstance(named, Named) and (
-            named.token.text in _numbers(family) or named.token.text not in self._encoder.names.constants
+        if isinstance(named, Name) and (
+            named.text in _numbers(family) or named.text not in self._encoder.names.defines
         ):
-            number = self._command_number(family, named.token.text, named.token)
+            number = self._command_number(family, named.text, named.at)
             if named is value:
                 return encode_integer(number), number
         encoded = self._encoder.argument(value, _cmd_schema(family))
-        found = None if isinstance(encoded, PendingJump) else CMD.read(encoded, 0)[0]
+        found = None if not isinstance(encoded, bytes) else CMD.read(encoded, 0)[0]
         if found is None or found.kind != CONSTANT:
-            raise error_at(value.token, f"the CMD of {family.opcode.name} must be a constant: {_commands(family)}")
+            raise SourceError(value.at, f"the CMD of {family.opcode.name} must be a constant: {_commands(family)}")
         number = int(found.value)
         if number not in family.commands:
-            raise error_at(value.token, f"{family.opcode.name} has no CMD {number}: it has {_commands(family)}")
+            raise SourceError(value.at, f"{family.opcode.name} has no CMD {number}: it has {_commands(family)}")
         assert isinstance(encoded, bytes)
         return encoded, number
 
-    def _command_number(self, family: FamilySchema, name: str, token: Token) -> int:
+    def _command_number(self, family: FamilySchema, name: str, at: int) -> int:
         numbers = _numbers(family)
         if name in numbers:
             return numbers[name]
@@ -140,9 +131,9 @@ class Assembler:
             if command.name == name:
                 others = ", ".join(dialect for dialect in command.dialects)
                 where = f"{others} has" if others else "it stands in headers only"
-                raise error_at(token, f"the {self._dialect} firmware has no {family.opcode.name}.{name}: {where}")
+                raise SourceError(at, f"the {self._dialect} firmware has no {family.opcode.name}.{name}: {where}")
         hint = suggestion(name, numbers) or f": it has {_commands(family)}"
-        raise error_at(token, f"{family.opcode.name} has no CMD {name}{hint}")
+        raise SourceError(at, f"{family.opcode.name} has no CMD {name}{hint}")
 
     def _unknown(self, written: str, name: str) -> str:
         """What to say of an operation that the dialect does not have."""
@@ -151,7 +142,7 @@ class Assembler:
                 return f"the {self._dialect} firmware has no operation {name}; {dialect} has"
         systems = [] if is_operation_word(written) else [entry.name for entry in SYSTEM]
         hint = suggestion(name, [*opcodes(self._dialect), *systems])
-        return f"there is no operation {written}{hint}"
+        return f"unknown operation {written}{hint}"
 
     # Values
 
@@ -163,65 +154,62 @@ class Assembler:
         It is omitted where the subroutine is called by a name, and where the second value cannot be that number.
         """
         counter = schema.list_parameter
-        if counter is None or not counter.any_type or not arguments or is_operation_word(call.token.text):
+        if counter is None or not counter.any_type or not arguments or is_operation_word(call.name):
             return arguments
         first, *others = arguments
-        is_by_name = isinstance(first.value, Named)
+        is_by_name = isinstance(first.value, Name)
         if not is_by_name and (not others or self._encoder.whole_or_none(others[0].value) is not None):
             return arguments
-        count = Token(TokenKind.NUMBER, str(len(others)), first.token.line, first.token.column, False)
-        return (first, WrittenArgument(None, Literal(count)), *others)
+        return (first, WrittenArgument(None, Number(first.at, len(others))), *others)
 
     def _elements(
-        self, schema: OperationSchema, fixed: Sequence[CodePiece], arguments: Sequence[WrittenArgument]
-    ) -> list[CodePiece]:
+        self, schema: OperationSchema, fixed: Sequence[Piece], arguments: Sequence[WrittenArgument]
+    ) -> list[Piece]:
         """The values of a list at the end, each as the type that the list has."""
         if schema.list_parameter is None:
             return []
         given = arguments[len(fixed) :]
         known = [piece for piece in fixed if isinstance(piece, bytes)]
         if len(known) < len(fixed):
-            raise error_at(arguments[0].token, "a label cannot stand in front of a list")
+            raise SourceError(arguments[0].at, "a label cannot stand in front of a list")
         try:
             # Zeros in place of the values: that tells whether their number is right, and what each of them is.
             placeholders = schema.make([*known, *[encode_integer(0)] * len(given)]).arguments[len(fixed) :]
         except BuildError as error:
-            raise error_at(arguments[len(fixed) - 1].token, str(error)) from None
+            raise SourceError(arguments[len(fixed) - 1].at, str(error)) from None
         return [
             self._encoder.element(one.value, ArgumentSchema(placeholder.parameter))
             for one, placeholder in zip(given, placeholders, strict=True)
         ]
 
-    def _incomplete(self, schema: OperationSchema, arguments: Sequence[WrittenArgument]) -> Iterator[CodePiece]:
+    def _incomplete(self, schema: OperationSchema, arguments: Sequence[WrittenArgument]) -> Iterator[Piece]:
         """The values of an operation that is cut short, as many as there are."""
         for index, argument in enumerate(arguments):
             if argument.name is not None:
-                raise error_at(argument.name, "the values of an operation that is cut short have no names")
+                raise SourceError(argument.name.at, "the values of an operation that is cut short have no names")
             parameter = schema.fixed[index] if index < len(schema.fixed) else _ELEMENT
             yield self._encoder.argument(argument.value, parameter)
 
 
-def _check(
-    schema: OperationSchema, head: bytes, pieces: Sequence[CodePiece], arguments: Sequence[WrittenArgument]
-) -> None:
-    """Raises AssemblyError for the first value that means nothing to the brick.
+def _check(schema: OperationSchema, head: bytes, pieces: Sequence[Piece], arguments: Sequence[WrittenArgument]) -> None:
+    """Raises SourceError for the first value that means nothing to the brick.
 
     A value whose encoding is named, and the name of what is not a number, are what people mean, whatever they are.
     """
-    code = head + b"".join(_ANY_DISTANCE if isinstance(piece, PendingJump) else piece for piece in pieces)
+    code = head + b"".join(_ANY_DISTANCE if not isinstance(piece, bytes) else piece for piece in pieces)
     for number, error in objections(Operation((schema, code, 0, len(code)))):
         value = arguments[number].value
         if _is_meant(value):
             continue
         sentence = f"{error.sentence}; {_HOW_TO_MEAN_IT}" if isinstance(error, MeaningError) else str(error)
-        raise error_at(value.token, sentence)
+        raise SourceError(value.at, sentence)
 
 
 def _is_meant(value: Value) -> bool:
     """Whether a value is written so that nobody could mean another one."""
-    if isinstance(value, Macro):
-        return value.token.text not in SHORTEST
-    return isinstance(value, Raw) or (isinstance(value, Named) and value.token.text in NOT_NUMBERS)
+    if isinstance(value, Form):
+        return value.name not in SHORTEST
+    return isinstance(value, Raw) or (isinstance(value, Name) and value.text in NOT_NUMBERS)
 
 
 def _in_order(
@@ -232,15 +220,15 @@ def _in_order(
     if not named:
         return arguments
     if len(named) < len(arguments):
-        raise error_at(arguments[0].token, "give the values in order, or each by its name once, not both")
+        raise SourceError(arguments[0].at, "give the values in order, or each by its name once, not both")
     parameters = {one.parameter.name: one.parameter for one in schema.fixed}
     for name, argument in named.items():
         if name not in parameters:
             hint = suggestion(name, parameters) or f": it has {', '.join(parameters) or 'none'}"
-            raise error_at(argument.token, f"{schema.declaration.name} has no parameter {name}{hint}")
+            raise SourceError(argument.at, f"{schema.declaration.name} has no parameter {name}{hint}")
     for name, parameter in parameters.items():
         if name not in named:
-            raise error_at(call.end, f"{schema.declaration.name} needs {name} too ({parameter.text})")
+            raise SourceError(call.end, f"{schema.declaration.name} needs {name} too ({parameter.text})")
     return tuple(named[name] for name in parameters)
 
 
@@ -278,3 +266,17 @@ def _commands(family: FamilySchema) -> str:
     """`BREAK, TONE, PLAY, REPEAT, SERVICE`; of many, the first."""
     names = list(_numbers(family))
     return ", ".join(names[:_MOST_NAMED]) + (", ..." if len(names) > _MOST_NAMED else "")
+
+
+_PARAMETERS = {opcode.name: opcode.parameters for opcode in OPCODES if not opcode.commands}
+_OF_COMMANDS = {(opcode.name, command.name): command.parameters for opcode in OPCODES for command in opcode.commands}
+
+
+def parameters_of(call: Call) -> tuple[Parameter, ...]:
+    """The parameters of an operation of a program, by the names of its opcode and CMD; CMD is the first. None for
+    an operation that the tables do not have: its arguments are whatever they are.
+    """
+    if call.name in _PARAMETERS:
+        return _PARAMETERS[call.name]
+    first = call.arguments[0].value if call.arguments else None
+    return (CMD.parameter, *_OF_COMMANDS.get((call.name, first.text if isinstance(first, Name) else ""), ()))

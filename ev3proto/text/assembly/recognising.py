@@ -5,21 +5,19 @@ from __future__ import annotations
 import re
 
 from ev3proto.tables import OPCODES
-from ev3proto.tables.source import PARAMETER_WORDS
+from ev3proto.tables.source import BYTES, OLD_WORDS, PARAMETER_WORDS, VARIABLE_WORDS
 from ev3proto.tables.system import SYSTEM
-from ev3proto.text.assembly.parser import GLOBAL_WORD, LOCAL_WORD, TYPES
-from ev3proto.text.assembly.words import BYTES, FRAME, MESSAGE
-from ev3proto.text.late_pattern import late_pattern
+from ev3proto.text.assembly.words import FRAME, MESSAGE
 
-_DECLARATION = "|".join((*TYPES, *PARAMETER_WORDS, GLOBAL_WORD, LOCAL_WORD, r"\#?define", "vmthread"))
-_STATEMENT = late_pattern(
+_DECLARATION = "|".join((*VARIABLE_WORDS, *PARAMETER_WORDS, *OLD_WORDS, r"\#?define", "vmthread"))
+_STATEMENT = re.compile(
     rf"""op[A-Z]\w*(?:[\s,(;]|$) | [A-Z][A-Z0-9_]*(?:\.[A-Z0-9_]+)?\s*\(
       | (?:{_DECLARATION})\s+[A-Za-z_]
       | {MESSAGE}(?:\s+(?:[A-Z]+_[A-Z_]+|[a-z_]+\s+\w+)|\s*$) | {FRAME}\s*$ | {BYTES}(?:\s+[0-9A-Fa-f]{{2}})+\s*$
       | [A-Za-z_]\w*:\s*$""",
     re.VERBOSE | re.ASCII,
 )
-_NAME = late_pattern(r"([A-Za-z_]\w*)(?:\.\w+)?\s*(?:\(|$)", re.ASCII)
+_NAME = re.compile(r"([A-Za-z_]\w*)(?:\.\w+)?\s*(?:\(|$)", re.ASCII)
 _NAMES = {opcode.name for opcode in OPCODES} | {entry.name for entry in SYSTEM}
 
 

@@ -7,8 +7,9 @@ from ev3proto.messages import FieldValue
 from ev3proto.schema.fields import NUMBERS, REPLIES, REQUESTS, Fields
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
-from ev3proto.text.assembly.parser import Call, Named, Raw, WrittenArgument, error_at
-from ev3proto.text.assembly.symbols import suggestion
+from ev3proto.text.assembly.errors import SourceError
+from ev3proto.text.assembly.names import suggestion
+from ev3proto.text.assembly.syntax import Call, Name, Raw, WrittenArgument
 from ev3proto.text.assembly.values import Encoder
 from ev3proto.text.assembly.words import STATUS, command_name
 
@@ -21,7 +22,7 @@ def find_command(name: str) -> SystemCommand | None:
 
 
 def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool) -> bytes:
-    """The bytes after the message type. Raises AssemblyError.
+    """The bytes after the message type. Raises SourceError.
 
     Args:
         call: The command as it was written.
@@ -29,10 +30,10 @@ def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool)
         is_reply: Whether it is a reply.
         may_fail: Fields may be missing: the reply says that the command failed.
     """
-    entry = find_command(call.token.text)
+    entry = find_command(call.name)
     if entry is None:
-        hint = suggestion(call.token.text, _BY_NAME)
-        raise error_at(call.token, f"there is no system command {call.token.text}{hint}")
+        hint = suggestion(call.name, _BY_NAME)
+        raise SourceError(call.at, f"unknown system command {call.name}{hint}")
     arguments = list(call.arguments)
     head = bytes((entry.number,))
     if is_reply:
@@ -45,10 +46,10 @@ def system_body(call: Call, encoder: Encoder, *, is_reply: bool, may_fail: bool)
         completed = schema.completed(values)
         for field in schema.fields:
             if field.name not in completed and not (field.optional or may_fail) and call.is_complete:
-                raise error_at(call.end, f"{entry.name} needs {field.name} too: {field.text}")
+                raise SourceError(call.end, f"{entry.name} needs {field.name} too: {field.text}")
         return head + schema.write_present(completed)
     except BuildError as error:
-        raise error_at(call.token, str(error)) from None
+        raise SourceError(call.at, str(error)) from None
 
 
 def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
@@ -56,12 +57,12 @@ def _status(arguments: list[WrittenArgument], encoder: Encoder) -> int:
     for index, argument in enumerate(arguments):
         if argument.name is not None and argument.name.text == STATUS:
             value = arguments.pop(index).value
-            if isinstance(value, Named):
+            if isinstance(value, Name):
                 members = {member.name: int(member) for member in SystemStatus}
-                if value.token.text not in members:
-                    hint = suggestion(value.token.text, members) or f": it is one of {', '.join(members)}, or a number"
-                    raise error_at(value.token, f"there is no status {value.token.text}{hint}")
-                return members[value.token.text]
+                if value.text not in members:
+                    hint = suggestion(value.text, members) or f": it is one of {', '.join(members)}, or a number"
+                    raise SourceError(value.at, f"unknown status {value.text}{hint}")
+                return members[value.text]
             return encoder.whole(value, STATUS, 0, 0xFF)
     return SystemStatus.SUCCESS
 
@@ -74,14 +75,14 @@ def _values(name: str, schema: Fields, arguments: list[WrittenArgument], encoder
         if argument.name is None:
             field = next(in_order, None)
             if field is None:
-                raise error_at(argument.token, f"{name} takes no further value: it has {_names(schema)}")
+                raise SourceError(argument.at, f"{name} takes no further value: it has {_names(schema)}")
         else:
             field = schema.by_name.get(argument.name.text)
             if field is None:
                 hint = suggestion(argument.name.text, schema.by_name) or f": it has {_names(schema)}"
-                raise error_at(argument.name, f"{name} has no field {argument.name.text}{hint}")
+                raise SourceError(argument.name.at, f"{name} has no field {argument.name.text}{hint}")
         if field.name in values:
-            raise error_at(argument.token, f"{field.name} is given already")
+            raise SourceError(argument.at, f"{field.name} is given already")
         values[field.name] = _value(field, argument, encoder)
     return values
 
@@ -92,17 +93,17 @@ def _value(field: Field, argument: WrittenArgument, encoder: Encoder) -> FieldVa
         return encoder.whole(value, field.name, 0, (1 << 8 * NUMBERS[field.kind].sizeof()) - 1)
     if isinstance(value, Raw):
         return value.data if field.kind is Kind.DATA else value.data.decode(STRING_CODING)
-    found = encoder.constant(value)
+    found = encoder.meaning(value)
     if not isinstance(found, str):
         expected = "a text or bytes(01 FF)" if field.kind is Kind.DATA else "a text"
-        raise error_at(value.token, f"{field.name} takes {expected}, not {found!r}")
+        raise SourceError(value.at, f"{field.name} takes {expected}, not {found!r}")
     if field.kind is not Kind.DATA:
         return found
     try:
         return found.encode(STRING_CODING)
     except UnicodeEncodeError as error:
-        raise error_at(
-            value.token,
+        raise SourceError(
+            value.at,
             f"{field.name} cannot be {found!r}: the brick's texts are ISO-8859-1, which has no {found[error.start]!r}",
         ) from None
 

@@ -1,362 +1,562 @@
-"""The values of operations to bytes: names looked up, expressions worked out, macros obeyed, jumps left open."""
+"""Values to what they mean, and to bytes: names looked up, expressions worked out, macros obeyed, jumps left open.
+
+In a frame the parameter decides how a value is encoded, and whether it can stand there. In a program the value alone
+decides, as in every assembler of programs.
+"""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+import struct
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from functools import lru_cache
+from itertools import accumulate
+from typing import NamedTuple
 
 from ev3proto.errors import BuildError, counted
-from ev3proto.messages import Variable
 from ev3proto.schema.argument import (
     ArgumentSchema,
     encode_as,
     encode_float,
     encode_integer,
     encode_label,
-    encode_string,
-    encode_variable,
     with_bits,
 )
+from ev3proto.semantics.drafts.labels import FORM_OF_SIZE, settle
 from ev3proto.tables.declaration import DATA8, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
-from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.assembly.lexing import Token, TokenKind, unescaped
-from ev3proto.text.assembly.parser import (
-    TYPES,
-    Chain,
+from ev3proto.tables.source import VARIABLE_WORDS
+from ev3proto.text.assembly.errors import SourceError, cited
+from ev3proto.text.assembly.names import NOT_NUMBERS, Callee, Encoded, Goal, Meaning, Names, Place, suggestion
+from ev3proto.text.assembly.notations import Arithmetic, Jumps, Rules
+from ev3proto.text.assembly.syntax import (
+    Define,
+    Distance,
     Element,
-    Expression,
-    Literal,
-    Macro,
+    Form,
     Marked,
-    Named,
+    Name,
     Negative,
+    Number,
+    Offset,
+    Pattern,
     Raw,
+    Sum,
+    Text,
+    Unchecked,
     Value,
-    error_at,
 )
-from ev3proto.text.assembly.symbols import NOT_NUMBERS, Constant, Names, Pattern, firmware_constant, suggestion
+from ev3proto.text.assembly.words import MARKS, SHORTEST
 
 _LARGEST = 1 << 64
 """No number on the way to a value may be larger."""
 
+_MOST_BITS = 1024
+"""Of the numerator and the denominator of an exact result."""
+
+_MOST_NESTED = 60
+"""Expressions that may be needed for the value of one."""
+
+_MOST_KEPT = 1 << 12
 _BITS = {"LC0": 6, "LC1": 8, "LC2": 16, "LC4": 32, "LAB1": 8}
 """Of the constants that fix their encoding."""
 
-_JUMPS = ("LC0", "LC1", "LC2", "LC4", "LAB1")
-_BY_SIZE = {1: "LC0", 2: "LC1", 3: "LC2", 5: "LC4"}
+JUMP_SIZES = {**{form: size for size, form in FORM_OF_SIZE.items()}, "LAB1": 2}
+"""Bytes of a jump's distance by its encoding."""
+
 _SCOPES = {"L": LOCAL, "G": GLOBAL}
 _MOST_MEMBERS = 6
 _FLOATS = {"inf": math.inf, "nan": math.nan}
-
 _ANYTHING = ArgumentSchema(Parameter("the value", Type.ARRAY_TYPED, "whatever an argument can be"))
 
 
-@dataclass(frozen=True, slots=True)
-class PendingJump:
+class PendingJump(NamedTuple):
     """How far it is to a label, which is known when all operations have their place.
 
-    token  the label's name
-    form   the encoding asked for, None for the shortest
+    at    where it is written
+    name  the label
+    form  the encoding asked for, None for the usual one
     """
 
-    token: Token
-    form: str | None
-
-    def encoded(self, distance: int, least: int = 1) -> bytes:
-        """Its bytes, at least so many where the encoding is free. Raises AssemblyError where no encoding holds it."""
-        try:
-            if self.form is None:
-                shortest = encode_integer(distance)
-                return shortest if len(shortest) >= least else encode_as(_BY_SIZE[least], distance)
-            return encode_label(distance) if self.form == "LAB1" else encode_as(self.form, distance)
-        except BuildError as error:
-            raise error_at(self.token, f"{self.token.text} is {distance} bytes away: {error}") from None
+    at: int
+    name: str
+    form: str | None = None
 
 
-CodePiece = bytes | PendingJump
+Piece = bytes | PendingJump | Distance
+"""A piece of code."""
+
+
+# Single values, by the rules of an assembler
+
+
+def wrapped(value: int) -> int:
+    """The lowest 32 bits as a number with a sign: 0xFFFFFFFF is -1."""
+    return (value + (1 << 31)) % (1 << 32) - (1 << 31)
+
+
+def single_bits(value: float) -> int:
+    """The bits of the nearest single, as a number with a sign."""
+    return int(struct.unpack("<i", struct.pack("<f", value))[0])
+
+
+@lru_cache(_MOST_KEPT)
+def integer(value: int, rules: Rules) -> bytes:
+    """A number in its shortest encoding. From 2147483648 on it is a pattern of 32 bits."""
+    for form, low, high in zip(("LC0", "LC1", "LC2"), rules.lowest, (31, 127, 32767), strict=True):
+        if low <= value <= high:
+            return encode_as(form, value)
+    return encode_as("LC4", wrapped(value))
+
+
+@lru_cache(_MOST_KEPT)
+def variable(scope: str, index: int, rules: Rules, handle: bool = False, address: bool = False) -> bytes:
+    """A variable in its shortest encoding; that of a handle or an address is never one byte."""
+    is_marked = handle or address
+    width = next(
+        (w for w, end in zip((0, 1, 2), rules.indexes, strict=True) if index < end and (w or not is_marked)), 4
+    )
+    plain = encode_as(f"{'G' if scope == GLOBAL else 'L'}V{width}", index)
+    return with_bits(plain, handle=handle, address=address) if is_marked else plain
+
+
+def measure(sizes: list[int], goals: Mapping[int, int], rules: Rules) -> None:
+    """Gives every jump whose encoding is not named as many bytes as an assembler does.
+
+    Args:
+        sizes: Bytes of every part of the code; those of the jumps are changed.
+        goals: By the number of the part that is a jump: the number of the part that it leads to.
+        rules: Those of the assembler.
+    """
+    free: dict[int, int] = {}
+    for place, goal in goals.items():
+        is_long = rules.jumps is Jumps.FORWARD and goal > place
+        sizes[place] = 5 if is_long else 3 if rules.jumps in (Jumps.THREE, Jumps.SHRUNK) else 1
+        if rules.jumps is not Jumps.THREE and not is_long:
+            free[place] = goal
+    settle(sizes, free, lambda far: len(integer(far, rules)), is_shrinking=rules.jumps is Jumps.SHRUNK)
+
+
+def joined(parts: Sequence[Piece], labels: Mapping[str, int], rules: Rules) -> bytes:
+    """The parts of a code with every jump in them worked out. Raises SourceError for jumps that cannot be made.
+
+    Args:
+        parts: Bytes and jumps, in their order.
+        labels: By name: the number of the part that a label precedes.
+        rules: Those of the assembler.
+    """
+    sizes: list[int] = []
+    goals: dict[int, int] = {}
+    for place, part in enumerate(parts):
+        if isinstance(part, bytes):
+            sizes.append(len(part))
+            continue
+        for name in (part.name,) if isinstance(part, PendingJump) else (part.start, part.end):
+            if name not in labels:
+                hint = suggestion(name, labels) or f": `{cited(name)}:` in front of an operation makes one"
+                raise SourceError(part.at, f"unknown label {cited(name)}{hint}")
+        form = "LC4" if isinstance(part, Distance) else part.form
+        sizes.append(JUMP_SIZES[form] if form is not None else 0)
+        if isinstance(part, PendingJump) and form is None:
+            goals[place] = labels[part.name]
+    measure(sizes, goals, rules)
+    starts = list(accumulate(sizes, initial=0))
+    return b"".join(
+        part if isinstance(part, bytes) else _encoded_jump(part, place, sizes, starts, labels)
+        for place, part in enumerate(parts)
+    )
+
+
+def _encoded_jump(
+    part: PendingJump | Distance, place: int, sizes: Sequence[int], starts: Sequence[int], labels: Mapping[str, int]
+) -> bytes:
+    if isinstance(part, Distance):
+        return encode_as("LC4", starts[labels[part.end]] - starts[labels[part.start]])
+    far = starts[labels[part.name]] - starts[place + 1]
+    try:
+        return encode_label(far) if part.form == "LAB1" else encode_as(part.form or FORM_OF_SIZE[sizes[place]], far)
+    except BuildError as error:
+        raise SourceError(part.at, f"{cited(part.name)} is {far} bytes away: {error}") from None
 
 
 class Encoder:
-    """Works values out with the names of a text."""
+    """Makes bytes of values.
 
-    def __init__(self, names: Names) -> None:
+    names     what the names in them mean
+    warnings  gets what may not be meant
+    """
+
+    def __init__(self, names: Names, rules: Rules, warnings: list[tuple[int, str]]) -> None:
         self.names = names
+        self.rules = rules
+        self.warnings = warnings
+        self._is_typed = names.notation.has_messages
+        self._depth = 0
 
-    def define(self, token: Token, value: Value) -> None:
-        """Gives a constant, or an encoded argument, a name. It is worked out here and now. Raises AssemblyError."""
-        if isinstance(value, Literal | Named | Negative | Chain):
-            self.names.define(token, self.constant(value))
-            return
+    # What values mean
+
+    def defined(self, define: Define, _: object = None) -> Meaning:
+        """What a define stands for: a constant, or in frames an encoded argument, too. Raises SourceError."""
+        value = define.value
+        if not self._is_typed or isinstance(value, Number | Text | Name | Negative | Sum):
+            return self.meaning(value)
         piece = self.argument(value, _ANYTHING)
-        if isinstance(piece, PendingJump):
-            raise error_at(value.token, "a label cannot be defined by another name")
-        self.names.define(token, piece)
+        if not isinstance(piece, bytes):
+            raise SourceError(value.at, "a label cannot be defined by another name")
+        return Encoded(piece)
 
-    # Numbers and texts
-
-    def constant(self, value: Value, parameter: Parameter | None = None) -> Constant:
-        """The number or text of a value that is no variable. Raises AssemblyError."""
+    def meaning(self, value: Value, parameter: Parameter | None = None) -> Meaning:
+        """What a value means that is neither a macro nor marked. Raises SourceError."""
         match value:
-            case Literal(token):
-                return _literal(token)
-            case Named(token):
-                return self._named_constant(token, parameter)
-            case Negative(token, part):
-                number = self._number(part, parameter)
-                return _bounded(-number, token)
-            case Chain(_, first, rest):
-                return self._chain(first, rest, parameter)
-        raise error_at(value.token, f"{value.token.text} cannot stand where a constant should")
+            case Number() | Text():
+                return value.value
+            case Name(at, text):
+                return self._named(text, at, parameter)
+            case Sum():
+                return self._sum(value, parameter)
+            case Negative(at, part):
+                return self._bounded(-self._number(part, parameter), at)
+            case Unchecked(_, inner):
+                return self.meaning(inner, parameter)
+            case Element() | Offset():
+                return self._part(value)
+        raise SourceError(value.at, "expected a plain value")
 
-    def whole(self, value: Value, what: str, low: int, high: int, parameter: Parameter | None = None) -> int:
-        """A whole number in a range. Raises AssemblyError, which says of what."""
-        found = self.constant(value, parameter)
+    def whole(self, value: Value, what: str, low: int, high: int) -> int:
+        """A whole number in a range. Raises SourceError, which says of what."""
+        found = self.meaning(value)
+        if isinstance(found, Place | Encoded | Callee | Goal):
+            raise SourceError(value.at, f"{what} must be a whole number from {low} to {high}")
+        if isinstance(found, Fraction) and not self._is_typed:
+            found = int(found)
+        if not self._is_typed and isinstance(found, int):
+            found = wrapped(found)
         if not isinstance(found, int) or not low <= found <= high:
-            raise error_at(value.token, f"{what} cannot be {found!r}: it is a whole number from {low} to {high}")
+            raise SourceError(value.at, f"{what} cannot be {found!r}: it is a whole number from {low} to {high}")
         return int(found)
 
     def whole_or_none(self, value: Value) -> int | None:
-        """A whole number that stands in the text or has a name, in a macro or not; None for all other values."""
-        while isinstance(value, Macro):
-            value = value.part
+        """A whole number that is written or has a name, in a macro or not; None for all other values."""
+        while isinstance(value, Form):
+            value = value.value
         try:
-            found = self.constant(value)
-        except AssemblyError:
+            found = self.meaning(value)
+        except SourceError:
             return None
         return found if isinstance(found, int) else None
 
-    def _named_constant(self, token: Token, parameter: Parameter | None) -> Constant:
-        name = token.text
-        if name in self.names.constants:
-            defined = self.names.constants[name]
-            if isinstance(defined, bytes):
-                raise error_at(token, f"{name} is an encoded argument; a plain constant should stand here")
-            return defined
-        found = firmware_constant(name, parameter)
-        if found is not None:
-            return found
-        if name in self.names.variables:
-            raise error_at(token, f"{name} is a variable; a constant should stand here")
-        if name in _FLOATS:
-            return _FLOATS[name]
-        raise self._unknown(token, parameter)
+    def _named(self, name: str, at: int, parameter: Parameter | None) -> Meaning:
+        found = self.names.meaning(name, at, parameter)
+        if found is None and parameter is not None:
+            # Letters of motor ports mean something at their parameter only.
+            found = parameter.names.get(name)
+        if found is None and self._is_typed:
+            found = _FLOATS.get(name)
+        if found is None:
+            raise SourceError(at, self._unknown(name, at, parameter))
+        return found
 
-    def _is_constant(self, token: Token, parameter: Parameter | None) -> bool:
-        name = token.text
-        return name in self.names.constants or name in _FLOATS or firmware_constant(name, parameter) is not None
-
-    def _unknown(self, token: Token, parameter: Parameter | None) -> AssemblyError:
-        """The error of a name that means nothing here."""
-        return error_at(token, f"there is no {token.text}{suggestion(token.text, self.names.known(parameter))}")
-
-    def _undeclared(self, token: Token, parameter: Parameter) -> AssemblyError:
-        """The error of a name that stands for nothing that the parameter can be."""
-        name, enum = token.text, parameter.enum
+    def _unknown(self, name: str, at: int, parameter: Parameter | None) -> str:
+        """What to say of a name that stands for nothing that the parameter can be."""
+        names = self.names
+        if any(place.at >= at for place in names.globals.get(name, ())):
+            return f"{cited(name)} is declared further down: a variable has to be declared above its use"
+        if not self._is_typed:
+            hint = suggestion(name, names.known())
+            how = hint or ": a variable is declared above its use, a label is set in the same object"
+            return f"unknown name {cited(name)}{how}"
+        if name in names.local.labels and parameter is not None:
+            return f"{name} is a label, which cannot stand for {parameter.name}"
+        if parameter is None:
+            return f"unknown name {cited(name)}{suggestion(name, names.known())}"
+        what, known = "variable or constant", names.known(parameter)
+        enum = parameter.enum
         if parameter.is_output:
-            what, known = f"variable {name}", list(self.names.variables)
+            what, known = "variable", list(names.local.places)
         elif parameter.role is Role.OBJECT:
-            what, known = f"object {name}", list(self.names.constants)
+            what, known = "object", list(names.defines)
         elif enum is not None:
-            what, known = f"{name} in {enum.name}, the values of {parameter.name}", self.names.known(parameter)
-        else:
-            what, known = f"variable or constant {name}", self.names.known(parameter)
+            what = f"value of {parameter.name} ({enum.name}):"
         hint = suggestion(name, known)
         if parameter.role is Role.OBJECT:
             hint = hint or f": `define {name} 2` in front of it tells the number of the object, counted from 1"
         elif enum is None or parameter.is_output:
-            kind = parameter.type.label if parameter.type.label in TYPES else DATA8.label
-            declares = f"`{kind} {name}` in front of it declares a variable"
+            declares = f"{_declaration(parameter, name)} in front of it declares a variable"
             hint = f"{hint} Or {declares}" if hint else f": {declares}"
         elif not hint:
             hint = f": it has {', '.join(list(enum.members)[:_MOST_MEMBERS])}, ..."
-        return error_at(token, f"there is no {what}{hint}")
+        return f"unknown {what} {cited(name)}{hint}"
 
-    def _number(self, value: Expression, parameter: Parameter | None) -> int | float:
-        found = self.constant(value, parameter)
-        if isinstance(found, str):
-            raise error_at(value.token, f"{found!r} is a text: it cannot be reckoned with")
+    def _part(self, value: Element | Offset) -> Place:
+        """A part of a declared variable."""
+        place = self._variable(value.text, value.at)
+        if isinstance(value, Offset):
+            return place._replace(start=place.start + value.bytes, elements=max(place.elements - value.bytes, 0))
+        number = self.whole(value.number, f"an index of {value.text}", 0, place.elements - 1)
+        return place._replace(start=place.start + number * place.width, elements=place.elements - number)
+
+    def _variable(self, name: str, at: int) -> Place:
+        found = self.names.meaning(name, at)
+        if not isinstance(found, Place):
+            if found is not None:
+                raise SourceError(at, f"{cited(name)} is not a variable")
+            known = [name for name, place in self.names.local.places.items()] + list(self.names.globals)
+            hint = suggestion(name, known) or ": DATA8, DATAF and others declare one"
+            raise SourceError(at, f"unknown variable {cited(name)}{hint}")
         return found
 
-    def _chain(
-        self, first: Expression, rest: tuple[tuple[Token, Expression], ...], parameter: Parameter | None
-    ) -> int | float:
-        total = self._number(first, parameter)
-        for operator, part in rest:
-            total = _bounded(_joined(operator, total, self._number(part, parameter)), operator)
-        return total
+    # Expressions
+
+    def _number(self, value: Value, parameter: Parameter | None) -> int | float:
+        found = self.meaning(value, parameter)
+        if isinstance(found, int | float | Fraction) and (self._is_typed or not isinstance(found, float)):
+            return found
+        what = (
+            f"{found!r} is a text"
+            if isinstance(found, str)
+            else f"{cited(getattr(value, 'text', 'this'))} has no value"
+        )
+        raise SourceError(value.at, f"{what}: an expression is made of numbers and names of numbers")
+
+    def _bounded(self, number: int | float, at: int) -> int | float:
+        if isinstance(number, int) and abs(number) >= _LARGEST:
+            raise SourceError(at, "the numbers become larger than anything in a frame")
+        return number
+
+    def _sum(self, value: Sum, parameter: Parameter | None) -> int | float:
+        if self._depth >= _MOST_NESTED:
+            raise SourceError(value.at, f"the expression needs more than {_MOST_NESTED} others for its value")
+        self._depth += 1
+        try:
+            parts = [self._number(part, parameter) for part in value.values]
+        finally:
+            self._depth -= 1
+        if self._is_typed:
+            total = parts[0]
+            for (at, sign), part in zip(value.operators, parts[1:], strict=True):
+                total = self._bounded(_applied(at, sign, total, part), at)
+            return total
+        return self._both(value, parts)
+
+    def _both(self, value: Sum, parts: Sequence[int | float]) -> int | float:
+        """An expression of a program, which the assemblers read in two ways."""
+        from_the_left = int(parts[0])
+        for (at, sign), part in zip(value.operators, parts[1:], strict=True):
+            from_the_left = wrapped(int(_applied(at, sign, from_the_left, int(part))))
+        is_exact = self.names.notation.arithmetic is Arithmetic.EXACT
+        try:
+            exact = _exact(parts, [sign for _, sign in value.operators])
+        except ZeroDivisionError:
+            raise SourceError(value.at, "a division by zero has no value") from None
+        except OverflowError:
+            if is_exact:
+                raise SourceError(value.at, "the expression needs more digits than any number has") from None
+            return from_the_left
+        result: int | float = exact if is_exact else from_the_left  # type: ignore[assignment]
+        if int(exact) != from_the_left:
+            how = "products before sums" if is_exact else "from left to right"
+            self.warnings.append((value.at, f"{int(result)}, worked out {how}; the other dialect gets another number"))
+        return result
 
     # Arguments
 
-    def argument(self, value: Value, schema: ArgumentSchema) -> CodePiece:
-        """The bytes of one argument of an operation. Raises AssemblyError."""
+    def argument(self, value: Value, schema: ArgumentSchema = _ANYTHING) -> Piece:
+        """The bytes of one argument of an operation. Raises SourceError."""
         try:
             return self._argument(value, schema)
         except BuildError as error:
-            raise error_at(value.token, str(error)) from None
+            raise SourceError(value.at, str(error)) from None
 
-    def element(self, value: Value, schema: ArgumentSchema) -> CodePiece:
-        """The bytes of one value of a list. A letter may stand for its number. Raises AssemblyError."""
-        if isinstance(value, Literal) and schema.parameter.type is Type.DATA8:
-            found = self.constant(value)
-            if isinstance(found, str) and len(found) == 1:
-                return schema.write(ord(found))
+    def element(self, value: Value, schema: ArgumentSchema) -> Piece:
+        """The bytes of one value of a list. A letter may stand for its number. Raises SourceError."""
+        if isinstance(value, Text) and schema.parameter.type is Type.DATA8 and len(value.value) == 1:
+            return schema.write(ord(value.value))
         return self.argument(value, schema)
 
-    def _argument(self, value: Value, schema: ArgumentSchema) -> CodePiece:
+    def _argument(self, value: Value, schema: ArgumentSchema) -> Piece:
         match value:
             case Raw(_, data):
+                return schema.write(data) if self._is_typed else data
+            case Unchecked(_, inner):
+                return self._argument(inner, schema)
+            case Form():
+                return self._form(value, schema)
+            case Marked():
+                return self._marked(value)
+            case Distance():
+                return value
+            case Name(text=text) if self._is_typed and text in NOT_NUMBERS and text not in self.names.local.places:
+                if schema.parameter.type is not Type.STRING and text not in self.names.defines:
+                    return schema.write(math.nan)
+        return self.encoded(self.meaning(value, schema.parameter), value, schema)
+
+    def encoded(self, meaning: Meaning, value: Value, schema: ArgumentSchema = _ANYTHING) -> Piece:
+        """The bytes of what a value means."""
+        match meaning:
+            case Encoded(data):
                 return schema.write(data)
-            case Named(token) if isinstance(encoded := self.names.constants.get(token.text), bytes):
-                return schema.write(encoded)
-            case Macro():
-                return self._macro(value, schema)
-            case Marked(token, part):
-                return schema.write(self._variable(part, None, handle=token.text == "@", address=token.text == "&"))
-            case Element():
-                return schema.write(self._variable(value, schema))
-            case Named(token) if token.text in self.names.variables:
-                return schema.write(self._variable(value, schema))
-            case Named(token) if self._is_label(token, schema):
-                return PendingJump(token, None)
-            case Named(token) if token.text in NOT_NUMBERS and schema.parameter.type is not Type.STRING:
-                return schema.write(math.nan)
-            case Named(token) if not self._is_constant(token, schema.parameter):
-                raise self._undeclared(token, schema.parameter)
-        return self._plain(self.constant(value, schema.parameter), schema)
+            case Goal(name):
+                return PendingJump(value.at, name)
+            case Place():
+                if self._is_typed:
+                    self._check_room(meaning, value, schema.parameter)
+                return variable(meaning.scope, meaning.start, self.rules)
+            case Callee():
+                return integer(meaning.number, self.rules)
+        if self._is_typed:
+            kind = schema.parameter.type
+            if isinstance(meaning, Pattern) and kind in RANGES and kind.size:
+                return schema.write(_signed(meaning, 8 * kind.size))
+            return schema.write(meaning)
+        if isinstance(meaning, str):
+            return encode_as("LCS_OLD", meaning)
+        if isinstance(meaning, float):
+            bits = single_bits(meaning)
+            return encode_as("LC4", bits) if self.rules.long_floats else integer(bits, self.rules)
+        return integer(int(meaning), self.rules)
 
-    def _plain(self, found: Constant, schema: ArgumentSchema) -> bytes:
-        kind = schema.parameter.type
-        if isinstance(found, Pattern) and kind in RANGES and kind.size:
-            found = _signed(found, 8 * kind.size)
-        return schema.write(found)
+    def _marked(self, value: Marked) -> bytes:
+        part = value.part
+        place = self._part(part) if isinstance(part, Element) else self._variable(part.text, part.at)
+        if not self._is_typed and value.sign == "@" and place.type is not Type.HANDLE:
+            self.warnings.append((value.at, f"{cited(part.text)} is a {place.type}, and @ is for a HANDLE"))
+        return variable(place.scope, place.start, self.rules, handle=value.sign == "@", address=value.sign == "&")
 
-    def _is_label(self, token: Token, schema: ArgumentSchema) -> bool:
-        """Whether a name is one to jump to, which may stand further down. Raises AssemblyError where none can stand."""
-        name = token.text
-        if schema.parameter.role is Role.JUMP:
-            return name not in self.names.constants and name not in self.names.variables
-        if name in self.names.labels:
-            raise error_at(token, f"{name} is a label, which cannot stand for {schema.parameter.name}")
-        return False
-
-    def _variable(
-        self, value: Named | Element, schema: ArgumentSchema | None, *, handle: bool = False, address: bool = False
-    ) -> Variable:
-        """The place of a declared variable or of one of its elements. Raises AssemblyError."""
-        name = value.token.text
-        declared = self.names.variables.get(name)
-        if declared is None:
-            known = suggestion(name, self.names.variables)
-            raise error_at(
-                value.token, f"there is no variable {name}{known or ': DATA8, DATAF and others declare one'}"
-            )
-        index = declared.variable.index
-        if isinstance(value, Element):
-            number = self.whole(value.index, f"an index of {name}", 0, declared.count - 1)
-            index += number * declared.type.size
-        if schema is not None:
-            self._check_room(value.token, declared.end - index, schema)
-        return Variable(declared.variable.scope, index, handle=handle, address=address)
-
-    def _check_room(self, token: Token, room: int, schema: ArgumentSchema) -> None:
-        """Raises AssemblyError where a parameter is larger than the variable: what stands after it would be hit."""
-        parameter = schema.parameter
+    def _check_room(self, place: Place, value: Value, parameter: Parameter) -> None:
+        """Raises SourceError where a parameter is larger than the variable: what follows it would be hit."""
+        room = place.width * place.elements
         if parameter.type.size > room and not parameter.any_type:
             verb = "is read as" if parameter.direction is Direction.IN else "would be overwritten by"
-            raise error_at(
-                token,
-                f"{token.text} has {counted(room, 'byte')} here and {verb} {parameter.name}, a {parameter.type}"
-                f" of {parameter.type.size}",
+            raise SourceError(
+                value.at,
+                f"{_written(value)} has {counted(room, 'byte')} here and {verb} {parameter.name}, a"
+                f" {parameter.type} of {parameter.type.size}",
             )
 
-    def _macro(self, value: Macro, schema: ArgumentSchema) -> CodePiece:
-        name = value.token.text
-        part = value.part
-        if name in ("HND", "ADR"):
+    # Macros
+
+    def _form(self, form: Form, schema: ArgumentSchema) -> Piece:
+        """A value in the encoding that is named."""
+        name, part = form.name, form.value
+        if name in MARKS:
             inner = self.argument(part, schema)
-            if isinstance(inner, PendingJump):
-                raise error_at(part.token, f"{name} takes no label")
+            if not isinstance(inner, bytes):
+                raise SourceError(part.at, f"{name} takes no label")
             return with_bits(inner, handle=name == "HND", address=name == "ADR")
-        if isinstance(part, Named) and name in _JUMPS and self._is_label(part.token, schema):
-            return PendingJump(part.token, name)
-        return self.form(value, schema.parameter)
-
-    def form(self, value: Macro, parameter: Parameter | None) -> bytes:
-        """The bytes of a macro that fixes the encoding. Raises AssemblyError, BuildError."""
-        name, part = value.token.text, value.part
-        if name[:2] in ("LV", "GV"):
-            return self._variable_form(name, part)
-        found = self.constant(part, parameter)
+        is_number = self._is_typed and isinstance(part, Name) and part.text in NOT_NUMBERS
+        meaning = math.nan if is_number and name == "LCF" else self.meaning(part, schema.parameter)
+        if isinstance(meaning, Goal):
+            if name not in JUMP_SIZES:
+                raise SourceError(form.at, f"{name} cannot hold the distance to a label")
+            return PendingJump(part.at, meaning.name, name)
+        if name[1] == "V":
+            return self._variable_form(name, part, meaning)
+        if isinstance(meaning, Callee):
+            meaning = meaning.number
         if name in ("LCS", "LCS_OLD"):
-            if not isinstance(found, str):
-                raise error_at(part.token, f"{name} takes a text in quotes, not {found!r}")
-            return encode_string(found) if name == "LCS" else encode_as(name, found)
-        if isinstance(found, str) and len(found) == 1:
-            found = ord(found)
-        if isinstance(found, str):
-            raise error_at(part.token, f"{name} takes a number, not {found!r}")
+            if not isinstance(meaning, str):
+                raise SourceError(part.at, f"{name} takes a text in quotes, not {_shown(meaning)}")
+            return encode_as(name, meaning)
+        if isinstance(meaning, str) and len(meaning) == 1:
+            meaning = ord(meaning)
+        if not isinstance(meaning, int | float | Fraction):
+            raise SourceError(part.at, f"{name} takes a number, not {_shown(meaning)}")
+        return self._constant_form(name, part, meaning)
+
+    def _constant_form(self, name: str, part: Value, number: int | float) -> bytes:
         if name == "LCF":
-            is_none = isinstance(part, Named) and part.token.text in NOT_NUMBERS
-            return encode_float(math.nan if is_none else found, "the number")
-        if isinstance(found, float):
-            raise error_at(part.token, f"{name} takes a whole number, not {found!r}; LCF takes this one")
+            return encode_float(number, "the number")
+        if isinstance(number, float):
+            if self._is_typed:
+                raise SourceError(part.at, f"{name} takes a whole number, not {number!r}; LCF takes this one")
+            number = single_bits(number)
         if name == "LCX":
-            return encode_integer(found)
-        if isinstance(found, Pattern):
-            found = _signed(found, _BITS[name])
-        return encode_label(found, name) if name == "LAB1" else encode_as(name, found)
+            return encode_integer(int(number))
+        if isinstance(number, Pattern):
+            number = _signed(number, _BITS[name])
+        elif not self._is_typed:
+            number = wrapped(int(number))
+        return encode_label(int(number), name) if name == "LAB1" else encode_as(name, int(number))
 
-    def _variable_form(self, name: str, part: Value) -> bytes:
+    def _variable_form(self, name: str, part: Value, meaning: Meaning) -> bytes:
         scope = _SCOPES[name[0]]
-        if isinstance(part, Element) or (isinstance(part, Named) and part.token.text in self.names.variables):
-            variable = self._variable(part, None)
-            if variable.scope != scope:
-                raise error_at(
-                    part.token, f"{part.token.text} is a {variable.scope} variable, {name} is for {scope} ones"
-                )
-            index = variable.index
+        if isinstance(meaning, Place):
+            if meaning.scope != scope:
+                raise SourceError(part.at, f"{name} is for {scope} variables, and this is a {meaning.scope} one")
+            index = meaning.start
+        elif isinstance(meaning, int) and 0 <= meaning <= 0xFFFFFFFF:
+            index = int(meaning)
         else:
-            index = self.whole(part, f"the index of {name}", 0, 0xFFFFFFFF)
-        return encode_variable(Variable(scope, index)) if name[2:] in ("", "X") else encode_as(name, index)
+            shown = _shown(meaning)
+            raise SourceError(
+                part.at, f"the index of {name} cannot be {shown}: it is a whole number from 0 to 4294967295"
+            )
+        return variable(scope, index, self.rules) if name in SHORTEST else encode_as(name, index)
 
 
-def _literal(token: Token) -> Constant:
-    if token.kind is TokenKind.TEXT:
-        return unescaped(token)[0]
-    text = token.text.lower()
-    if text.startswith("0x"):
-        return Pattern(text, 16)
-    if text.startswith("0b"):
-        return Pattern(text, 2)
-    return int(text) if text.isdigit() else float(text.rstrip("f"))
+def _declaration(parameter: Parameter, name: str) -> str:
+    """A line that declares a variable for a parameter."""
+    kind = parameter.type
+    if kind is Type.STRING or parameter.length is not None:
+        return f"`DATAS {name} 64`"
+    return f"`{kind.label if kind.label in VARIABLE_WORDS else DATA8.label} {name}`"
 
 
-def _bounded(number: int | float, token: Token) -> int | float:
-    if isinstance(number, int) and abs(number) >= _LARGEST:
-        raise error_at(token, "the numbers become larger than anything in a frame")
-    return number
+def _shown(meaning: Meaning) -> str:
+    return repr(meaning) if isinstance(meaning, int | float | str) else "a variable"
 
 
-def _joined(operator: Token, left: int | float, right: int | float) -> int | float:
-    match operator.text:
-        case "+":
-            return left + right
-        case "-":
-            return left - right
-        case "*":
-            return left * right
-        case "/":
-            if right == 0:
-                raise error_at(operator, "a division by zero has no value")
-            if isinstance(left, int) and isinstance(right, int):
-                return abs(left) // abs(right) * (1 if (left < 0) == (right < 0) else -1)
-            return left / right
-    if isinstance(left, int) and isinstance(right, int):
-        return left | right
-    raise error_at(operator, "| joins the bits of whole numbers")
+def _written(value: Value) -> str:
+    return cited(getattr(value, "text", "this"))
 
 
 def _signed(pattern: int, bits: int) -> int:
     """A pattern of so many bits as a number with a sign; itself where it has more bits."""
     return pattern - (1 << bits) if 1 << (bits - 1) <= pattern < 1 << bits else int(pattern)
+
+
+def _applied(at: int, sign: str, left: int | float, right: int | float) -> int | float:
+    """One operation of an expression; whole numbers are divided towards zero."""
+    if sign == "+":
+        return left + right
+    if sign == "-":
+        return left - right
+    if sign == "*":
+        return left * right
+    if sign == "|":
+        if isinstance(left, int) and isinstance(right, int):
+            return left | right
+        raise SourceError(at, "| joins the bits of whole numbers")
+    if right == 0:
+        raise SourceError(at, "a division by zero has no value")
+    if isinstance(left, int) and isinstance(right, int):
+        return abs(left) // abs(right) * (1 if (left < 0) == (right < 0) else -1)
+    return left / right
+
+
+def _exact(parts: Iterable[int | float], signs: Sequence[str]) -> int | Fraction:
+    """Products before sums, divisions exact; what is left over is cut off where the number is encoded.
+
+    Raises OverflowError for a product or sum that no program needs: each could be twice as long as the one before.
+    """
+    first, *others = (Fraction(part) for part in parts)
+    sums = [first]
+    for sign, part in zip(signs, others, strict=True):
+        if sign in "*/":
+            sums[-1] = sums[-1] * part if sign == "*" else sums[-1] / part
+        else:
+            sums.append(part if sign == "+" else -part)
+        _check_digits(sums[-1])
+    total = Fraction(0)
+    for product in sums:
+        total += product
+        _check_digits(total)
+    if not -1 << 31 <= int(total) < 1 << 31:
+        return wrapped(int(total))
+    return int(total) if total.denominator == 1 else total
+
+
+def _check_digits(value: Fraction) -> None:
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) > _MOST_BITS:
+        raise OverflowError

@@ -11,8 +11,17 @@ MESSAGE = "message"
 FRAME = "frame"
 """Begins a message that is nothing but bytes."""
 
-BYTES = "bytes"
-"""Bytes as they are, in hex."""
+FORMS = (
+    *("LC0", "LC1", "LC2", "LC4", "LCX", "LCF", "LCS", "LCS_OLD", "LAB1"),
+    *("LV0", "LV1", "LV2", "LV4", "LVX", "LV", "GV0", "GV1", "GV2", "GV4", "GVX", "GV"),
+)
+"""The macros that fix how a value is encoded."""
+
+SHORTEST = ("LCX", "LVX", "LV", "GVX", "GV")
+"""Those of them that leave it to us."""
+
+MARKS = ("HND", "ADR")
+"""The macros that set a bit of what they enclose."""
 
 CUT = "..."
 """Ends an operation or a system command that is cut short."""

@@ -9,14 +9,14 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from ev3proto.program.source.errors import SourceError
 from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS
+from ev3proto.text.assembly.errors import SourceError
+from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, Rules
 
 _SETTING = re.compile(r"^[ \t]*//[ \t]*ev3proto:[ \t]*(\w+)[ \t]*([^\r\n]*)", re.MULTILINE | re.ASCII)
 
 _WORD = "ev3proto:"
 MARK = f"// {_WORD}"
-SHORTEST = "shortest"
 GAP = "gap"
 OPEN = "open"
 OWN = "own"
@@ -34,7 +34,8 @@ OBJECT_NUMBERS = {
 }
 """Settings of the object that follows."""
 
-_WORDS = (SHORTEST, GAP, OPEN, OWN, *FILE_NUMBERS, *OBJECT_NUMBERS)
+_RULES = {rules.name: rules for rules in (OF_EV3_G, OF_BASIC)}
+"""The rules that a source can ask for by their names: `// ev3proto: shortest`."""
 
 
 @dataclass
@@ -55,13 +56,13 @@ class ObjectSettings:
 class Settings:
     """What is said of the image.
 
-    numbers   its fields, where they are not what the source makes them
-    shortest  the rules of EV3-G: labels as short as they can be, floats always in four bytes, equal objects share code
-    gaps      offset and bytes of what belongs to no object
+    numbers  its fields, where they are not what the source makes them
+    rules    those by which values are encoded; None: those of the notation
+    gaps     offset and bytes of what belongs to no object
     """
 
     numbers: dict[str, int] = field(default_factory=dict)
-    shortest: bool = False
+    rules: Rules | None = None
     gaps: list[tuple[int, bytes]] = field(default_factory=list)
 
 
@@ -78,11 +79,11 @@ class SettingsReader:
             try:
                 self._one(found.start(1), found[1], found[2].strip())
             except ValueError:
-                errors.append(SourceError(found.start(1), f"{found[1]} {found[2].strip()[:40]} is no setting"))
+                errors.append(SourceError(found.start(1), f"{found[1]} {found[2].strip()[:40]} is not a setting"))
 
     def _one(self, at: int, word: str, rest: str) -> None:
-        if word == SHORTEST:
-            self.file.shortest = True
+        if word in _RULES:
+            self.file.rules = _RULES[word]
         elif word == GAP:
             offset, _, data = rest.partition(" ")
             self.file.gaps.append((_number(offset, MAX_MEMORY), bytes.fromhex(data)))

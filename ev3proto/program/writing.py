@@ -8,6 +8,8 @@ What the usual rules make is written as people write it. What they would make ot
 from __future__ import annotations
 
 import json
+import math
+import struct
 from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 
@@ -16,18 +18,17 @@ from ev3proto.messages import Argument, Operation
 from ev3proto.program.image import Program
 from ev3proto.program.objects import CodeObject
 from ev3proto.program.parameters import ProgramParameter, code_of
-from ev3proto.program.source.encoding import JUMP_SIZES, LABEL, integer, shortest_jump, variable
-from ev3proto.program.source.jumps import shrink
-from ev3proto.program.source.names import builtin_names
-from ev3proto.program.source.numbers import fits, is_finite, single_bits, single_of
-from ev3proto.program.source.settings import GAP, MARK, OPEN, OWN, SHORTEST
-from ev3proto.program.source.variables import MOST_DECLARED, DeclaredVariable, declared
+from ev3proto.program.variables import MOST_DECLARED, DeclaredVariable, declared
 from ev3proto.schema.argument import encode_as, with_bits
 from ev3proto.schema.identification import LABEL_BYTE
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, STRING_CODING, TEXT
-from ev3proto.tables.program import VERSIONS, ObjectKind
+from ev3proto.tables.program import RELEASE_VERSION, VERSIONS, ObjectKind
 from ev3proto.tables.source import BYTES, ESCAPES, PARAMETER_WORDS
+from ev3proto.text.assembly.names import firmware_names
+from ev3proto.text.assembly.notations import OF_BASIC, OF_EV3_G, OF_LEGO, Rules
+from ev3proto.text.assembly.settings import GAP, MARK, OPEN, OWN
+from ev3proto.text.assembly.values import integer, measure, single_bits, variable
 from ev3proto.text.phrases import short_float, spaced_hex
 
 _OBJECT_END, _RETURN, _CALL = "OBJECT_END", "RETURN", "CALL"
@@ -129,7 +130,7 @@ class Writer:
         self._program = program
         self.codes = [ObjectCode(part) for part in program.objects]
         self.names = [f"{_NAMES[part.kind]}{part.number}" for part in program.objects]
-        self._is_shortest = _is_shortest(program)
+        self._rules = rules_of(program)
         self._locals_end = 0
         self._globals: dict[int, str] = {}
         self._locals: dict[int, str] = {}
@@ -143,13 +144,11 @@ class Writer:
         program = self._program
         defects = program.defects
         writer = VERSIONS.get(program.version)
-        rules = (
-            "EV3-G, labels as short as they can be" if self._is_shortest else "LEGO's assembler, labels of three bytes"
-        )
+        rules = _RULES[self._rules]
         yield f"// by the rules of {rules}{f'; its version is that of {writer}' if writer else ''}"
         yield f"{MARK} version 0x{program.version:02X}"
-        if self._is_shortest:
-            yield f"{MARK} {SHORTEST}"
+        if self._rules is not OF_LEGO:
+            yield f"{MARK} {self._rules.name}"
         if defects.stated_size is not None:
             yield f"{MARK} size {defects.stated_size}"
         if defects.stated_count is not None:
@@ -220,7 +219,7 @@ class Writer:
             yield f"{MARK} {OPEN}"
         if self._locals_end != part.local_size:
             yield f"{MARK} locals {part.local_size}"
-        if self._is_shortest and part.shares is None:
+        if self._rules.shares and part.shares is None:
             key = (part.owner, part.triggers, part.local_size, part.code)
             if key in self._seen:
                 yield f"{MARK} {OWN}"
@@ -264,9 +263,6 @@ class Writer:
         goals = sorted({goal for goal in map(goal_of, jumps.values()) if goal is not None})
         self._labels = {offset: f"{_LABEL_NAME}{number}" for number, offset in enumerate(goals, 1)}
         forms = {offset: step.arguments[-1].encoding for offset, step in jumps.items()}
-        if not self._is_shortest:
-            self._forms = {offset: form for offset, form in forms.items() if form != LABEL}
-            return
         self._forms = {offset: form for offset, form in forms.items() if form == "LAB1"}
         while self._say_longer(code, jumps, forms):
             pass
@@ -278,23 +274,19 @@ class Writer:
         numbers: dict[int, int] = {}
         for step in code.steps:
             parts[step.offset] = len(sizes)
-            if step.offset in jumps:
-                size = len(step.arguments[-1].raw)
-                sizes += [step.length - size, size]
+            size = len(step.arguments[-1].raw) if step.offset in jumps else 0
+            sizes += [step.length - size, size]
+            if size:
                 numbers[step.offset] = len(sizes) - 1
-            else:
-                sizes.append(step.length)
         if code.steps:
             parts.setdefault(_end(code.steps[-1]), len(sizes))
         wanted = list(sizes)
-        free = {}
-        for offset, number in numbers.items():
-            if offset not in self._forms:
-                sizes[number] = JUMP_SIZES[LABEL]
-                goal = goal_of(jumps[offset])
-                assert goal is not None
-                free[number] = parts[goal]
-        shrink(sizes, free)
+        goals = {
+            number: parts[goal_of(jumps[offset]) or 0]
+            for offset, number in numbers.items()
+            if offset not in self._forms
+        }
+        measure(sizes, goals, self._rules)
         wrong = [offset for offset, number in numbers.items() if sizes[number] != wanted[number]]
         self._forms |= {offset: forms[offset] for offset in wrong}
         return bool(wrong)
@@ -307,7 +299,7 @@ class Writer:
         texts: list[str] = []
         cmd = step.cmd
         if cmd is not None:
-            texts.append(_encoded(cmd, step.command or "", int(cmd.value)))
+            texts.append(self._encoded(cmd, step.command or "", int(cmd.value)))
         name = step.name
         if name == _CALL:
             callee = self._callee(arguments)
@@ -317,7 +309,7 @@ class Writer:
             elif arguments[0].kind == CONSTANT:
                 # By its name, the number of parameters would be written too.
                 number = arguments.pop(0)
-                texts.append(_encoded(number, str(number.value), int(number.value)))
+                texts.append(self._encoded(number, str(number.value), int(number.value)))
         elif step.offset in self._forms or goal_of(step) in self._labels:
             goal = goal_of(step)
             label = self._labels.get(goal) if goal is not None else None
@@ -328,19 +320,34 @@ class Writer:
         texts += map(self._argument, arguments)
         return f"{name}({', '.join(texts)})"
 
+    def _integer(self, value: int) -> bytes:
+        return integer(value, self._rules)
+
+    def _encoded(self, argument: Argument, text: str, value: int) -> str:
+        """A number in the encoding that it has: by itself where that is the usual one."""
+        raw = argument.raw
+        if argument.kind == CONSTANT and self._integer(value) == raw:
+            return text
+        try:
+            if encode_as(argument.encoding, value) == raw:
+                return f"{argument.encoding}({text})"
+        except BuildError:
+            pass
+        return _bytes(raw)
+
     def _callee(self, arguments: Sequence[Argument]) -> str | None:
         """The subcall's name, where that and the number of parameters is all that the two first arguments say."""
         number, count = arguments[0], arguments[1]
         if number.kind != CONSTANT or not 0 < int(number.value) <= len(self.codes):
             return None
         callee = self.codes[int(number.value) - 1]
-        if callee.word != ObjectKind.SUBCALL or number.raw != integer(int(number.value)):
+        if callee.word != ObjectKind.SUBCALL or number.raw != self._integer(int(number.value)):
             return None
         # An object that shares the code of another is declared by that.
         shares = callee.part.shares
         declaring = callee if shares is None else self.codes[shares - 1]
         declares = declaring.part.parameters if declaring.word == ObjectKind.SUBCALL else ()
-        if count.raw != integer(len(declares)) or len(arguments) - 2 != len(declares):
+        if count.raw != self._integer(len(declares)) or len(arguments) - 2 != len(declares):
             return None
         return self.names[int(number.value) - 1]
 
@@ -351,7 +358,7 @@ class Writer:
         if kind == TEXT:
             return _text(argument)
         if kind == JUMP:
-            return _encoded(argument, str(argument.value), int(argument.value))
+            return self._encoded(argument, str(argument.value), int(argument.value))
         return self._variable(argument)
 
     def _constant(self, argument: Argument) -> str:
@@ -361,15 +368,15 @@ class Writer:
         if isinstance(value, float):
             return self._float(raw)
         assert isinstance(value, int)
-        if integer(value) != raw:
-            return _encoded(argument, str(value), value)
+        if self._integer(value) != raw:
+            return self._encoded(argument, str(value), value)
         if parameter.enum is not None:
             symbol = parameter.enum.name_of(value)
-            if symbol is not None and builtin_names().get(symbol) == value:
+            if symbol is not None and firmware_names().get(symbol) == value:
                 return symbol
         elif parameter.type is Type.DATAF:
             # Other assemblers, and our own warnings, take a whole number for a mistake there.
-            return f"!{value}" if value else "0" if self._is_shortest else "0.0F"
+            return f"!{value}" if value else "0" if self._rules.long_floats else "0.0F"
         elif parameter.name == _OBJECT_PARAMETER and 0 < value <= len(self.names):
             return self.names[value - 1]
         return str(value)
@@ -378,12 +385,12 @@ class Writer:
         """A float in LC4, the only encoding in which one is seen as a float."""
         bits = int.from_bytes(raw[1:], "little", signed=True)
         pattern = bits & 0xFFFFFFFF
-        if not is_finite(bits):
-            if builtin_names()[_NAN_NAME] == bits:
+        if not math.isfinite(_single(bits)):
+            if firmware_names()[_NAN_NAME] == bits:
                 return _NAN_NAME
             return f"!0x{pattern:08X}"
         text = float_text(bits)
-        if self._is_shortest or integer(bits) == raw:
+        if self._rules.long_floats or self._integer(bits) == raw:
             return text
         return f"LCF({text})"
 
@@ -396,9 +403,9 @@ class Writer:
             if form.handle and not form.address and name is not None and _is_usual_handle(argument):
                 return f"@{name}"
             return _marked(argument)
-        if variable(argument.kind, index) == raw and name is not None:
+        if variable(argument.kind, index, self._rules) == raw and name is not None:
             return name
-        return _encoded(argument, _index(index), index)
+        return self._encoded(argument, _index(index), index)
 
 
 def _declaration(variable: DeclaredVariable, name: str) -> str:
@@ -408,22 +415,9 @@ def _declaration(variable: DeclaredVariable, name: str) -> str:
 # Single arguments
 
 
-def _encoded(argument: Argument, text: str, value: int) -> str:
-    """A number in the encoding that it has: by itself where that is the usual one."""
-    raw = argument.raw
-    if argument.kind == CONSTANT and integer(value) == raw:
-        return text
-    try:
-        if encode_as(argument.encoding, value) == raw:
-            return f"{argument.encoding}({text})"
-    except BuildError:
-        pass
-    return _bytes(raw)
-
-
 def _index(value: int) -> str:
     """An index; one that needs all 32 bits in hexadecimal, which alone may have that many."""
-    return str(value) if fits(value) else f"0x{value:08X}"
+    return str(value) if value < 1 << 31 else f"0x{value:08X}"
 
 
 def _marked(argument: Argument) -> str:
@@ -467,7 +461,7 @@ def _text(argument: Argument) -> str:
 
 def float_text(bits: int) -> str:
     """A finite single as a literal that means the same bits: `1.5F`, `-0.0F`, never with a signed exponent."""
-    value = single_of(bits)
+    value = _single(bits)
     text = short_float(value)
     if "e" in text:
         text = format(Decimal(text), "f")
@@ -548,21 +542,38 @@ def _wider(known: Type | None, kind: Type) -> Type:
     return kind if known is not Type.STRING and kind.size > known.size else known
 
 
-def _is_shortest(program: Program) -> bool:
-    """Whether the rules of EV3-G fit a program better than those of LEGO's assembler."""
-    long = short = 0
+def _single(bits: int) -> float:
+    """The number that the bits of a single mean."""
+    return float(struct.unpack("<f", struct.pack("<i", bits))[0])
+
+
+_RULES = {
+    OF_LEGO: "LEGO's assembler, labels of three bytes",
+    OF_EV3_G: "EV3-G, labels as short as they can be",
+    OF_BASIC: "EV3 Basic, labels of five bytes forwards",
+}
+
+
+def rules_of(program: Program) -> Rules:
+    """The rules that fit a program best, by its jumps: those of LEGO's assembler, of EV3-G, or of EV3 Basic."""
+    fits = dict.fromkeys(_RULES, 0)
     for part in program.objects:
-        if part.shares is not None:
-            short += 1
-            continue
-        for step in part.operations:
-            if goal_of(step) is None:
+        for step in part.operations if part.shares is None else ():
+            goal = goal_of(step)
+            if goal is None:
                 continue
             argument = step.arguments[-1]
-            if argument.encoding == LABEL:
-                long += 1
-            if argument.length == shortest_jump(int(argument.value)):
-                short += 1
-    if long == short:
-        return program.version in _EV3_G_VERSIONS
-    return short > long
+            is_forwards = goal > step.offset
+            fits[OF_LEGO] += argument.encoding == "LC2"
+            fits[OF_EV3_G] += argument.raw == integer(int(argument.value), OF_EV3_G)
+            fits[OF_BASIC] += (
+                argument.encoding == "LC4" if is_forwards else (argument.raw == integer(int(argument.value), OF_BASIC))
+            )
+    usual = OF_EV3_G if program.version in _EV3_G_VERSIONS else OF_LEGO
+    best = max(fits.values())
+    shares = any(part.shares is not None for part in program.objects)
+    if fits[usual] == best and not shares:
+        return usual
+    if fits[OF_BASIC] == best and program.version == RELEASE_VERSION:
+        return OF_BASIC
+    return OF_EV3_G if shares and fits[OF_EV3_G] == best else max(fits, key=lambda rules: fits[rules])

@@ -1,1 +1,0 @@
-"""Sources of programs (.lms): both dialects to images, and images to the strict dialect."""

@@ -1,0 +1,169 @@
+"""Sources to images: which notation a text is in, what is wrong with it, what it becomes."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ev3proto.errors import BuildError
+from ev3proto.program.image import Entry, Program, image_of, parse, regular_offsets
+from ev3proto.program.objects import Defects
+from ev3proto.program.parameters import ProgramParameter, code_of, table_bytes
+from ev3proto.tables.declaration import DATA16, Type
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.program import DEFAULT_VERSION, RELEASE_VERSION
+from ev3proto.tables.source import BASIC_NAMES
+from ev3proto.text.assembly.errors import AssemblyError, Lines, SourceError, SourceWarning
+from ev3proto.text.assembly.notations import BASIC, LEGO, OF_EV3_G, STRICT, Notation
+from ev3proto.text.assembly.objects import AssembledObject, AssembledProgram, ProgramAssembler
+
+MAX_SOURCE = 1 << 25
+"""Characters of a source that is assembled."""
+
+_MOST_WARNINGS = 1000
+
+_SIGNS_OF_BASIC = re.compile(
+    rf"^[ \t]*(?:subcall[ \t]+(?:PROGRAM_MAIN\b|\w+\.\w)|(?:{'|'.join(BASIC_NAMES)})\b|inline[ \t])",
+    re.MULTILINE | re.IGNORECASE,
+)
+"""What only EV3 Basic's sources have."""
+
+
+class SourceDialect(StrEnum):
+    """How a source is written: as lmsasm has it, as LEGO's own assembler, or as EV3 Basic's compiler writes it."""
+
+    STRICT = "strict"
+    LEGO = "lego"
+    BASIC = "basic"
+
+
+_NOTATIONS = {SourceDialect.STRICT: STRICT, SourceDialect.LEGO: LEGO, SourceDialect.BASIC: BASIC}
+
+
+@dataclass(frozen=True, slots=True)
+class Assembled:
+    """What a source became.
+
+    image     the bytes of the .rbf file
+    dialect   the one it was read in
+    warnings  what assembles and may not be meant, in the order of the text
+    """
+
+    image: bytes
+    dialect: SourceDialect
+    warnings: tuple[SourceWarning, ...] = ()
+
+    @property
+    def program(self) -> Program:
+        """The image, parsed."""
+        return parse(self.image, strict=False)
+
+
+def assemble(
+    source: str | bytes, *, dialect: str | None = None, version: int | None = None, shortest: bool = False
+) -> Assembled:
+    """Makes the image of a program's source.
+
+    Args:
+        source: The text, or the bytes of a file in UTF-8 or ISO-8859-1.
+        dialect: "strict", "lego" or "basic"; None: EV3 Basic's where the text has what only that has, else strict, or
+            LEGO's where it is not that.
+        version: The version of the image, 0 to 65535; None: what the source says, or 0x6D (0x68 for EV3 Basic).
+        shortest: The rules of EV3-G: labels as short as they can be, floats always in four bytes, equal objects share
+            code.
+
+    Returns:
+        The image, the dialect by which the source was read, and the warnings.
+
+    Raises:
+        AssemblyError: The source cannot be assembled. The error has line, column, the line's text, and in `others` what
+            else is wrong.
+        ValueError: There is no such dialect.
+        TypeError: The source is neither text nor bytes.
+    """
+    if version is not None and not 0 <= version <= 0xFFFF:
+        raise ValueError(f"version cannot be {version}: it is a whole number from 0 to 65535")
+    text, coding = _decoded(source)
+    wanted = [SourceDialect.STRICT, SourceDialect.LEGO] if dialect is None else [SourceDialect(dialect)]
+    if len(text) > MAX_SOURCE:
+        raise AssemblyError(1, 1, f"the source has {len(text)} characters; at most {MAX_SOURCE} can be assembled")
+    if dialect is None and _SIGNS_OF_BASIC.search(text):
+        wanted = [SourceDialect.BASIC]
+    lines = Lines(text, STRICT.newline)
+    failed: list[list[SourceError]] = []
+    for one in wanted:
+        errors, warnings, image = _tried(text, coding, _NOTATIONS[one], version, shortest)
+        if not errors:
+            return Assembled(image, one, lines.warnings(warnings[:_MOST_WARNINGS]))
+        failed.append(errors)
+    # What got to a later line is the dialect that was meant.
+    raise lines.error(max(failed, key=lambda errors: lines.place(min(error.at for error in errors))[0]))
+
+
+def _decoded(source: str | bytes) -> tuple[str, str]:
+    """The text, and the coding in which the strict dialect writes its strings."""
+    if isinstance(source, str):
+        return source, "utf-8"
+    if not isinstance(source, (bytes, bytearray)):
+        raise TypeError(f"a source is a text or its bytes, not {source!r}")
+    try:
+        return source.decode("utf-8-sig"), "utf-8"
+    except UnicodeDecodeError:
+        return source.decode(STRING_CODING), STRING_CODING
+
+
+def _tried(
+    text: str, coding: str, notation: Notation, version: int | None, shortest: bool
+) -> tuple[list[SourceError], list[tuple[int, str]], bytes]:
+    """Errors, warnings, image of a text in one notation."""
+    written_as = coding if notation is STRICT else STRING_CODING
+    assembler = ProgramAssembler(text, notation, written_as, OF_EV3_G if shortest else None)
+    image = b""
+    program = None if assembler.errors else assembler.program()
+    if program is not None and not assembler.errors:
+        usual = RELEASE_VERSION if notation is BASIC else DEFAULT_VERSION
+        try:
+            image = _image(program, program.settings.numbers.get("version", usual) if version is None else version)
+        except BuildError as error:
+            assembler.errors.append(SourceError(0, str(error)))
+    return assembler.errors, assembler.warnings, image
+
+
+def _image(program: AssembledProgram, version: int) -> bytes:
+    """The image of a program. Raises BuildError."""
+    said, lasts = program.settings, program.lasts
+    entries = [Entry(it.owner, it.triggers, it.local_size, _code(it), it.shares) for it in program.objects]
+    regular = list(regular_offsets(entries))
+    offsets = [it.numbers.get("offset", offset) for it, offset in zip(program.of_objects, regular, strict=True)]
+    headers = [it.numbers.get("header", offset) for it, offset in zip(program.of_objects, offsets, strict=True)]
+    if len(set(lasts)) < len(entries):
+        # Objects of the same name have the header of the last of them.
+        headers = [offsets[last] for last in lasts]
+        entries = [
+            entry._replace(local_size=entries[last].local_size) for entry, last in zip(entries, lasts, strict=True)
+        ]
+    defects = Defects(
+        stated_size=said.numbers.get("size"),
+        stated_count=said.numbers.get("count"),
+        offsets=None if offsets == regular and not said.gaps else tuple(offsets),
+        gaps=tuple(said.gaps),
+        headers=None if headers == offsets else tuple(headers),
+    )
+    return image_of(version, said.numbers.get("globals", program.global_size), entries, defects)
+
+
+def _code(part: AssembledObject) -> bytes:
+    """The code of an object with the table of its parameters; nothing where it uses that of another."""
+    if part.parameters is None or part.shares is not None:
+        return b"" if part.shares is not None else part.code
+    table = table_bytes(
+        [
+            ProgramParameter(
+                code_of(direction, DATA16 if kind is Type.HANDLE else kind),
+                size & 0xFF if kind is Type.STRING else None,
+            )
+            for direction, kind, size in part.parameters
+        ]
+    )
+    return bytes((part.declared,)) + table[1:] + part.code

@@ -1,0 +1,282 @@
+"""What names mean: the firmware's constants, and what a text declares itself (defines, variables, labels, objects)."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from functools import cache
+from itertools import islice
+from typing import NamedTuple
+
+from ev3proto.schema.names import constant, constant_names
+from ev3proto.schema.operation import CMD
+from ev3proto.tables import OPCODES
+from ev3proto.tables.constants import CONSTANTS
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Direction, Parameter, Role, Type
+from ev3proto.tables.enumerations import ENUMERATIONS, NUMBERS
+from ev3proto.tables.program import aligned
+from ev3proto.tables.system import SYSTEM
+from ev3proto.text.assembly.errors import SourceError, cited
+from ev3proto.text.assembly.notations import Known, Notation
+from ev3proto.text.assembly.syntax import Define, Pattern
+
+MOST_NAMES = 10_000
+"""Names that the text of frames can declare."""
+
+MAX_DEPTH = 50
+"""Defines that may be needed for the value of one."""
+
+NOT_NUMBERS = tuple(f"{kind}_NAN" for kind in (DATA8, DATA16, DATA32, DATAF))
+"""The firmware's names for the value of each type that is none."""
+
+_MOST_GUESSED = 60
+_LIKENESS = 0.67
+_MOST_KNOWN = 5000
+"""Names among which a misspelt one is looked for."""
+
+
+class Place(NamedTuple):
+    """A variable.
+
+    at        where it is declared in the text
+    scope     local or global
+    start     bytes from the start of that memory
+    type      of one element; STRING for a buffer, HANDLE for what was declared as one
+    elements  how many there are
+    is_array  whether it was declared with a number of elements
+    """
+
+    at: int
+    scope: str
+    start: int
+    type: Type
+    elements: int
+    is_array: bool = False
+
+    @property
+    def width(self) -> int:
+        """Bytes of an element."""
+        return 1 if self.type is Type.STRING else self.type.size
+
+    @property
+    def end(self) -> int:
+        """The offset after it, in its memory."""
+        return self.start + self.width * self.elements
+
+
+class Callee(NamedTuple):
+    """An object, as others see it.
+
+    number      1 or more
+    at          where it is declared
+    kind        the word that began it
+    parameters  type and direction of each; None where it takes none and no count is written, as for threads
+    """
+
+    number: int
+    at: int
+    kind: str
+    parameters: tuple[tuple[Direction, Type], ...] | None
+
+
+class Goal(NamedTuple):
+    """A label to jump to."""
+
+    name: str
+
+
+class Encoded(NamedTuple):
+    """An argument that a define stands for."""
+
+    data: bytes
+
+
+Meaning = int | float | str | Place | Callee | Goal | Encoded
+"""What a value means; a Fraction is a number, too, which LEGO's defines may be."""
+
+
+class Memory:
+    """Variables one after the other: globals, or the locals of one object."""
+
+    def __init__(self, scope: str, notation: Notation, limit: int) -> None:
+        self.scope = scope
+        self.size = 0
+        self._notation = notation
+        self._limit = limit
+
+    def place(self, at: int, name: str, kind: Type, count: int, is_array: bool) -> Place:
+        """The next variable. Raises SourceError where the memory ends before it."""
+        new = Place(at, self.scope, 0, kind, count, is_array)
+        if self._notation.rules.aligns_elements:
+            start = -(-self.size // new.width) * new.width
+        else:
+            start = aligned(self.size, new.width * count)
+        new = new._replace(start=start)
+        if new.end > self._limit:
+            raise SourceError(
+                at, f"{cited(name)} would end {new.end} bytes into {self.scope} memory, which has {self._limit}"
+            )
+        self.size = new.end
+        return new
+
+
+@dataclass
+class LocalNames:
+    """The names of one object, or of one message: variables and defines so far, labels with the places they are at."""
+
+    places: dict[str, Place] = field(default_factory=dict)
+    defines: dict[str, Define] = field(default_factory=dict)
+    labels: dict[str, int] = field(default_factory=dict)
+
+
+class Names:
+    """The names of a text, looked up in the order of its notation.
+
+    value  works out what a define stands for
+    """
+
+    def __init__(self, notation: Notation, value: Callable[[Define, LocalNames], Meaning]) -> None:
+        self.notation = notation
+        self.globals: dict[str, list[Place]] = {}
+        self.objects: dict[str, Callee] = {}
+        self.defines: dict[str, Define] = {}
+        self.local = LocalNames()
+        self._value = value
+        self._worked_out: dict[int, Meaning] = {}
+        self._depth = 0
+
+    def meaning(self, name: str, at: int, parameter: Parameter | None = None) -> Meaning | None:
+        """What a name means at an offset, None for a name that means nothing there.
+
+        Args:
+            name: The name.
+            at: Where it is used.
+            parameter: What it is for, if that is known.
+        """
+        place = self.local.places.get(name)
+        for where in self.notation.lookup:
+            if where is Known.LOCALS and place is not None:
+                return place
+            found = self._in(where, name, at, parameter)
+            if found is not None:
+                return found
+        return None
+
+    def _in(self, where: Known, name: str, at: int, parameter: Parameter | None) -> Meaning | None:
+        local = self.local
+        match where:
+            case Known.LOCALS:
+                return self.defined(local.defines[name], local) if name in local.defines else None
+            case Known.GLOBALS:
+                above = [it for it in self.globals.get(name, ()) if it.at < at]
+                return above[-1] if above else None
+            case Known.OBJECTS | Known.OBJECTS_ABOVE:
+                callee = self.objects.get(name)
+                return callee if callee and (where is Known.OBJECTS or callee.at < at) else None
+            case Known.CALLED:
+                is_called = parameter is not None and parameter.role is Role.OBJECT
+                return self.objects.get(name) if is_called else None
+            case Known.DEFINES | Known.DEFINES_ABOVE:
+                define = self.defines.get(name)
+                is_known = define is not None and (where is Known.DEFINES or define.at < at)
+                return self.defined(define, LocalNames()) if is_known and define is not None else None
+            case Known.FIRMWARE:
+                return firmware_constant(name, parameter if self.notation.has_messages else None)
+            case Known.GOALS:
+                is_goal = parameter is not None and parameter.role is Role.JUMP
+                # In a frame, a label may be set further down.
+                is_known = name in local.labels or (self.notation.has_messages and name not in local.places)
+                return Goal(name) if is_goal and is_known else None
+            case Known.LABELS:
+                define = self.defines.get(name)
+                is_hidden = self.notation.last_counts and define is not None and define.at > local.labels.get(name, 0)
+                return Goal(name) if name in local.labels and not is_hidden else None
+
+    def defined(self, define: Define, local: LocalNames) -> Meaning:
+        """What a define stands for."""
+        if define.at not in self._worked_out:
+            if self._depth >= MAX_DEPTH:
+                raise SourceError(define.at, f"{cited(define.name)} is defined by itself, or by too many others")
+            self._depth += 1
+            try:
+                self._worked_out[define.at] = self._value(define, local)
+            finally:
+                self._depth -= 1
+        return self._worked_out[define.at]
+
+    def known(self, parameter: Parameter | None = None) -> list[str]:
+        """Every name that can stand for a value, the likeliest first."""
+        local = self.local
+        own = [*local.places, *local.labels, *local.defines, *self.globals, *self.objects, *self.defines]
+        if parameter is None or not self.notation.has_messages:
+            return list(islice((*own, *firmware_names()), _MOST_KNOWN))
+        if parameter.enum is None:
+            return [*parameter.names, *own, *firmware_names()]
+        others = [name for name in firmware_constants() if name not in _members() and name not in _ends()]
+        return [*parameter.enum.members, *parameter.names, *own, *others]
+
+
+@cache
+def firmware_constants() -> dict[str, int | float | str]:
+    """Every constant of the firmware by name; opcodes, CMDs and system commands are none."""
+    found: dict[str, int | float | str] = dict(NUMBERS)
+    for name, value in CONSTANTS.items():
+        found.setdefault(name, Pattern(value) if name in NOT_NUMBERS else value)
+    others = {command.name for opcode in OPCODES for command in opcode.commands} | {entry.name for entry in SYSTEM}
+    for name in constant_names():
+        if name in found or name in others or name.startswith(("op", "SYSTEM_")):
+            continue
+        plain = constant(name)
+        # What is left as a text says what ev3_dc is to use, and no part of the protocol.
+        if not isinstance(plain, str):
+            found[name] = plain if isinstance(plain, int) else int(CMD.read(plain, 0)[0].value)
+    return found
+
+
+@cache
+def firmware_names() -> dict[str, int | float | str]:
+    """The same with the number of every CMD by name. None has two."""
+    commands = {command.name: command.number for opcode in OPCODES for command in opcode.commands}
+    return commands | firmware_constants()
+
+
+@cache
+def _members() -> frozenset[str]:
+    return frozenset(name for enumeration in ENUMERATIONS for name in enumeration.members)
+
+
+@cache
+def _ends() -> frozenset[str]:
+    return frozenset(enumeration.end[0] for enumeration in ENUMERATIONS if enumeration.end is not None)
+
+
+def firmware_constant(name: str, parameter: Parameter | None) -> int | float | str | None:
+    """The firmware's constant of a name, None where there is none.
+
+    Args:
+        name: The name, as the firmware spells it.
+        parameter: What the constant is for, if that is known. Where it has an enumeration, neither another
+            enumeration's member nor a CMD can stand for it.
+    """
+    if parameter is not None:
+        number = parameter.number_of(name)
+        if number is not None:
+            return number
+        if parameter.enum is not None:
+            return None if name in _members() else firmware_constants().get(name)
+    return firmware_names().get(name)
+
+
+def suggestion(name: str, known: Iterable[str]) -> str:
+    """`: did you mean TONE?` for a name that nearly is a known one, in any case; or nothing. Never the name itself."""
+    if len(name) > _MOST_GUESSED:
+        return ""
+    by_upper: dict[str, str] = {}
+    for candidate in known:
+        if candidate != name:
+            by_upper.setdefault(candidate.upper(), candidate)
+    near = (
+        [name.upper()] if name.upper() in by_upper else difflib.get_close_matches(name.upper(), by_upper, 3, _LIKENESS)
+    )
+    return f": did you mean {' or '.join(by_upper[match] for match in near)}?" if near else ""

@@ -1,0 +1,488 @@
+"""Statements to the objects of a program, as plain data: memory laid out, values encoded, jumps measured.
+
+What an image is made of this way is the matter of `ev3proto.program`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from ev3proto.errors import BuildError, counted
+from ev3proto.schema.operation import CMD
+from ev3proto.tables import OPCODES
+from ev3proto.tables.declaration import Direction, Parameter, Role, Type
+from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS, MAX_PARAMETERS
+from ev3proto.tables.source import (
+    BASIC_NAMES,
+    OLD_WORDS,
+    PARAMETER_WORDS,
+    SIZED_PARAMETERS,
+    SIZED_WORDS,
+    VARIABLE_WORDS,
+)
+from ev3proto.text.assembly.checks import of_call, of_operation
+from ev3proto.text.assembly.errors import MOST_ERRORS, SourceError, cited
+from ev3proto.text.assembly.names import Callee, LocalNames, Meaning, Memory, Names, Place, firmware_names, suggestion
+from ev3proto.text.assembly.notations import OF_EV3_G, Notation, Rules
+from ev3proto.text.assembly.operations import parameters_of
+from ev3proto.text.assembly.parsing import Parser
+from ev3proto.text.assembly.settings import ObjectSettings, Settings, SettingsReader
+from ev3proto.text.assembly.syntax import (
+    Alias,
+    Call,
+    Closing,
+    Declaration,
+    Define,
+    Distance,
+    Form,
+    Label,
+    Marked,
+    Name,
+    Number,
+    Opening,
+    Raw,
+    Statement,
+    Unchecked,
+    Value,
+)
+from ev3proto.text.assembly.values import Encoder, Piece, integer, joined
+
+_OPCODES = {opcode.name: bytes((opcode.number,)) for opcode in OPCODES}
+_CALL, _RETURN, _OBJECT_END, _OBJECT_TRIG = "CALL", "RETURN", "OBJECT_END", "OBJECT_TRIG"
+_THREAD, _SUBCALL, _BLOCK = "vmthread", "subcall", "block"
+
+Declared = tuple[Direction, Type, int]
+"""A parameter that a subcall declares: its direction, its type, its bytes."""
+
+
+class AssembledObject(NamedTuple):
+    """An object of a program.
+
+    owner, triggers, local_size  as its header has them
+    parameters                   what a subcall declares; None for other objects
+    declared                     how many parameters the code says there are; that of the last object of the same name
+    code                         its operations, encoded
+    shares                       the number of the object whose code it uses; None where the code is its own
+    """
+
+    owner: int
+    triggers: int
+    local_size: int
+    parameters: tuple[Declared, ...] | None
+    declared: int
+    code: bytes
+    shares: int | None
+
+
+class AssembledProgram(NamedTuple):
+    """A program.
+
+    settings     what the source says of its image
+    global_size  bytes of global memory
+    objects      in the order of their numbers
+    of_objects   what the source says of each
+    lasts        of each object, the number of the last one of the same name, less 1
+    """
+
+    settings: Settings
+    global_size: int
+    objects: list[AssembledObject]
+    of_objects: list[ObjectSettings]
+    lasts: list[int]
+
+
+@dataclass
+class _Object:
+    """An object while it is made.
+
+    head        what began it
+    alias_of    another head for the code of that object
+    body        its statements
+    parts       bytes, and jumps that cannot be measured yet
+    labels      by name: the number of the part that a label precedes
+    last        the name of the operation that was written last
+    """
+
+    head: Opening | Alias
+    settings: ObjectSettings
+    memory: Memory
+    alias_of: str | None = None
+    body: list[Statement] = field(default_factory=list)
+    names: LocalNames = field(default_factory=LocalNames)
+    parameters: list[Declared] = field(default_factory=list)
+    parts: list[Piece] = field(default_factory=list)
+    labels: dict[str, int] = field(default_factory=dict)
+    last: str = ""
+
+
+class ProgramAssembler:
+    """Makes the objects of one source.
+
+    errors    what is wrong
+    warnings  offset and sentence of what assembles and may not be meant
+    """
+
+    def __init__(self, text: str, notation: Notation, coding: str, rules: Rules | None = None) -> None:
+        parser = Parser(text, notation, coding)
+        self.errors: list[SourceError] = []
+        self.warnings = parser.warnings
+        self._notation = notation
+        self._settings = SettingsReader(text, self.errors)
+        # Only EV3-G's and EV3 Basic's rules are asked for, and neither has a say where variables are.
+        self._rules = rules or self._settings.file.rules or notation.rules
+        self._names = Names(notation, lambda define, _: self._encoder.meaning(define.value))
+        self._encoder = Encoder(self._names, self._rules, self.warnings)
+        self._globals = Memory(GLOBAL, notation, MAX_MEMORY)
+        self._objects: list[_Object] = []
+        self._declarations: list[Declaration] = []
+        self._group(parser.statements())
+
+    def _keep(self, error: SourceError) -> None:
+        if len(self.errors) < MOST_ERRORS:
+            self.errors.append(error)
+
+    # What belongs to which object
+
+    def _group(self, statements: Iterable[Statement | SourceError]) -> None:
+        current: _Object | None = None
+        defines: list[Define] = []
+        for statement in statements:
+            try:
+                match statement:
+                    case SourceError():
+                        raise statement
+                    case Closing(at):
+                        if current is None:
+                            raise SourceError(at, "there is no { that this } could end")
+                        current = None
+                    case Opening() if current is None:
+                        current = self._begun(statement)
+                    case Opening(at, word, name) if self._notation.folds and word == _SUBCALL:
+                        self._begun(Alias(at, word, name), current)
+                    case Opening(at, word):
+                        raise SourceError(at, f"a {word} cannot begin in another object: a }} is missing before it")
+                    case Alias():
+                        self._begun(statement, current)
+                    case Define() if current is None or self._notation.last_counts:
+                        if current is not None:
+                            self.warnings.append((statement.at, "a define inside an object is known in the whole file"))
+                        defines.append(statement)
+                    case Declaration(scope=scope) if current is None or scope == GLOBAL:
+                        self._declarations.append(statement)
+                    case _ if current is None:
+                        what = cited(getattr(statement, "name", "this"))
+                        raise SourceError(
+                            statement.at, f"{what} is outside of any object: put it into a vmthread or a subcall"
+                        )
+                    case _:
+                        current.body.append(statement)
+            except SourceError as error:
+                self._keep(error)
+            if len(self.errors) >= MOST_ERRORS:
+                return
+        if current is not None and not self.errors:
+            # Where something is wrong above, that may have taken the } with it.
+            self._keep(SourceError(current.head.at, f"{current.head.word} {current.head.name} has no }} at its end"))
+        if not self.errors:
+            self._declare_all(defines)
+
+    def _begun(self, head: Opening | Alias, current: _Object | None = None) -> _Object:
+        if len(self._objects) >= MAX_OBJECTS:
+            raise SourceError(head.at, f"a program has at most {MAX_OBJECTS} objects")
+        memory = Memory(LOCAL, self._notation, MAX_MEMORY)
+        new = _Object(head, self._settings.before(head.at), memory, current.head.name if current else None)
+        self._objects.append(new)
+        return new
+
+    # Names of the file
+
+    def _declare_all(self, defines: Sequence[Define]) -> None:
+        if self._notation.folds:
+            self._number_by_mention()
+        for define in defines:
+            self._tried(self._check_new, define.at, define.name)
+            self._names.defines[define.name] = define
+        for number, one in enumerate(self._objects, 1):
+            self._tried(self._declare_object, number, one)
+        for one in self._objects:
+            of = self._implementation(one)
+            if of is not one and one.head.word == _SUBCALL:
+                callee = self._names.objects[one.head.name]
+                self._names.objects[one.head.name] = callee._replace(parameters=_declared_by(of.body))
+        for declaration in self._declarations:
+            self._tried(self._global, declaration)
+
+    def _tried(self, function: object, *arguments: object) -> None:
+        try:
+            function(*arguments)  # type: ignore[operator]
+        except SourceError as error:
+            self._keep(error)
+        except BuildError as error:
+            self._keep(SourceError(getattr(arguments[-1], "at", 0), str(error)))
+
+    def _number_by_mention(self) -> None:
+        """EV3 Basic numbers objects as their names are mentioned first, by whatever."""
+        order: dict[str, None] = {}
+        for one in sorted(self._objects, key=lambda one: one.head.at):
+            order.setdefault(one.head.name)
+            for statement in one.body:
+                if isinstance(statement, Call):
+                    parameters = self._parameters(statement)
+                    for parameter, argument in zip(parameters, statement.arguments, strict=False):
+                        if parameter.role is Role.OBJECT and isinstance(argument.value, Name):
+                            order.setdefault(argument.value.text)
+        numbers = {name: number for number, name in enumerate(order)}
+        self._objects.sort(key=lambda one: numbers[one.head.name])
+
+    def _implementation(self, one: _Object) -> _Object:
+        """The object whose code an object uses."""
+        if one.alias_of is not None:
+            return next(it for it in self._objects if it.head.name == one.alias_of)
+        shared = one.settings.numbers.get("shares", 0)
+        return self._objects[shared - 1] if 0 < shared <= len(self._objects) else one
+
+    def _check_new(self, at: int, name: str) -> None:
+        """Refuses a name twice, or warns; and warns of names that the firmware has."""
+        if name in firmware_names() and not self._notation.folds:
+            self.warnings.append((at, f"{name} is a name of the firmware, which means something else from here on"))
+        names = self._names
+        if name in names.defines or name in names.objects or name in names.globals:
+            self._check_twice(at, f"{cited(name)} is declared already")
+
+    def _check_twice(self, at: int, reason: str) -> None:
+        if not self._notation.last_counts:
+            raise SourceError(at, reason)
+        self.warnings.append((at, f"{reason}: the last one counts"))
+
+    def _declare_object(self, number: int, one: _Object) -> None:
+        self._check_new(one.head.at, one.head.name)
+        parameters = None
+        if one.head.word == _SUBCALL:
+            parameters = _declared_by(one.body)
+            if len(parameters) > MAX_PARAMETERS:
+                count = len(parameters)
+                raise SourceError(one.head.at, f"a subcall has at most {MAX_PARAMETERS} parameters, not {count}")
+        self._names.objects[one.head.name] = Callee(number, one.head.at, one.head.word, parameters)
+
+    def _global(self, item: Declaration) -> None:
+        self._check_new(item.at, item.name)
+        if item.word in PARAMETER_WORDS:
+            raise SourceError(item.at, f"{item.word} declares a parameter, which only a subcall has")
+        self._names.globals.setdefault(item.name, []).append(self._place(item, self._globals))
+
+    def _place(self, item: Declaration, memory: Memory) -> Place:
+        """The memory of a declaration."""
+        kind = VARIABLE_WORDS.get(item.word, Type.DATA8)
+        if item.word in PARAMETER_WORDS:
+            kind = PARAMETER_WORDS[item.word][1]
+        count = 1
+        is_array = item.word in SIZED_WORDS or item.word in SIZED_PARAMETERS
+        if item.size is not None and (is_array or item.word in OLD_WORDS):
+            count = self._encoder.whole(item.size, f"the size of {cited(item.name)}", 0, (1 << 31) - 1)
+        place = memory.place(item.at, item.name, kind, count, is_array)
+        if is_array and place.start % place.width:
+            self.warnings.append(
+                (
+                    item.at,
+                    f"{item.name} starts at {place.start}, which is not a multiple of {place.width}: its elements are"
+                    " not aligned, and the brick refuses to read them",
+                )
+            )
+        return place
+
+    # Objects
+
+    def program(self) -> AssembledProgram | None:
+        """The program; None where there are errors."""
+        for one in self._objects:
+            if one.alias_of is None and not self.errors:
+                self._body(one)
+        if self.errors:
+            return None
+        owners = self._owners()
+        entries: list[AssembledObject] = []
+        first: dict[tuple[object, ...], int] = {}
+        for number, one in enumerate(self._objects, 1):
+            try:
+                entries.append(self._entry(number, one, owners, first))
+            except SourceError as error:
+                self._keep(error)
+        lasts = [self._names.objects[one.head.name].number - 1 for one in self._objects]
+        settings = [one.settings for one in self._objects]
+        return AssembledProgram(self._settings.file, self._globals.size, entries, settings, lasts)
+
+    def _body(self, one: _Object) -> None:
+        self._names.local = one.names
+        for statement in one.body:
+            if isinstance(statement, Label):
+                if statement.name in one.names.labels:
+                    reason = f"the label {cited(statement.name)} is set already"
+                    self._tried(self._check_twice, statement.at, reason)
+                one.names.labels[statement.name] = statement.at
+        for statement in one.body:
+            self._tried(self._statement, one, statement)
+            if len(self.errors) >= MOST_ERRORS:
+                break
+        if not one.settings.is_open:
+            # LEGO's assembler adds a RETURN to one that is written, too.
+            is_written = one.last == _RETURN and not self._notation.by_line
+            if one.head.word == _SUBCALL and not is_written:
+                one.parts.append(_OPCODES[_RETURN])
+            one.parts.append(_OPCODES[_OBJECT_END])
+
+    def _statement(self, one: _Object, statement: Statement) -> None:
+        match statement:
+            case Call():
+                self._operation(statement, one)
+            case Label(at, name):
+                if name in firmware_names() and not self._notation.folds:
+                    is_hiding = self._notation.last_counts
+                    what = "in this object it means the label" if is_hiding else "jumps to it mean that"
+                    self.warnings.append((at, f"{name} is a name of the firmware: {what}"))
+                one.labels[name] = len(one.parts)
+            case Declaration():
+                self._local(statement, one)
+            case Define(at, name):
+                if name in one.names.places or name in one.names.defines:
+                    raise SourceError(at, f"{cited(name)} is declared already")
+                one.names.defines[name] = statement
+            case Raw(_, data):
+                one.parts.append(data)
+                one.last = ""
+
+    def _local(self, item: Declaration, one: _Object) -> None:
+        if item.name in one.names.places or item.name in one.names.defines:
+            self._check_twice(item.at, f"{cited(item.name)} is declared already")
+        is_parameter = item.word in PARAMETER_WORDS
+        if is_parameter and one.head.word != _SUBCALL:
+            raise SourceError(item.at, f"a {one.head.word} has no parameters; only a subcall has")
+        if is_parameter and one.parts:
+            raise SourceError(item.at, "parameters have to be declared in front of the first operation")
+        place = self._place(item, one.memory)
+        one.names.places[item.name] = place
+        if is_parameter:
+            direction, kind = PARAMETER_WORDS[item.word]
+            one.parameters.append((direction, kind, place.end - place.start))
+
+    # Operations
+
+    def _name(self, call: Call) -> str:
+        """The firmware's name of an operation; EV3 Basic has its own for some."""
+        return BASIC_NAMES.get(call.name, call.name) if self._notation.folds else call.name
+
+    def _parameters(self, call: Call) -> tuple[Parameter, ...]:
+        return parameters_of(call._replace(name=self._name(call)))
+
+    def _operation(self, call: Call, one: _Object) -> None:
+        name = self._name(call)
+        code = _OPCODES.get(name)
+        if code is None:
+            raise SourceError(call.at, f"unknown operation {cited(call.name)}{suggestion(call.name, _OPCODES)}")
+        one.last = name
+        if name == _CALL:
+            one.parts += [code, *self._call(call)]
+            return
+        parameters = self._parameters(call)
+        pieces: list[Piece] = [code]
+        meant: list[Meaning | None] = []
+        for number, argument in enumerate(call.arguments):
+            parameter = parameters[number] if number < len(parameters) else None
+            value = argument.value
+            if number == 0 and self._notation.folds and len(parameters) > 1 and isinstance(value, Name):
+                # The name of a CMD is part of the operation's, whatever else is called so.
+                value = _as_number(value, parameters)
+            piece, meaning = self._argument(value, parameter)
+            pieces.append(piece)
+            meant.append(meaning)
+        one.parts += pieces
+        if not self._notation.folds:
+            self.warnings += of_operation(call, name, meant)
+
+    def _call(self, call: Call) -> Iterator[Piece]:
+        """The arguments of a CALL. Of a subcall by name, the number of its parameters is written too."""
+        if not call.arguments:
+            self.warnings.append((call.at, "CALL needs the name of the subcall, and then its arguments"))
+            return
+        first, *others = [argument.value for argument in call.arguments]
+        piece, callee = self._argument(first, self._parameters(call)[0])
+        yield piece
+        declares = isinstance(callee, Callee) and callee.parameters is not None
+        if isinstance(callee, Callee) and callee.parameters is not None:
+            yield integer(len(callee.parameters), self._rules)
+            if len(others) != len(callee.parameters):
+                wanted = counted(len(callee.parameters), "argument")
+                shown = cited(first.text) if isinstance(first, Name) else "the subcall"
+                reason = f"{shown} takes {wanted}, and here are {len(others)}"
+                if not self._notation.last_counts:
+                    raise SourceError(call.at, reason)
+                self.warnings.append((call.at, reason))
+        elif callee is not None and not isinstance(callee, Callee):
+            reason = "CALL takes a subcall by its name; anything else has its count written, too"
+            self.warnings.append((first.at, reason))
+        meant: list[Meaning | None] = []
+        for value in others:
+            piece, meaning = self._argument(value, None)
+            yield piece
+            meant.append(meaning)
+        if declares and isinstance(callee, Callee) and not self._notation.folds:
+            self.warnings += of_call(call, meant, callee)
+
+    def _argument(self, value: Value, parameter: Parameter | None) -> tuple[Piece, Meaning | None]:
+        """The bytes of an argument, or the jump that it is; and what it means, None for what is not to be checked."""
+        if isinstance(value, Raw | Form | Marked | Distance | Unchecked):
+            return self._encoder.argument(value), None
+        meaning = self._encoder.meaning(value, parameter)
+        return self._encoder.encoded(meaning, value), meaning
+
+    # The program
+
+    def _entry(
+        self, number: int, one: _Object, owners: dict[str, int], first: dict[tuple[object, ...], int]
+    ) -> AssembledObject:
+        head, said, of = one.head, one.settings, self._implementation(one)
+        owner = said.numbers.get("owner", owners.get(head.name, 1) if head.word == _BLOCK else 0)
+        triggers = said.numbers.get("triggers", 0 if head.word == _THREAD else 1)
+        size = said.numbers.get("locals", (of if one.alias_of else one).memory.size)
+        shares: int | None = None
+        code = b""
+        if of is not one:
+            shares = self._objects.index(of) + 1
+        elif "shares" in said.numbers:
+            shares = said.numbers["shares"]
+        if shares is not None and (of is one or (one.alias_of is None and shares >= number)):
+            raise SourceError(head.at, f"{head.name} cannot share the code of object {shares}")
+        parameters = tuple(one.parameters) if head.word == _SUBCALL else None
+        if shares is None:
+            code = joined(one.parts, one.labels, self._rules)
+            key = (owner, triggers, size, parameters, code)
+            if self._rules is OF_EV3_G and not said.is_own:
+                shares = first.get(key)
+            first.setdefault(key, number)
+        count = len(self._names.objects[head.name].parameters or ())
+        return AssembledObject(owner, triggers, size, parameters, count, code, shares)
+
+    def _owners(self) -> dict[str, int]:
+        """By the name of a block: the only object that triggers it, or else the first."""
+        triggering: dict[str, set[int]] = {}
+        for number, one in enumerate(self._objects, 1):
+            for statement in one.body:
+                if isinstance(statement, Call) and statement.name == _OBJECT_TRIG and statement.arguments:
+                    first = statement.arguments[0].value
+                    if isinstance(first, Name):
+                        triggering.setdefault(first.text, set()).add(number)
+        return {name: numbers.pop() if len(numbers) == 1 else 1 for name, numbers in triggering.items()}
+
+
+def _declared_by(body: Iterable[Statement]) -> tuple[tuple[Direction, Type], ...]:
+    """Direction and type of the parameters that a subcall declares."""
+    words = (it.word for it in body if isinstance(it, Declaration))
+    return tuple(PARAMETER_WORDS[word] for word in words if word in PARAMETER_WORDS)
+
+
+def _as_number(value: Name, parameters: Sequence[Parameter]) -> Value:
+    """A CMD as its number, where the operation has others after it, so that no variable hides its name."""
+    number = firmware_names().get(value.text)
+    return Number(value.at, number) if isinstance(number, int) and parameters[0] is CMD.parameter else value

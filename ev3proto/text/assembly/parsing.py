@@ -1,0 +1,700 @@
+"""The grammar: tokens to statements, by the settings of a notation. What names mean is not looked at.
+
+A parser of its own: where an operation of the macro notation ends depends on what follows its last comma, bytes are
+written in hex without quotes, and LEGO's assembler takes a line for a list of words. A tool's grammar would have to be
+bent for each, and its errors be translated back.
+"""
+
+from __future__ import annotations
+
+import re
+import struct
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from ev3proto.tables.source import (
+    BYTES,
+    DEFINE,
+    HANDLE_PARAMETERS,
+    OBJECT_WORDS,
+    OLD_WORDS,
+    PARAMETER_WORDS,
+    SIZED_PARAMETERS,
+    SIZED_WORDS,
+    VARIABLE_WORDS,
+)
+from ev3proto.text.assembly.errors import SourceError, cited
+from ev3proto.text.assembly.lexing import BAD, END, NAME, NUMBER, TEXT, WORD, Token, text_of, tokens
+from ev3proto.text.assembly.names import suggestion
+from ev3proto.text.assembly.notations import BASIC, Arithmetic, Notation, Octal, Point
+from ev3proto.text.assembly.syntax import (
+    Alias,
+    Call,
+    Closing,
+    Declaration,
+    Define,
+    Distance,
+    Element,
+    Form,
+    Header,
+    Label,
+    Marked,
+    Name,
+    Negative,
+    Number,
+    Offset,
+    Opening,
+    Pattern,
+    Raw,
+    RawFrame,
+    Statement,
+    Sum,
+    Text,
+    Unchecked,
+    Value,
+    WrittenArgument,
+)
+from ev3proto.text.assembly.words import CUT, FORMS, FRAME, MARKS, MESSAGE
+
+MAX_DEPTH = 50
+"""Nesting of values."""
+
+MAX_PARTS = 1 << 16
+"""Values of one operation, parts of one expression: more than any frame has bytes."""
+
+MAX_BYTES = 1 << 16
+"""Bytes that one statement can say: more than any length field does."""
+
+MAX_DIGITS = 64
+"""Characters of a number."""
+
+_SIZED = frozenset((*SIZED_WORDS, *SIZED_PARAMETERS))
+_AS_VARIABLE = {"8": "DATA8", "16": "DATA16", "32": "DATA32", "F": "DATAF", "S": "DATAS", "H": "HANDLE"}
+"""By the end of the word that declares a parameter: the word for a variable of that type."""
+
+_TEMPLATES = ("INIT", "INLINE")
+"""What EV3 Basic's library has for its compiler: pieces of code that it puts into programs."""
+
+_OPERATION = re.compile(r"op[A-Z_]\w*", re.ASCII)
+_HEX = re.compile(r"(?:0[xX])?(?:[0-9a-fA-F]{2})+", re.ASCII)
+_RANKS = (("|",), ("+", "-"), ("*", "/"))
+
+
+def is_operation_word(name: str) -> bool:
+    """Whether a name is an operation in the macro notation: `opSOUND`."""
+    return _OPERATION.match(name) is not None
+
+
+class Parser:
+    """Reads statement after statement, three tokens ahead at most.
+
+    warnings  offset and sentence of what is right and may not be meant
+    """
+
+    def __init__(self, text: str, notation: Notation, coding: str = "latin-1") -> None:
+        self.notation = notation
+        self.warnings: list[tuple[int, str]] = []
+        self._coding = coding
+        self._tokens = tokens(text, notation)
+        self._ahead: deque[Token] = deque()
+        self._depth = 0
+        self._last = Token(END, "", 0, True)
+        words: tuple[str, ...] = tuple(VARIABLE_WORDS)
+        if not notation.has_messages:
+            words += tuple(word for word in PARAMETER_WORDS if notation.needs_braces or word not in HANDLE_PARAMETERS)
+        if notation.last_counts:
+            words += OLD_WORDS
+        self._declaring = frozenset(words)
+        self._fold = str.upper if notation.folds else str
+        self._heads = {self._fold(word): word for word in notation.heads}
+
+    def statements(self) -> Iterator[Statement | SourceError]:
+        """The statements of the text. What is wrong comes as an error; reading goes on with the next line."""
+        while not self._is_at_end():
+            start = self._peek()
+            try:
+                yield from self._line() if self.notation.by_line else self._statement()
+            except SourceError as error:
+                yield error
+                self._depth = 0
+                if self._peek() is start:
+                    self._next()
+                self._skip_line()
+
+    def _is_at_end(self) -> bool:
+        """Whether there is no further statement. In frames, marks between statements are passed over."""
+        while self.notation.has_messages and self._peek().is_mark(",", ";"):
+            self._next()
+        return self._peek().kind == END
+
+    def _skip_line(self) -> None:
+        while not self._peek().is_first:
+            self._next()
+
+    # Statements between marks
+
+    def _statement(self) -> Iterator[Statement]:
+        token, notation = self._peek(), self.notation
+        word = token.text
+        if token.is_mark("}"):
+            self._next()
+            yield Closing(token.at)
+        elif token.is_mark("#"):
+            self._next()
+            if self._peek().text != DEFINE:
+                raise SourceError(token.at, "unknown directive; of the lines that start with # there is only #define")
+            yield self._define()
+        elif token.kind != NAME:
+            raise self._unexpected(
+                "an operation such as SOUND(TONE, 1, 440, 1000)"
+                if notation.has_messages
+                else "an operation, a label or a declaration"
+            )
+        elif self._peek(1).is_mark(":"):
+            self._next()
+            self._next()
+            yield Label(token.at, word)
+        elif word in self._heads and not self._peek(1).is_mark("("):
+            yield from self._head()
+        elif word in self._declaring or (notation.has_messages and word in OLD_WORDS):
+            yield self._declaration()
+        elif word == DEFINE:
+            yield self._define()
+        elif word == BYTES:
+            self._next()
+            yield self._raw(token) if self._peek().is_mark("(") else Raw(token.at, self._hex(token, until_mark=False))
+        elif self._peek(1).is_mark("("):
+            yield self._call()
+        elif notation.has_messages:
+            yield self._of_message(token)
+        elif word in VARIABLE_WORDS or word in OBJECT_WORDS:
+            raise self._unexpected("an operation, a label or a declaration")
+        else:
+            raise SourceError(token.end, f"expected ( after {cited(word)}, found {self._shown(self._peek(1))}")
+
+    def _of_message(self, token: Token) -> Statement:
+        """What only frames have."""
+        word = token.text
+        if word == MESSAGE:
+            return self._header()
+        if word == FRAME:
+            self._next()
+            return RawFrame(token.at)
+        if word in OBJECT_WORDS or word in PARAMETER_WORDS:
+            declared = _AS_VARIABLE.get(word.partition("_")[2])
+            hint = f"; {declared} declares a variable" if declared is not None else ""
+            raise SourceError(token.at, f"a direct command has no subroutines: it is one piece, as a vmthread is{hint}")
+        return self._macro_operation() if is_operation_word(word) else self._bare()
+
+    def _header(self) -> Header:
+        at = self._next().at
+        kind = self._name_of(self._next()) if self._is_name_here() and self._peek().text.isupper() else None
+        facts: list[tuple[Name, Number | Name]] = []
+        while not self._peek().is_first:
+            name = self._expect_name("counter, globals, locals or length")
+            value = self._peek()
+            if value.is_first or value.kind not in (NUMBER, NAME):
+                raise self._line_end(f"the value of {name.text}")
+            facts.append((name, self._number() if value.kind == NUMBER else self._name_of(self._next())))
+        return Header(at, kind, tuple(facts))
+
+    def _define(self) -> Define:
+        self._next()
+        name = self._expect_name("the name to define")
+        if self._peek().is_first and (self.notation.by_line or self.notation.has_messages):
+            raise self._line_end(f"the value of {name.text}")
+        return Define(name.at, name.text, self._value())
+
+    def _head(self) -> Iterator[Statement]:
+        """One object, or several heads in a row for the same code."""
+        notation = self.notation
+        opening: Opening | None = None
+        while opening is None or (self._peek().text in self._heads and self._peek().kind == NAME):
+            at = self._peek().at
+            word = self._heads[self._next().text]
+            name = self._expect_name(f"the name of the {word}", is_same_line=notation.by_line).text
+            yield Alias(at, word, name) if opening else (opening := Opening(at, word, name))
+            if notation.by_line:
+                found = False
+                while not self._peek().is_first:
+                    found |= self._next().is_mark("{")
+                if found:
+                    return
+        if notation.needs_braces:
+            self._expect("{", f"{{ after {opening.word} {cited(opening.name)}")
+        elif self._peek().is_mark("{"):
+            self._next()
+            self._skip_line()
+
+    def _declaration(self) -> Declaration:
+        notation = self.notation
+        scope = None
+        if notation.has_messages and self._peek().text in OLD_WORDS:
+            scope = self._next().text
+        kind = self._peek()
+        if kind.kind != NAME or kind.text not in self._declaring:
+            raise self._line_end(f"a type ({', '.join(VARIABLE_WORDS)})")
+        self._next()
+        name = self._expect_name("the name of the variable", is_same_line=notation.by_line or notation.has_messages)
+        size: Value | None = None
+        is_sized = kind.text in _SIZED or (notation.last_counts and kind.text in OLD_WORDS)
+        following = self._peek()
+        if notation.has_messages and following.is_mark("["):
+            self._next()
+            size = self._value()
+            self._expect("]")
+        elif (is_sized or notation.has_messages) and not following.is_mark(",", ";", "}"):
+            is_here = not following.is_first or not (notation.by_line or notation.has_messages)
+            size = self._value() if is_here else None
+        if size is None and is_sized:
+            raise self._line_end(f"the number of elements of {name.text}")
+        if notation.last_counts and kind.text in OLD_WORDS:
+            scope = kind.text
+        return Declaration(name.at, kind.text, name.text, size, scope)
+
+    def _call(self) -> Call:
+        """`NAME(value, value)`. Frames may lack the ) at a line's end; two commas in a row count as one."""
+        token, notation = self._next(), self.notation
+        self._expect("(")
+        arguments: list[WrittenArgument] = []
+        while not self._peek().is_mark(")", CUT):
+            if self._peek().is_mark(","):
+                self._next()
+                continue
+            if self._peek().is_mark("{", "}", ":") or (self._peek().kind == END and not notation.needs_commas):
+                raise SourceError(self._peek().at, f"the ) of {cited(token.text)} is missing")
+            arguments.append(self._argument(arguments))
+            if notation.needs_commas and not self._peek().is_mark(")", ","):
+                if self._ends_without_mark():
+                    return Call(token.at, token.text, tuple(arguments), self._peek().at)
+                raise self._unexpected(", or )")
+            if self._peek().is_mark(","):
+                self._next()
+        is_complete = self._is_complete()
+        return Call(token.at, token.text, tuple(arguments), self._expect(")").at, is_complete)
+
+    def _ends_without_mark(self) -> bool:
+        """Whether the line ends here, and what follows could be the next statement."""
+        token = self._peek()
+        return token.is_first and (token.kind in (NAME, END) or token.is_mark("}", "#"))
+
+    def _macro_operation(self) -> Call:
+        """`opNAME, value, value`, over as many lines as commas lead."""
+        token = self._next()
+        arguments: list[WrittenArgument] = []
+        while self._peek().is_mark(","):
+            self._next()
+            if self._peek().is_mark(CUT) or self._starts_statement():
+                break
+            arguments.append(self._argument(arguments))
+        is_complete = self._is_complete()
+        end = self._peek()
+        if not end.is_first and not end.is_mark(";", "}") and not self._starts_statement():
+            raise self._unexpected("a comma" if is_complete else "the end of the line")
+        return Call(token.at, token.text, tuple(arguments), end.at, is_complete)
+
+    def _bare(self) -> Call:
+        """A name alone, for an operation without values."""
+        token = self._next()
+        following = self._peek()
+        if not following.is_first and not following.is_mark(",", ";", "}"):
+            raise self._unexpected(f"(, as in {token.text}(...)")
+        return Call(token.at, token.text, (), following.at)
+
+    def _is_complete(self) -> bool:
+        if not self._peek().is_mark(CUT):
+            return True
+        self._next()
+        return False
+
+    def _starts_statement(self) -> bool:
+        """Whether a statement starts here, after the comma of an operation in the macro notation."""
+        token, following = self._peek(), self._peek(1)
+        if token.kind == END or token.is_mark("}", "#"):
+            return True
+        if token.kind != NAME:
+            return False
+        if is_operation_word(token.text) or following.is_mark(":"):
+            return True
+        if not token.is_first:
+            return False
+        if following.is_mark("("):
+            return token.text not in (*FORMS, *MARKS, BYTES)
+        return token.text in (MESSAGE, FRAME, BYTES, DEFINE, "vmthread", *OLD_WORDS, *VARIABLE_WORDS)
+
+    # Lines
+
+    def _line(self) -> Iterator[Statement]:
+        """A line of a notation whose words stand between blanks."""
+        token, notation = self._peek(), self.notation
+        word = token.text
+        if token.is_mark("}"):
+            self._next()
+            yield Closing(token.at)
+            self._skip_line()
+        elif token.kind != NAME:
+            if token.is_mark("{"):
+                raise SourceError(token.at, "there is no vmthread or subcall that this { could begin")
+            raise self._unexpected("an operation, a label or a declaration")
+        elif self._peek(1).is_mark(":") and self._peek(1).at == token.end:
+            self._next()
+            self._next()
+            yield Label(token.at, word)
+            if not self._peek().is_first:
+                self.warnings.append((self._peek().at, f"what follows the label {cited(word)} on its line is omitted"))
+            self._skip_line()
+        elif word in self._heads:
+            yield from self._head()
+        elif notation is BASIC and word in _TEMPLATES:
+            self._template()
+        else:
+            if word == DEFINE and notation.last_counts:
+                yield self._define()
+            elif word in self._declaring:
+                yield self._declaration()
+            else:
+                yield self._words()
+            if self._peek().is_mark(";"):
+                self.warnings.append((self._next().at, "a ; means nothing: it is omitted"))
+            if not self._peek().is_first:
+                raise self._unexpected("the end of the line")
+
+    def _words(self) -> Call:
+        """An operation and its arguments, up to the end of the line."""
+        token = self._next()
+        arguments: list[WrittenArgument] = []
+        while not self._peek().is_first and not self._peek().is_mark(";"):
+            arguments.append(WrittenArgument(None, self._word()))
+        return Call(token.at, token.text, tuple(arguments), self._last.end)
+
+    def _template(self) -> None:
+        """A piece that the compiler of EV3 Basic puts into programs: it becomes no object."""
+        token = self._next()
+        self.warnings.append((token.at, f"{token.text.lower()} is a template of the compiler: it is omitted"))
+        while self._peek().kind != END and not self._peek().is_mark("}"):
+            self._next()
+        self._next()
+
+    def _word(self) -> Value:
+        """A value by itself: a number with its sign, a name, a text, names joined by signs without blanks."""
+        token = self._peek()
+        if token.is_mark("-", "+") and self._peek(1).kind == NUMBER and self._peek(1).at == token.end:
+            self._next()
+            return self._number(-1 if token.text == "-" else 1, token.at)
+        if token.is_mark("@", "&") and self._peek(1).kind == NAME:
+            self._next()
+            return Marked(token.at, token.text, self._name_of(self._next()))
+        if token.kind != NAME:
+            return self._plain()
+        name = self._name_of(self._next())
+        if self._is_glued("+") and self._peek(1).kind == NUMBER:
+            self._next()
+            number = self._number()
+            if not isinstance(number.value, int):
+                raise SourceError(number.at, f"expected a number of bytes after {cited(name.text)}+")
+            return Offset(name.at, name.text, number.value)
+        if self._is_glued(":") and self._peek(1).kind == NAME:
+            self._next()
+            return Distance(name.at, name.text, self._next().text)
+        return self._joined(name)
+
+    def _joined(self, first: Value) -> Value:
+        """A name and those that are added to it without parentheses around them: `A+B`."""
+        values: list[Value] = [first]
+        operators: list[tuple[int, str]] = []
+        while self._peek().is_mark("+") and self._peek(1).kind in (NAME, NUMBER):
+            if self.notation.by_line and not self._is_glued("+"):
+                break
+            operators.append((self._next().at, "+"))
+            values.append(self._plain())
+        return Sum(first.at, tuple(values), tuple(operators)) if operators else first
+
+    def _is_glued(self, mark: str) -> bool:
+        """Whether a mark follows without a blank before and after it."""
+        token = self._peek()
+        return token.is_mark(mark) and token.at == self._last.end and self._peek(1).at == token.end
+
+    # Values
+
+    def _argument(self, before: list[WrittenArgument]) -> WrittenArgument:
+        if len(before) >= MAX_PARTS:
+            raise SourceError(self._peek().at, f"these are more than {MAX_PARTS} values")
+        if self._peek().kind == NAME and self._peek(1).is_mark("="):
+            name = self._name_of(self._next())
+            self._next()
+            return WrittenArgument(name, self._value())
+        value = self._value()
+        if not self.notation.needs_commas and isinstance(value, Name):
+            value = self._joined(value)
+        return WrittenArgument(None, value)
+
+    def _value(self) -> Value:
+        """A whole value: an expression where the notation has them outside of parentheses."""
+        match self.notation.arithmetic:
+            case Arithmetic.USUAL:
+                return self._rank(0)
+            case Arithmetic.EXACT:
+                return self._chain(("+", "-", "*", "/"), self._word)
+            case Arithmetic.NONE:
+                return self._word()
+        return self._factor()
+
+    def _rank(self, rank: int) -> Value:
+        """An expression of operators of one rank, its parts of the next."""
+        if rank:
+            return self._chain(_RANKS[rank], (lambda: self._rank(rank + 1)) if rank < 2 else self._factor)
+        with self._deeper(self._peek()):
+            return self._chain(_RANKS[0], lambda: self._rank(1))
+
+    def _chain(self, marks: tuple[str, ...], part: Callable[[], Value]) -> Value:
+        at = self._peek().at
+        values = [part()]
+        operators: list[tuple[int, str]] = []
+        while self._peek().is_mark(*marks) and not (self.notation.by_line and self._peek().is_first):
+            if len(values) >= MAX_PARTS:
+                raise SourceError(self._peek().at, f"the expression has more than {MAX_PARTS} parts")
+            operators.append((self._peek().at, self._next().text))
+            values.append(part())
+        return Sum(at, tuple(values), tuple(operators)) if operators else values[0]
+
+    def _factor(self) -> Value:
+        token, is_usual = self._peek(), self.notation.arithmetic is Arithmetic.USUAL
+        if token.is_mark("-", "+") and (is_usual or token.text == "-"):
+            self._next()
+            if self._peek().kind == NUMBER and not (is_usual and self._peek().text[:1] == "0"):
+                return self._number(-1 if token.text == "-" else 1, token.at)
+            if not is_usual:
+                if self._peek().kind == NUMBER:
+                    return self._number(-1, token.at)
+                raise SourceError(token.at, "only a number can follow a -; put an expression into parentheses")
+            with self._deeper(token):
+                part = self._factor()
+            return Negative(token.at, part) if token.text == "-" else part
+        if token.is_mark("("):
+            self._next()
+            if is_usual:
+                inner = self._rank(0)
+            else:
+                with self._deeper(token):
+                    inner = self._chain(("+", "-", "*", "/"), self._factor)
+            self._expect(")")
+            return inner if is_usual or isinstance(inner, Sum) else Sum(token.at, (inner,), ())
+        if token.is_mark("@", "&") and (is_usual or token.text == "@"):
+            self._next()
+            name = self._expect_name("the name of a variable", is_same_line=False)
+            return Marked(token.at, token.text, self._element(name) if self._peek().is_mark("[") else name)
+        if token.is_mark("!"):
+            self._next()
+            with self._deeper(token):
+                return Unchecked(token.at, self._factor())
+        if token.kind == NAME:
+            return self._named()
+        return self._plain()
+
+    def _plain(self) -> Value:
+        """A number, a text, a name."""
+        token = self._peek()
+        if token.kind == NUMBER:
+            return self._number()
+        if token.kind == NAME:
+            return self._name_of(self._next())
+        if token.kind != TEXT:
+            raise self._unexpected("a value")
+        text = text_of(token, self.notation, self._coding, self.warnings)
+        self._next()
+        if self.notation.last_counts and len(text) == 2 and text[0] == "_":
+            return Number(token.at, ord(text[1]) & 0xFF)
+        return Text(token.at, text)
+
+    def _named(self) -> Value:
+        """What starts with a name."""
+        token, following = self._peek(), self._peek(1)
+        if following.is_mark("["):
+            return self._element(self._name_of(self._next()))
+        if following.is_mark("(") and token.text == BYTES:
+            self._next()
+            return self._raw(token)
+        if following.is_mark("(") and token.text in (*FORMS, *MARKS):
+            self._next()
+            self._next()
+            with self._deeper(token):
+                value = self._value()
+            self._expect(")")
+            return Form(token.at, token.text, value)
+        if following.is_mark("(") and self.notation.has_messages:
+            known = ", ".join((*FORMS, *MARKS))
+            raise SourceError(token.at, f"unknown macro {cited(token.text)}: there are {known} and {BYTES}(01 FF)")
+        if token.text == "LCS" and following.is_mark(","):
+            return self._spelled_text()
+        return self._name_of(self._next())
+
+    def _element(self, name: Name) -> Element:
+        self._expect("[")
+        index = self._value()
+        self._expect("]")
+        return Element(name.at, name.text, index)
+
+    def _raw(self, token: Token) -> Raw:
+        self._expect("(")
+        data = self._hex(token, until_mark=True)
+        self._expect(")")
+        return Raw(token.at, data)
+
+    def _spelled_text(self) -> Form:
+        """`LCS, 'L','E','G','O', 0`: how C has to write a text."""
+        token = self._next()
+        letters: list[str] = []
+        while len(letters) <= MAX_BYTES:
+            self._expect(",")
+            letter = self._peek()
+            if letter.kind == NUMBER and letter.text in ("0", "0x00"):
+                self._next()
+                break
+            body = text_of(letter, self.notation, self._coding, self.warnings) if letter.kind == TEXT else ""
+            if len(body) != 1:
+                raise self._unexpected("a letter such as 'L', or the 0 that ends the text")
+            letters.append(body)
+            self._next()
+        return Form(token.at, token.text, Text(token.at, "".join(letters)))
+
+    def _number(self, sign: int = 1, at: int | None = None) -> Number:
+        """A number as the notation reads it; `at` is where its sign is."""
+        token, notation = self._next(), self.notation
+        text, at = token.text, token.at if at is None else at
+        if len(text) > MAX_DIGITS:
+            bits = f"{cited(text)} has more than {notation.bits} bits"
+            raise SourceError(at, bits if notation.bits else f"a number has at most {MAX_DIGITS} characters")
+        base = 16 if text[0] == "$" or text[:2] in ("0x", "0X") else 2 if text[:2] in ("0b", "0B") else 10
+        if base != 10:
+            value = int(text.lstrip("$"), 16) if base == 16 else int(text, 2)
+            if notation.hex_is_bits:
+                return Number(at, Pattern(value) if sign > 0 else -value)
+            if value >> notation.bits and not notation.cuts:
+                raise SourceError(at, f"{cited(text)} has more than {notation.bits} bits")
+            return Number(at, self._cut(at, text, sign * value))
+        if not text.isdigit():
+            return Number(at, self._real(at, text, sign))
+        if text[0] == "0" and len(text) > 1:
+            return Number(at, sign * self._with_zero(at, text))
+        value = sign * int(text)
+        if notation.bits and not notation.cuts and not -1 << 31 <= value < 1 << 31:
+            raise SourceError(at, f"{cited(text)} has more than 32 bits: the largest number is 2147483647")
+        return Number(at, self._cut(at, text, value))
+
+    def _cut(self, at: int, text: str, value: int) -> int:
+        """The lowest 32 bits of a number that was written, where the notation has so many."""
+        if not self.notation.bits:
+            return value
+        if not -1 << 31 <= value < 1 << 32:
+            self.warnings.append((at, f"{cited(text)} has more than 32 bits, and only the lowest 32 are taken"))
+        return value % (1 << 32) if value >= 0 else (value + (1 << 31)) % (1 << 32) - (1 << 31)
+
+    def _real(self, at: int, text: str, sign: int) -> int | float:
+        """A number with a point, an exponent or an F."""
+        notation = self.notation
+        if text[-1] not in "fF" and notation.point is not Point.FLOAT:
+            if notation.point is Point.WRONG or "e" in text.lower():
+                raise SourceError(at, f"{cited(text)} is not a whole number, and floats end in F")
+            if text[-1] != ".":
+                self.warnings.append((at, f"{cited(text)} is a whole number here: a float ends in F"))
+            return self._cut(at, text, sign * int(text.partition(".")[0] or "0"))
+        value = sign * float(text.rstrip("fF"))
+        try:
+            struct.pack("<f", value)
+        except OverflowError:
+            if notation.bits:
+                raise SourceError(at, f"{cited(text)} is beyond 3.4028235e38, the largest DATAF") from None
+        return value
+
+    def _with_zero(self, at: int, text: str) -> int:
+        """A number with a 0 in front, without its sign."""
+        is_octal = all(digit in "01234567" for digit in text)
+        octal = self.notation.octal
+        if octal is Octal.WRONG and (not is_octal or text.lstrip("0")[1:]):
+            raise SourceError(at, f"{text} is octal in C and decimal to most readers: write it as 0x..")
+        if octal is Octal.READ and not is_octal:
+            raise SourceError(at, f"{cited(text)} is not a number: a 0 in front makes it octal")
+        # LEGO's assembler takes what follows a sign for decimal.
+        if octal is Octal.READ or (octal is Octal.LENIENT and is_octal and at == self._last.at):
+            self.warnings.append((at, f"{cited(text)} is octal, because of the 0 in front: {int(text, 8)}"))
+            return int(text, 8)
+        return int(text)
+
+    def _hex(self, token: Token, *, until_mark: bool) -> bytes:
+        """Bytes in hex: to the end of the line, or up to the next mark."""
+        data = bytearray()
+        while until_mark or not self._peek().is_first:
+            found = self._peek()
+            if until_mark and found.is_mark(")"):
+                break
+            if found.is_mark(":", "|"):
+                self._next()
+                continue
+            if found.kind not in (NUMBER, NAME, WORD) or not _HEX.fullmatch(found.text):
+                raise self._unexpected("bytes in hex, two digits each")
+            data += bytes.fromhex(self._next().text.removeprefix("0x").removeprefix("0X"))
+            if len(data) > MAX_BYTES:
+                raise SourceError(token.at, f"these are more than {MAX_BYTES} bytes")
+        return bytes(data)
+
+    # Tokens
+
+    def _peek(self, count: int = 0) -> Token:
+        ahead = self._ahead
+        while len(ahead) <= count:
+            if ahead and ahead[-1].kind == END:
+                return ahead[-1]
+            ahead.append(next(self._tokens))
+        return ahead[count]
+
+    def _next(self) -> Token:
+        token = self._peek()
+        if token.kind != END:
+            self._ahead.popleft()
+        self._last = token
+        return token
+
+    @staticmethod
+    def _name_of(token: Token) -> Name:
+        return Name(token.at, token.text)
+
+    def _is_name_here(self, *, is_same_line: bool = True) -> bool:
+        token = self._peek()
+        return token.kind == NAME and not (is_same_line and token.is_first)
+
+    def _expect_name(self, what: str, *, is_same_line: bool = True) -> Name:
+        if not self._is_name_here(is_same_line=is_same_line):
+            raise self._line_end(what) if is_same_line else self._unexpected(what)
+        return self._name_of(self._next())
+
+    def _expect(self, mark: str, what: str | None = None) -> Token:
+        if not self._peek().is_mark(mark):
+            raise self._unexpected(what or mark)
+        return self._next()
+
+    @contextmanager
+    def _deeper(self, token: Token) -> Iterator[None]:
+        """Counts a level of nesting while it lasts."""
+        self._depth += 1
+        if self._depth > MAX_DEPTH:
+            raise SourceError(token.at, f"values are nested more than {MAX_DEPTH} deep")
+        yield
+        self._depth -= 1
+
+    def _line_end(self, expected: str) -> SourceError:
+        """The error where something should stand in the same line."""
+        if self._peek().kind != END and not self._peek().is_first:
+            return self._unexpected(expected)
+        return SourceError(self._last.end, f"expected {expected}, found the end of the line")
+
+    def _unexpected(self, expected: str) -> SourceError:
+        token = self._peek()
+        if token.kind == BAD:
+            return SourceError(token.at, token.text)
+        hint = suggestion(token.text, (*self._heads, *self._declaring)) if token.kind == NAME else ""
+        return SourceError(token.at, f"expected {expected}, found {self._shown(token)}{hint}")
+
+    @staticmethod
+    def _shown(token: Token) -> str:
+        return "the end of the text" if token.kind == END else cited(token.text)

@@ -12,11 +12,11 @@ import click
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain, say
 from ev3proto.cli.targets import TargetType
+from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.announcing import Announcement
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import LinkError
 from ev3proto.link.proxy import Proxy, ProxyOptions
-from ev3proto.link.recording import Recording
 from ev3proto.link.targets import Target
 from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
@@ -97,14 +97,9 @@ def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
         try:
             pipe = _Pipe(stack.enter_context(fifo.open("wb")))
             wire = stack.enter_context(closing(open_wire(target)))
-            proxy = Proxy(
-                wire,
-                str(target),
-                options,
-                show=lambda _pair: None,
-                say=complain,
-                recording=Recording(cast(BinaryIO, pipe)),
-            )
+            recording = Recording(cast(BinaryIO, pipe))
+            recording.flush()
+            proxy = Proxy(wire, str(target), options, show=lambda _pair: None, say=complain, recording=recording)
         except (LinkError, OSError) as error:
             complain(str(error) if isinstance(error, LinkError) else f"{fifo}: {error.strerror or error}")
             sys.exit(1)

@@ -23,7 +23,7 @@ from ev3proto.whole_files import GrowingFile
 
 if TYPE_CHECKING:
     from ev3proto.capture.dialogues import RequestReply
-    from ev3proto.link.recording import Recording
+    from ev3proto.generate.captures.recording import Recording
     from ev3proto.link.targets import Target
 
 _LOOPBACK = "127.0.0.1"
@@ -164,12 +164,14 @@ def _address(text: str | None) -> str | None:
 
 def _recording(record: str | None, stack: ExitStack) -> Recording | None:
     """The recording, which is begun; None without one. Ends the program where it cannot be written."""
-    from ev3proto.link.recording import Recording
+    from ev3proto.generate.captures.recording import Recording
 
     if record is None:
         return None
     try:
-        return Recording(_recorded_to(record, stack))
+        recording = Recording(_recorded_to(record, stack))
+        recording.flush()
+        return recording
     except OSError as error:
         if record == "-":
             raise OutputError.of(error) from None

@@ -8,6 +8,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import queue
+import re
 import socket
 import threading
 import time
@@ -17,11 +18,11 @@ from dataclasses import dataclass, field
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Record
+from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import Wire
 from ev3proto.link.errors import ConnectionLostError, PortInUseError
 from ev3proto.link.harm import harms_of
 from ev3proto.link.masking import masked
-from ev3proto.link.recording import Recording
 from ev3proto.link.records import Records
 from ev3proto.link.reply_stream import Garbage, ReplyStream
 from ev3proto.link.session import pairing_key
@@ -39,6 +40,15 @@ _UNLOCK = UNLOCK_REQUEST[1:].encode()
 
 _FIRST_READ = 100
 """Bytes that the firmware reads to find it; what else is among them is lost."""
+
+_CLIENT = "client"
+"""One is served at a time."""
+
+_MOST_SAID = 1024
+"""Bytes that are kept of what a client says before it is unlocked."""
+
+_HIDDEN_HOST, _HIDDEN_PROXY = "192.0.2.1", "192.0.2.10"
+_SERIAL = re.compile(rb"(?<=sn=)\w+")
 
 _CHUNK = 1 << 14
 _TURN = 0.1
@@ -118,7 +128,7 @@ class Proxy:
         self._pairing: Pairing[Record] = Pairing(_MOST_WAITING)
         self._client: socket.socket | None = None
         self._strangers: set[socket.socket] = set()
-        self._unlocked: queue.SimpleQueue[socket.socket | None] = queue.SimpleQueue()
+        self._unlocked: queue.SimpleQueue[tuple[socket.socket, bytes] | None] = queue.SimpleQueue()
         self._is_over = threading.Event()
         self._delayed: queue.Queue[tuple[float, socket.socket, bytes] | None] = queue.Queue(_MOST_WAITING)
         self._listening = _listen(options)
@@ -133,13 +143,13 @@ class Proxy:
             late.start()
         threading.Thread(target=self._accept, name="accepts clients", daemon=True).start()
         try:
-            while (client := self._unlocked.get()) is not None:
-                with client:
-                    self._serve(client)
+            while (unlocked := self._unlocked.get()) is not None:
+                with unlocked[0]:
+                    self._serve(*unlocked)
         finally:
             self.stop()
             while (left := self._unlocked.get()) is not None:
-                left.close()
+                left[0].close()
             reader.join()
             if late.is_alive():
                 with contextlib.suppress(queue.Full):  # then it waits for no other, but for the time of one
@@ -178,16 +188,16 @@ class Proxy:
 
     def _unlock(self, client: socket.socket, address: str) -> None:
         """Waits for the unlock text of a client, which is served in its turn then."""
-        is_unlocked = _is_unlocked(client)
+        text = _unlock_text(client)
         self._strangers.discard(client)
-        if is_unlocked:
-            self._unlocked.put(client)
+        if text is not None:
+            self._unlocked.put((client, text))
             return
         client.close()
         if not self._is_over.is_set():
             self._say(f"{address} did not send the unlock text of a WiFi brick, and was sent away")
 
-    def _serve(self, client: socket.socket) -> None:
+    def _serve(self, client: socket.socket, text: bytes) -> None:
         client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         try:
             client.sendall(ACCEPT)
@@ -197,7 +207,7 @@ class Proxy:
         with self._lock:
             self._client = client
             self._pairing = Pairing(_MOST_WAITING)
-            self._record(lambda recording: recording.opened())
+            self._record_opening(client, text)
         try:
             self._from_client(client)
         finally:
@@ -205,7 +215,17 @@ class Proxy:
                 self._client = None
                 for command in self._pairing.unanswered:
                     self._show(RequestReply(command, None))
-                self._record(lambda recording: recording.closed())
+                self._record(lambda recording: recording.closed(_CLIENT))
+
+    def _record_opening(self, client: socket.socket, text: bytes) -> None:
+        """Records how a connection begins: as it was, but for what is to be hidden."""
+        host, proxy = client.getpeername()[:2], client.getsockname()[:2]
+        if self._options.is_masked:
+            text = _without_serial(text)
+            host, proxy = (_HIDDEN_HOST, host[1]), (_HIDDEN_PROXY, proxy[1])
+        self._record(lambda recording: recording.opened(_CLIENT, Carrier.WIFI, host, proxy))
+        self._record(lambda recording: recording.data(_CLIENT, text, True))
+        self._record(lambda recording: recording.data(_CLIENT, ACCEPT, False))
 
     def _from_client(self, client: socket.socket) -> None:
         decoder = Decoder(strict=False, dialect=self._options.dialect)
@@ -218,7 +238,7 @@ class Proxy:
         if left:
             shown = masked(left, dialect=self._options.dialect) if self._options.is_masked else left
             with self._lock:
-                self._record(lambda recording: recording.frame(shown, True))
+                self._record(lambda recording: recording.data(_CLIENT, shown, True))
 
     def _pass_on(self, client: socket.socket, decoder: Decoder) -> str | None:
         """Hands the client's messages on until it goes. Returns why its bytes are no frames, where they are not."""
@@ -276,7 +296,7 @@ class Proxy:
 
     def _seen_command(self, frame: bytes, wants_reply: bool) -> Record:
         shown = masked(frame, dialect=self._options.dialect) if self._options.is_masked else frame
-        self._record(lambda recording: recording.frame(shown, True))
+        self._record(lambda recording: recording.data(_CLIENT, shown, True))
         command = self.records.sent(shown)
         if wants_reply:
             forgotten = self._pairing.remember(pairing_key(frame), 0, command)
@@ -331,7 +351,7 @@ class Proxy:
         shown = frame
         if self._options.is_masked:
             shown = masked(frame, None if request is None else request.frame, self._options.dialect)
-        self._record(lambda recording: recording.frame(shown, False))
+        self._record(lambda recording: recording.data(_CLIENT, shown, False))
         self._show(RequestReply(request, self.records.received(shown, request)))
 
     def _lose(self, error: ConnectionLostError) -> None:
@@ -365,8 +385,8 @@ def _listen(options: ProxyOptions) -> socket.socket:
         raise PortInUseError(f"{place} cannot be opened: {getattr(error, 'strerror', None) or error}") from None
 
 
-def _is_unlocked(client: socket.socket) -> bool:
-    """Waits for the unlock text."""
+def _unlock_text(client: socket.socket) -> bytes | None:
+    """Waits for the unlock text. Returns what the client said up to its end; None where that is something else."""
     text = b""
     deadline = time.monotonic() + _UNLOCK_TIME
     client.settimeout(_UNLOCK_TIME)
@@ -374,11 +394,16 @@ def _is_unlocked(client: socket.socket) -> bool:
         while _UNLOCK not in text:
             piece = client.recv(_FIRST_READ)
             if not piece or time.monotonic() > deadline:
-                return False
-            text = text[-len(_UNLOCK) :] + piece
+                return None
+            text = text[-_MOST_SAID:] + piece
     except OSError:
-        return False
-    return True
+        return None
+    return text
+
+
+def _without_serial(text: bytes) -> bytes:
+    """An unlock text with zeros in place of the serial number."""
+    return _SERIAL.sub(lambda found: b"0" * len(found[0]), text)
 
 
 def _deliver(client: socket.socket, data: bytes) -> None:

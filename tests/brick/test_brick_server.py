@@ -27,6 +27,7 @@ from ev3proto.brick.servers import limits
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, ServerError
+from ev3proto.capture import Record, read
 from ev3proto.schema.discovery import Beacon
 
 PLAIN = Options(port=0, beacon=False)
@@ -191,6 +192,24 @@ def test_a_frame_whose_rest_never_comes_is_shown_and_recorded(tmp_path: Path) ->
         until(lambda: bool(brick.said))
     assert brick.said[0].endswith(": the connection ended inside a frame: 18 of its 19 bytes came")
     assert unfinished in path.read_bytes()
+
+
+def test_a_recording_has_what_was_on_the_wire_and_nothing_else(tmp_path: Path) -> None:
+    """No beacon, no serial number of its own: the client's address and its unlock text, here with a made-up number."""
+    path, text = tmp_path / "talk.pcapng", b"GET /target?sn=12:34VMTP1.0\nProtocol: EV3\n"
+    with served(tmp_path / "root", replace(PLAIN, record=path)) as brick:
+        with Client(brick.port, unlocks=False) as client:
+            client.send(text)
+            assert client.read(16) == ACCEPT
+            assert client.ask(VOLUME) == HUNDRED
+            port = client.socket.getsockname()[1]
+        until(lambda: not brick.now.host.connections)
+    recorded = path.read_bytes()
+    assert b"Serial-Number" not in recorded
+    assert recorded.count(text) == 1
+    (command_, reply) = (event for event in read(path) if isinstance(event, Record))
+    assert (command_.frame, reply.frame) == (VOLUME, HUNDRED)
+    assert (command_.route.source, command_.route.target) == (f"127.0.0.1:{port}", f"127.0.0.1:{brick.port}")
 
 
 def test_garbage_and_frames_without_meaning(tmp_path: Path) -> None:

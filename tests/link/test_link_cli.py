@@ -28,12 +28,12 @@ from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture import Record, read
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.generate.captures import write_pcapng
+from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.announcing import Announcement
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import ConnectionLostError, PortInUseError
 from ev3proto.link.masking import masked
 from ev3proto.link.proxy import Proxy, ProxyOptions
-from ev3proto.link.recording import Recording
 from ev3proto.link.targets import Target
 from ev3proto.schema.discovery import Beacon
 from ev3proto.tables.carriers import Carrier

@@ -7,7 +7,7 @@ of the brick's time each connection has had, so that a client with endless comma
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Protocol
 
@@ -44,6 +44,10 @@ _MOST_SAID = 1000
 
 Say = Callable[[str], None]
 """Tells a sentence to who started the server."""
+
+
+Ends = tuple[tuple[str, int], tuple[str, int]]
+_NO_ENDS: Ends = ("", 0), ("", 0)
 
 
 class Line(Protocol):
@@ -84,11 +88,23 @@ class Connection:
     used     seconds of the brick's time that it has had
     rests_until  when it is served again, after it kept others waiting
     is_gone  whether its client has gone; what came before that is still served, and not answered
+    ends     IP address and port of the client, and those of the brick; on WiFi only
+    opening  what was said before the first frame, each with whether the client said it
     """
 
-    def __init__(self, host: Host, line: Line, name: str, carrier: str) -> None:
+    def __init__(
+        self,
+        host: Host,
+        line: Line,
+        name: str,
+        carrier: str,
+        ends: Ends = _NO_ENDS,
+        opening: Sequence[tuple[bytes, bool]] = (),
+    ) -> None:
         self.name = name
         self.carrier = carrier
+        self.ends = ends
+        self.opening = opening
         self.number = 0
         self.used = 0.0
         self.rests_until = 0.0
@@ -204,9 +220,16 @@ class Host:
 
     # Connections
 
-    def open(self, line: Line, name: str, carrier: str) -> Connection:
-        """A client is there."""
-        connection = Connection(self, line, name, carrier)
+    def open(
+        self,
+        line: Line,
+        name: str,
+        carrier: str,
+        ends: Ends = _NO_ENDS,
+        opening: Sequence[tuple[bytes, bool]] = (),
+    ) -> Connection:
+        """A client is there; see `Connection` for what is known of it."""
+        connection = Connection(self, line, name, carrier, ends, opening)
         self._count += 1
         connection.number = self._count
         self.connections.append(connection)

@@ -23,6 +23,9 @@ _UNLOCK = UNLOCK_REQUEST[1:].encode()
 _FIRST_READ = 100
 """Bytes that the firmware reads to find it; what else is among them is lost."""
 
+_MOST_SAID = 1024
+"""Bytes before its end that are kept of what a client says until it is unlocked."""
+
 _EVERYBODY = "255.255.255.255"
 
 
@@ -161,6 +164,7 @@ class _Client(asyncio.Protocol):
         self._transport: asyncio.Transport | None = None
         self._connection: Connection | None = None
         self._text = b""
+        self._said = bytearray()
         self._rest: bytes | None = None
         self._timer: asyncio.TimerHandle | None = None
 
@@ -206,7 +210,9 @@ class _Client(asyncio.Protocol):
         assert self._transport is not None
         assert self._rest is not None
         host, port = self._transport.get_extra_info("peername")[:2]
-        self._connection = self._host.open(self, f"{host}:{port}", "wifi")
+        ends = (host, port), self._transport.get_extra_info("sockname")[:2]
+        opening = (bytes(self._said), True), (ACCEPT, False)
+        self._connection = self._host.open(self, f"{host}:{port}", "wifi", ends, opening)
         # The zero that some firmware sends after it would stand before the first reply, where clients read 16 bytes.
         self._transport.write(ACCEPT)
         self.resume()
@@ -222,6 +228,8 @@ class _Client(asyncio.Protocol):
         """Looks for the unlock text; what stands beside it in the bytes read at once is lost, as on the real brick."""
         for at in range(0, len(data), _FIRST_READ):
             piece = data[at : at + _FIRST_READ]
+            self._said += piece
+            del self._said[:-_MOST_SAID]
             if _UNLOCK in self._text + piece:
                 self._wait(data[at + _FIRST_READ :])
                 if piece.partition(UNLOCK_PROTOCOL.encode())[2].strip(b"\r\n\0"):

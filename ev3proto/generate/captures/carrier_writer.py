@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple, Protocol
 
 from ev3proto.errors import BuildError
-from ev3proto.schema.header import HEADER_SIZE, frame_size
+from ev3proto.schema.header import HEADER_SIZE, frame_size, may_be_long
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
 
 _REPLIES = {member.value for member in MessageType if not member.is_command}
@@ -54,7 +54,7 @@ def check_frame(frame: bytes) -> None:
             f"it cannot be carried: its length field says that {length} bytes follow,"
             f" {max(len(frame) - LENGTH_FIELD, 0)} do"
         )
-    if length > MAX_LENGTH:
+    if length > MAX_LENGTH and not may_be_long(frame):
         raise BuildError(
             f"it cannot be carried: its length field says {length}; a frame has {MIN_LENGTH} to {MAX_LENGTH} bytes"
             " after it"

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
+from ipaddress import ip_address
 
-from dpkt.ethernet import ETH_TYPE_IP, Ethernet
+from dpkt.ethernet import ETH_TYPE_IP, ETH_TYPE_IP6, Ethernet
 from dpkt.ip import IP, IP_PROTO_TCP, IP_PROTO_UDP
+from dpkt.ip6 import IP6
 from dpkt.tcp import TCP, TH_ACK, TH_FIN, TH_PUSH, TH_SYN
 from dpkt.udp import UDP
 
@@ -29,6 +31,13 @@ _OPTIONS = struct.pack(">BBHBBBBBBBB", 2, 4, 1460, 1, 1, 4, 2, 1, 3, 3, 7)
 """What both ends say first: segments of at most 1460 bytes, selective acknowledgements, windows in units of 128."""
 
 _FIRST_WINDOW, _WINDOW = 64240, 502
+
+
+Address = tuple[str, int]
+"""An IP address, of version 4 or 6, and a TCP port."""
+
+_IPV4 = 4
+"""Bytes of an address of IPv4."""
 
 
 @dataclass(slots=True)
@@ -58,15 +67,15 @@ _ONES = 0xFFFF
 class Writer:
     """A computer and a brick in a network."""
 
-    def __init__(self, host_port: int = 49152) -> None:
+    def __init__(self, host: Address = ("192.0.2.1", 49152), brick: Address = ("192.0.2.10", TCP_PORT)) -> None:
         """Begins before the first packet.
 
         Args:
-            host_port: The TCP port of the computer, another one for each connection in a capture.
+            host: IP address and TCP port of the computer, another port for each connection in a capture.
+            brick: Those of the brick.
         """
-        host, brick = bytes((192, 0, 2, 1)), bytes((192, 0, 2, 10))
-        self._host = _End(bytes.fromhex("020000000001"), host, host_port, 0x10000000, 0x1000)
-        self._brick = _End(bytes.fromhex("02000000000a"), brick, TCP_PORT, 0x20000000, 1)
+        self._host = _End(bytes.fromhex("020000000001"), _packed(host), host[1], 0x10000000, 0x1000)
+        self._brick = _End(bytes.fromhex("02000000000a"), _packed(brick), brick[1], 0x20000000, 1)
         self._last: _End | None = None
 
     def opening(self) -> list[bytes]:
@@ -77,12 +86,19 @@ class Writer:
         return [
             _datagram(brick, EVERYBODY_MAC, EVERYBODY, beacon),
             _datagram(host, brick.mac, brick.address, answer),
-            self._segment(host, flags=TH_SYN, options=_OPTIONS),
-            self._segment(brick, flags=TH_SYN | TH_ACK, options=_OPTIONS),
-            self._segment(host),
+            *self.handshake(),
             self._segment(host, Unlock(SERIAL).build()),
             self._segment(brick),
             self._segment(brick, ACCEPT + b"\0"),
+            self._segment(host),
+        ]
+
+    def handshake(self) -> list[bytes]:
+        """What TCP says before the first byte."""
+        host, brick = self._host, self._brick
+        return [
+            self._segment(host, flags=TH_SYN, options=_OPTIONS),
+            self._segment(brick, flags=TH_SYN | TH_ACK, options=_OPTIONS),
             self._segment(host),
         ]
 
@@ -116,7 +132,7 @@ class Writer:
 
     def _segment(self, sender: _End, data: bytes = b"", *, flags: int = TH_ACK, options: bytes = b"") -> bytes:
         receiver = self._brick if sender is self._host else self._host
-        if flags == TH_ACK:
+        if flags == TH_ACK and len(sender.address) == _IPV4:
             return _inside(sender, receiver, data)
         segment = TCP(
             sport=sender.port,
@@ -176,6 +192,15 @@ def _datagram(sender: _End, mac: bytes, address: bytes, datagram: UDP) -> bytes:
 
 
 def _packet(sender: _End, mac: bytes, address: bytes, protocol: int, payload: TCP | UDP) -> bytes:
-    packet = IP(src=sender.address, dst=address, p=protocol, ttl=64, id=sender.packets, df=1, data=payload)
+    if len(address) != _IPV4:
+        size = len(payload)
+        whole = IP6(src=sender.address, dst=address, nxt=protocol, hlim=_TIME_TO_LIVE, plen=size, data=payload)
+        return bytes(Ethernet(src=sender.mac, dst=mac, type=ETH_TYPE_IP6, data=whole))
+    packet = IP(src=sender.address, dst=address, p=protocol, ttl=_TIME_TO_LIVE, id=sender.packets, df=1, data=payload)
     sender.packets = (sender.packets + 1) % 2**16
     return bytes(Ethernet(src=sender.mac, dst=mac, type=ETH_TYPE_IP, data=packet))
+
+
+def _packed(end: Address) -> bytes:
+    """The bytes of an end's IP address, 4 or 16. ValueError where it is not one."""
+    return ip_address(end[0]).packed

@@ -89,10 +89,9 @@ class _Check:
             return codes.DAMAGED.finding(at, 0, why, "give the whole image")
         steps = (step for part in self._program.objects for step in part.operations)
         operation = next((step for step in steps if step.offset == at), None)
-        if operation is None:
-            # What cannot be read has a better reason than the validator's.
-            fault = next((part.fault for part in self._program.objects if part.fault and part.fault.offset == at), None)
-            why = fault.reason if fault is not None else why
+        # What cannot be read has a better reason than the validator's.
+        fault = next((part.fault for part in self._program.objects if part.fault and part.fault.offset == at), None)
+        why = fault.reason if fault is not None else why
         newer = "; firmware of 2013 does not know it" if operation and operation.declaration.is_newer else ""
         return codes.REFUSED.finding(
             at,

@@ -33,6 +33,17 @@ class HeaderReason(Enum):
     SHORT = "the header states {stated} bytes; the image has {size}"
 
 
+REASONS = {
+    Reason.OPCODE: "unknown opcode",
+    Reason.RANGE: "its first constant is out of range",
+    Reason.ALIGNMENT: "a variable is not aligned",
+    Reason.LABEL: "the number of a label is not 0 to 31",
+    Reason.CUT_OFF: "it ends after the end of the image",
+    Reason.AFTER_END: "bytes follow the end of the last object",
+}
+"""Why the code of a program is refused."""
+
+
 class ObjectRead(NamedTuple):
     """What the validator reads for an object.
 
@@ -102,11 +113,11 @@ def walk(image: bytes, dialect: str = "official") -> Walk:
             found = step(data, at, stated)
             if isinstance(found, Refusal):
                 objects.append(ObjectRead(offset, start, at))
-                return Walk(False, at, found.reason.value, tuple(objects))
+                return Walk(False, at, REASONS[found.reason], tuple(objects))
             at = found
         objects.append(ObjectRead(offset, start, at, is_ended))
     if at != stated and last is not None:
-        return Walk(False, last, Reason.CUT_OFF.value if at > stated else Reason.AFTER_END.value, tuple(objects))
+        return Walk(False, last, REASONS[Reason.CUT_OFF if at > stated else Reason.AFTER_END], tuple(objects))
     return Walk(True, VERSION_AT if version in OLD_VERSIONS else None, None, tuple(objects))
 
 

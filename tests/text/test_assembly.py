@@ -10,12 +10,13 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.cases import each
 
-from ev3proto import DirectCommand, Operation, parse
+from ev3proto import DirectCommand, Operation, parse, tables
 from ev3proto.capture import Record, read
 from ev3proto.checking.checking import check
 from ev3proto.dialogue import Dialogue
-from ev3proto.tables.declaration import DIALECTS
+from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
 from ev3proto.testing import frames, mutated_frames, operations
 from ev3proto.text.assembly import AssemblyError, assemble, assembly
 from ev3proto.text.assembly.recognising import is_assembly
@@ -370,6 +371,37 @@ def test_errors_say_where_and_what(text: str, line: int, column: int, reason: st
     assert error.reason.startswith(reason)
     assert error.text == text.split("\n")[line - 1]
     assert str(error).startswith(f"line {line}, column {column}: {reason}")
+
+
+def _value(parameter: Parameter) -> str:
+    """Something that can be given for a parameter."""
+    if parameter.is_output:
+        return "GV(0)"
+    if parameter.type is Type.STRING or parameter.length is not None:
+        return "'x'"
+    return "LV(0)" if parameter.type is Type.HANDLE else "1"
+
+
+@each("name", [name for name in tables.operations() if name != "CALL"])
+def test_the_advice_for_an_unknown_name_helps(name: str) -> None:
+    declaration = tables.operations()[name]
+    parameters = list(declaration.parameters)
+    command = [] if declaration.command is None else [declaration.command.name]
+    for number, parameter in enumerate(parameters):
+        values = [_value(one) for one in parameters]
+        values[number] = "mine"
+        if parameters[-1].type is Type.COUNT:
+            elements = "GV(0)" if parameters[-1].elements is not Direction.IN else "1"
+            values += [elements] * (2 if parameter is parameters[-1] else 1)
+        elif number + 2 == len(parameters) and parameters[-1].type is Type.VALUES:
+            values.append("1")
+        text = f"{declaration.opcode.name}({', '.join([*command, *values])})"
+        with pytest.raises(AssemblyError) as caught:
+            assemble(text, unchecked=True)
+        advice = re.search("`(.*?)` in front of (?:it|an operation)", caught.value.reason)
+        assert advice or parameter.enum is not None, caught.value
+        if advice:
+            assemble(f"{advice[1]}\n{text}", unchecked=True)
 
 
 def test_all_that_is_wrong_is_told_at_once() -> None:

@@ -71,11 +71,20 @@ class Assembler:
             raise SourceError(
                 call.end, f"{_takes(schema)}, and here are {len(arguments)}: {missing.name} is missing ({missing.text})"
             )
+        counter = arguments[len(fixed) - 1].value if schema.list_parameter is not None else None
+        if isinstance(counter, Name) and self._encoder.whole_or_none(counter) is None:
+            self._check_counter(counter)
         pieces = [self._encoder.argument(given.value, one) for given, one in zip(arguments, fixed, strict=False)]
         pieces += self._elements(schema, pieces, arguments)
         if is_checked:
             _check(schema, head, pieces, arguments)
         return [head, *pieces]
+
+    def _check_counter(self, counter: Name) -> None:
+        """Raises SourceError for a name that should be the number of the values that follow."""
+        what = "is a variable" if counter.text in self._encoder.names.local.places else "is unknown"
+        hint = f"`define {counter.text} 2` in front of it makes it a number"
+        raise SourceError(counter.at, f"{counter.text} {what}, and tells how many values follow: {hint}")
 
     # Which operation
 

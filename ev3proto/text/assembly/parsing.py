@@ -475,6 +475,8 @@ class Parser:
             self._next()
             if is_usual:
                 inner = self._rank(0)
+                if not isinstance(inner, Number | Text | Name | Negative | Sum):
+                    raise SourceError(inner.at, "expected a number or a name in parentheses")
             else:
                 with self._deeper(token):
                     inner = self._chain(("+", "-", "*", "/"), self._factor)

@@ -221,7 +221,7 @@ class Encoder:
                 return self.meaning(inner, parameter)
             case Element() | Offset():
                 return self._part(value)
-        raise SourceError(value.at, "expected a plain value")
+        raise SourceError(value.at, "expected a number, a text or a name")
 
     def whole(self, value: Value, what: str, low: int, high: int) -> int:
         """A whole number in a range. Raises SourceError, which says of what."""
@@ -282,7 +282,9 @@ class Encoder:
         if parameter.role is Role.OBJECT:
             hint = hint or f": `define {name} 2` in front of it tells the number of the object, counted from 1"
         elif enum is None or parameter.is_output:
+            is_label = parameter.type is Type.LABEL
             declares = f"{_declaration(parameter, name)} in front of it declares a variable"
+            declares = f"`define {name} 1` in front of it makes it a number" if is_label else declares
             hint = f"{hint} Or {declares}" if hint else f": {declares}"
         elif not hint:
             hint = f": it has {', '.join(list(enum.members)[:_MOST_MEMBERS])}, ..."
@@ -299,11 +301,8 @@ class Encoder:
     def _variable(self, name: str, at: int) -> Place:
         found = self.names.meaning(name, at)
         if not isinstance(found, Place):
-            if found is not None:
-                raise SourceError(at, f"{cited(name)} is not a variable")
-            known = [name for name, place in self.names.local.places.items()] + list(self.names.globals)
-            hint = suggestion(name, known) or ": DATA8, DATAF and others declare one"
-            raise SourceError(at, f"unknown variable {cited(name)}{hint}")
+            hint = suggestion(name, (*self.names.local.places, *self.names.globals))
+            raise SourceError(at, f"unknown variable {cited(name)}{hint or ': DATA8, DATAF and others declare one'}")
         return found
 
     # Expressions
@@ -495,12 +494,15 @@ class Encoder:
         return variable(scope, index, self.rules) if name in SHORTEST else encode_as(name, index)
 
 
+_WORDS = {kind: word for word, kind in reversed(VARIABLE_WORDS.items())}
+"""The first word that declares a variable of a type."""
+
+
 def _declaration(parameter: Parameter, name: str) -> str:
     """A line that declares a variable for a parameter."""
-    kind = parameter.type
-    if kind is Type.STRING or parameter.length is not None:
+    if parameter.type is Type.STRING or parameter.length is not None:
         return f"`DATAS {name} 64`"
-    return f"`{kind.label if kind.label in VARIABLE_WORDS else DATA8.label} {name}`"
+    return f"`{_WORDS.get(parameter.type, DATA8.label)} {name}`"
 
 
 def _shown(meaning: Meaning) -> str:

@@ -2,61 +2,28 @@
 
 from __future__ import annotations
 
-import functools
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any
 
-import click
-
-from ev3proto.bounded import DEFAULT_MEMORY
-from ev3proto.cli.output import complain, say
+from ev3proto.capture import Account, Capture, CaptureError, Event, Record, Skipped, read
+from ev3proto.capture.dialogues import RequestReply, dialogues
+from ev3proto.capture.filter import Choosing
+from ev3proto.capture.formats import CaptureFile
+from ev3proto.capture.text_log import read_log
+from ev3proto.cli.output import complain
 from ev3proto.cli.progress import EVERY, advancing, progress_bar
+from ev3proto.cli.reading import BUILTIN, MIB, CaptureOptions, given_up
+from ev3proto.cli.texts import START, hex_lines, is_binary, is_image, pieces, raw_frames, text_lines
 from ev3proto.errors import counted
-from ev3proto.tables.declaration import DIALECTS
-from ev3proto.tables.discovery import TCP_PORT
+from ev3proto.text.paste import Pasted
 from ev3proto.text.visible import visible
-
-if TYPE_CHECKING:
-    from ev3proto.capture import Account, Capture, Event, Record
-    from ev3proto.capture.dialogues import RequestReply
-    from ev3proto.capture.filter import Filter, FilterError
-    from ev3proto.capture.formats import CaptureFile
-    from ev3proto.text.paste import Missing, Pasted
-
-BUILTIN = "builtin"
-"""The engine that needs no other program."""
 
 MOST_COMPLAINTS = 10
 """Places in a capture that are complained about one by one; of the others, only their number is given."""
-
-MIB = 1 << 20
-"""Bytes in which --memory counts."""
-
-
-@dataclass
-class CaptureOptions:
-    """How captures are to be read.
-
-    dialect  the firmware whose instruction set to read by
-    ports    TCP ports on which bricks listen
-    engine   builtin or wireshark
-    tshark   path of the tshark for that engine
-    filter   which records to show, None for all
-    missing  what the bytes in a text lack in front of them to be frames
-    memory   MiB that all that waits may take
-    """
-
-    dialect: str = DIALECTS[0]
-    ports: tuple[int, ...] = (TCP_PORT,)
-    engine: str = BUILTIN
-    tshark: str | None = None
-    filter: Filter | None = None
-    missing: Missing | None = None
-    memory: int = DEFAULT_MEMORY // MIB
 
 
 @dataclass
@@ -85,8 +52,6 @@ class CaptureSource:
         """Where the captured bytes went, so far."""
         if self._capture is not None:
             return self._capture.account
-        from ev3proto.capture import Account
-
         return Account()
 
     @property
@@ -107,8 +72,6 @@ class CaptureSource:
         if chosen is None:
             yield from self._all_events()
             return
-        from ev3proto.capture.filter import Choosing
-
         choosing = Choosing(chosen, self.options.memory * MIB)
         events = self._all_events()
         yield from choosing.chosen(events if look is None else _looked_at(events, look))
@@ -124,8 +87,6 @@ class CaptureSource:
         Yields:
             Each command with its reply, as far as the filter lets the two of them through.
         """
-        from ev3proto.capture.dialogues import dialogues
-
         chosen = self.options.filter
         for pair in dialogues(self._all_events()):
             if chosen is None or chosen.of_dialogue(pair):
@@ -138,8 +99,6 @@ class CaptureSource:
             self._complain(f"there is no frame in {'it' if self.lines is not None else self.extent}{self.passed_over}")
 
     def _all_events(self) -> Iterator[Event]:
-        from ev3proto.capture import CaptureError
-
         try:
             with self._opened() as capture, self._bar(capture) as self._advance:
                 for count, event in enumerate(self._read(capture)):
@@ -163,8 +122,6 @@ class CaptureSource:
         self.status = 1
 
     def _opened(self) -> Capture:
-        from ev3proto.capture import read
-        from ev3proto.capture.text_log import read_log
         from ev3proto.pyshark import read as read_by_tshark
 
         options = self.options
@@ -181,18 +138,14 @@ class CaptureSource:
 
     def _look(self) -> None:
         """Finds out whether the file is a text."""
-        from ev3proto.capture.formats import CaptureFile
-        from ev3proto.capture.record import CaptureError
-        from ev3proto.cli.programs import is_image
-        from ev3proto.cli.texts import START, hex_lines, is_text, raw_frames, text_lines
-
         if self.file is None:
             self.file = CaptureFile.at(self.name) if self.name != "-" else CaptureFile(_stream(self.name))
         if self.file.is_capture:
             return
-        if is_image(self.file.contents.peek(START)[:START]):
+        start = self.file.contents.peek(START)[:START]
+        if is_image(start):
             raise CaptureError("this is a program image (.rbf) and no capture: ev3proto decode shows it")
-        if is_text(self.file):
+        if not is_binary(start):
             self.lines = text_lines(self.file.contents)
         else:
             raw = raw_frames(self.file.contents, self.options.dialect)
@@ -200,8 +153,6 @@ class CaptureSource:
 
     def _pieces(self, lines: Iterator[str]) -> Iterator[Pasted]:
         """What there is in the text; what cannot be read of it is complained about."""
-        from ev3proto.cli.texts import pieces
-
         for pasted in pieces(advancing(lines, lambda: self._advance()), self.options.missing, self._complain):
             if pasted.problem is not None:
                 self._complain(f"line {pasted.line}: {pasted.problem}")
@@ -239,8 +190,6 @@ class CaptureSource:
 
     def _read(self, capture: Capture) -> Iterator[Event]:
         """The events; skipped bytes are complained about."""
-        from ev3proto.capture import Skipped
-
         chosen = self.options.filter
         is_begun = False
         places = lost = 0
@@ -261,147 +210,12 @@ class CaptureSource:
             self._complain(f"and {places - MOST_COMPLAINTS} more places; {lost} bytes in all could not be read")
 
 
-def given_up(label: str, count: int, memory: int) -> str:
-    """What to say where too much waited.
-
-    Args:
-        label: What was read.
-        count: How many things had to go.
-        memory: MiB that all that waits may take.
-    """
-    return (
-        f"{label}: {count} parts of frames, transfers and commands without a reply were given up: what waits may take"
-        f" {memory} MiB (--memory)"
-    )
-
-
 def _stream(name: str) -> Any:
     if name != "-":
         return name
     if sys.stdin is None:
         raise OSError("standard input is closed")
     return sys.stdin.buffer
-
-
-def _compiled(_context: click.Context, _parameter: click.Parameter, text: str | None) -> Filter | None:
-    if text is None:
-        return None
-    from ev3proto.capture.filter import FilterError, compile_filter
-
-    try:
-        return compile_filter(text)
-    except FilterError as error:
-        raise click.BadParameter(f"{error}\n{_underlined(text, error)}") from None
-
-
-_WINDOW = 60
-"""Characters of a filter that are shown on either side of what is wrong in it."""
-
-
-def _underlined(text: str, error: FilterError) -> str:
-    """Two lines: the filter, and below it what is wrong in it."""
-    at = error.column - 1
-    start, end = max(at - _WINDOW, 0), at + _WINDOW
-    shown = "".join(character if character.isprintable() else " " for character in text[start:end])
-    before, after = "..." * (start > 0), "..." * (end < len(text))
-    sign = "^" * min(error.length, max(len(shown) - (at - start), 1))
-    return f"  {before}{shown}{after}\n  {' ' * (len(before) + at - start)}{sign}"
-
-
-def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wanted: bool) -> None:
-    if not is_wanted or context.resilient_parsing:
-        return
-    from ev3proto.capture.filter.manual import manual
-
-    say("\n".join(manual()))
-    context.exit()
-
-
-F = TypeVar("F", bound=Callable[..., Any])
-
-_OPTIONS = (
-    click.option(
-        "--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True, help="Whose instruction set."
-    ),
-    click.option(
-        "--port",
-        "ports",
-        type=click.IntRange(1, 65535),
-        multiple=True,
-        default=(TCP_PORT,),
-        show_default=True,
-        help="TCP port on which a brick listens; several are allowed.",
-    ),
-    click.option(
-        "--engine",
-        type=click.Choice((BUILTIN, "wireshark")),
-        default=BUILTIN,
-        show_default=True,
-        help="What takes packets apart: ev3proto itself, or the tshark on this computer.",
-    ),
-    click.option("--tshark", metavar="PATH", help="The tshark to use, where it is not on the path."),
-    click.option(
-        "--filter",
-        "chosen",
-        callback=_compiled,
-        metavar="EXPRESSION",
-        help="Only frames for which this is true, such as 'op==SOUND.TONE && FREQUENCY>400'.",
-    ),
-    click.option(
-        "--help-filter",
-        is_flag=True,
-        is_eager=True,
-        expose_value=False,
-        callback=_explain_filters,
-        help="List all that a filter can ask for, with examples, and exit.",
-    ),
-    click.option(
-        "--no-length",
-        is_flag=True,
-        help="Each line of a text is a frame without the two bytes of its length field.",
-    ),
-    click.option(
-        "--operations",
-        "only_operations",
-        is_flag=True,
-        help="Each line of a text is operations without the header of a frame.",
-    ),
-    click.option(
-        "--memory",
-        type=click.IntRange(1, 1 << 16),
-        default=DEFAULT_MEMORY // MIB,
-        show_default=True,
-        metavar="MIB",
-        help="What all that waits in a capture may take, such as commands without a reply; the oldest goes first.",
-    ),
-)
-
-
-def reading_options(command: F) -> F:
-    """Adds the options on how to read captures to a command, which gets them as one argument, `reading`."""
-
-    @functools.wraps(command)
-    def called(
-        *arguments: Any,
-        dialect: str,
-        ports: tuple[int, ...],
-        engine: str,
-        tshark: str | None,
-        chosen: Filter | None,
-        no_length: bool,
-        only_operations: bool,
-        memory: int,
-        **others: Any,
-    ) -> Any:
-        if no_length and only_operations:
-            raise click.UsageError("--no-length has the rest of a header and --operations none: give one or the other")
-        missing: Missing | None = "length" if no_length else "header" if only_operations else None
-        reading = CaptureOptions(dialect, ports, engine, tshark, chosen, missing, memory)
-        return command(*arguments, reading=reading, **others)
-
-    for option in reversed(_OPTIONS):
-        option(called)
-    return called  # type: ignore[return-value]
 
 
 def _looked_at(events: Iterable[Event], look: Callable[[Event], None]) -> Iterator[Event]:

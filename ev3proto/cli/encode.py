@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Protocol, Self
 
 import click
 
-from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
 from ev3proto.cli.output import binary_output, complain, is_terminal, say
 from ev3proto.cli.programs import RBF, SUFFIX, encode_program
+from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.cli.texts import Unread, introduction
 from ev3proto.dialogue import Dialogue
@@ -32,6 +32,7 @@ from ev3proto.text.split import Piece
 from ev3proto.whole_files import whole_file
 
 if TYPE_CHECKING:
+    from ev3proto.cli.captures import CaptureSource
     from ev3proto.text.assembly.errors import AssemblyError
 
 _START = 8

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, TypeVar
 
 import click
 
-from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.groups import Group
 from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import binary_output, complain, is_terminal
+from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.sources import Source, SourceReader, sources
 from ev3proto.errors import BuildError
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import complain, say
+from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:

@@ -9,9 +9,10 @@ import click
 
 from ev3proto.capture import Announcement, Event, Skipped, TextKind
 from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.cli.captures import MIB, MOST_COMPLAINTS, CaptureOptions, reading_options
+from ev3proto.cli.captures import MOST_COMPLAINTS
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain
+from ev3proto.cli.reading import MIB, CaptureOptions, reading_options
 from ev3proto.cli.recorded import show_announcement, show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.pyshark.live import Live

@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ev3proto.cli.output import Printer, binary_output, complain, is_terminal
+from ev3proto.cli.sources import Source
+from ev3proto.cli.texts import is_image
 from ev3proto.errors import counted
-from ev3proto.tables.program import SIGN
 from ev3proto.text.notations import NOTATIONS
 from ev3proto.text.spans import Line, Role
 
 if TYPE_CHECKING:
     from ev3proto.checking.codes import Code
-    from ev3proto.cli.sources import Source
     from ev3proto.program import Program
     from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 
-SUFFIX, SOURCE_SUFFIX = ".rbf", ".lms"
+SUFFIX = ".rbf"
 RBF = "rbf"
 """The form of `encode` that makes images."""
 
@@ -33,11 +33,6 @@ PROGRAM_FORMATS = ("listing",)
 _MOST_WARNINGS = 20
 _TEXT_WIDTH = 100
 _MOST_OF_A_NAME = 200
-
-
-def is_image(start: bytes) -> bool:
-    """Whether a file that starts so is a program image."""
-    return start.startswith(SIGN)
 
 
 def read_program(label: str, image: bytes, dialect: str) -> Program | None:

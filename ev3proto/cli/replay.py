@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import Printer, complain
+from ev3proto.cli.reading import CaptureOptions, reading_options
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType, channel_to, timeout_option

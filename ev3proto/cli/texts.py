@@ -6,22 +6,23 @@ import codecs
 import io
 from collections.abc import Callable, Iterator
 from itertools import chain, islice
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MessageType
+from ev3proto.tables.program import SIGN
 from ev3proto.text.paste import MAX_LINE, Missing, Pasted, read_bare, read_text
 from ev3proto.text.split import Piece, split
-
-if TYPE_CHECKING:
-    from ev3proto.capture.formats import CaptureFile
 
 MOST_RAW = 1 << 26
 """Bytes of frames that are read from a file which has nothing else; a longer one is refused."""
 
 START = 8
 """Bytes by which a file is recognised."""
+
+SOURCE_SUFFIX = ".lms"
+"""What the names of programs' sources end in."""
 
 _MOST_UNREAD = 8
 
@@ -82,12 +83,9 @@ def introduction(lines: Iterator[str]) -> Iterator[str]:
             return
 
 
-def is_text(file: CaptureFile) -> bool:
-    """Whether a file that is no capture is a text."""
-    from ev3proto.cli.programs import is_image
-
-    start = file.contents.peek(START)[:START]
-    return not is_image(start) and not is_binary(start)
+def is_image(start: bytes) -> bool:
+    """Whether a file that starts so is a program image."""
+    return start.startswith(SIGN)
 
 
 def _as_latin_1(error: UnicodeError) -> tuple[str, int]:

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.captures import CaptureOptions, CaptureSource, reading_options
+from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.output import complain, say
+from ev3proto.cli.reading import CaptureOptions, reading_options
 
 if TYPE_CHECKING:
     from ev3proto.capture import Event

@@ -1,0 +1,182 @@
+"""The options on how captures are read. They load no part that reads any: a frame needs them, too."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from ev3proto.bounded import DEFAULT_MEMORY
+from ev3proto.cli.output import say
+from ev3proto.tables.declaration import DIALECTS
+from ev3proto.tables.discovery import TCP_PORT
+
+if TYPE_CHECKING:
+    from ev3proto.capture.filter import Filter, FilterError
+    from ev3proto.text.paste import Missing
+
+BUILTIN = "builtin"
+"""The engine that needs no other program."""
+
+MIB = 1 << 20
+"""Bytes in which --memory counts."""
+
+
+@dataclass
+class CaptureOptions:
+    """How captures are to be read.
+
+    dialect  the firmware whose instruction set to read by
+    ports    TCP ports on which bricks listen
+    engine   builtin or wireshark
+    tshark   path of the tshark for that engine
+    filter   which records to show, None for all
+    missing  what the bytes in a text lack in front of them to be frames
+    memory   MiB that all that waits may take
+    """
+
+    dialect: str = DIALECTS[0]
+    ports: tuple[int, ...] = (TCP_PORT,)
+    engine: str = BUILTIN
+    tshark: str | None = None
+    filter: Filter | None = None
+    missing: Missing | None = None
+    memory: int = DEFAULT_MEMORY // MIB
+
+
+def given_up(label: str, count: int, memory: int) -> str:
+    """What to say where too much waited.
+
+    Args:
+        label: What was read.
+        count: How many things had to go.
+        memory: MiB that all that waits may take.
+    """
+    return (
+        f"{label}: {count} parts of frames, transfers and commands without a reply were given up: what waits may take"
+        f" {memory} MiB (--memory)"
+    )
+
+
+def _compiled(_context: click.Context, _parameter: click.Parameter, text: str | None) -> Filter | None:
+    if text is None:
+        return None
+    from ev3proto.capture.filter import FilterError, compile_filter
+
+    try:
+        return compile_filter(text)
+    except FilterError as error:
+        raise click.BadParameter(f"{error}\n{_underlined(text, error)}") from None
+
+
+_WINDOW = 60
+"""Characters of a filter that are shown on either side of what is wrong in it."""
+
+
+def _underlined(text: str, error: FilterError) -> str:
+    """Two lines: the filter, and below it what is wrong in it."""
+    at = error.column - 1
+    start, end = max(at - _WINDOW, 0), at + _WINDOW
+    shown = "".join(character if character.isprintable() else " " for character in text[start:end])
+    before, after = "..." * (start > 0), "..." * (end < len(text))
+    sign = "^" * min(error.length, max(len(shown) - (at - start), 1))
+    return f"  {before}{shown}{after}\n  {' ' * (len(before) + at - start)}{sign}"
+
+
+def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wanted: bool) -> None:
+    if not is_wanted or context.resilient_parsing:
+        return
+    from ev3proto.capture.filter.manual import manual
+
+    say("\n".join(manual()))
+    context.exit()
+
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+_OPTIONS = (
+    click.option(
+        "--dialect", type=click.Choice(DIALECTS), default=DIALECTS[0], show_default=True, help="Whose instruction set."
+    ),
+    click.option(
+        "--port",
+        "ports",
+        type=click.IntRange(1, 65535),
+        multiple=True,
+        default=(TCP_PORT,),
+        show_default=True,
+        help="TCP port on which a brick listens; several are allowed.",
+    ),
+    click.option(
+        "--engine",
+        type=click.Choice((BUILTIN, "wireshark")),
+        default=BUILTIN,
+        show_default=True,
+        help="What takes packets apart: ev3proto itself, or the tshark on this computer.",
+    ),
+    click.option("--tshark", metavar="PATH", help="The tshark to use, where it is not on the path."),
+    click.option(
+        "--filter",
+        "chosen",
+        callback=_compiled,
+        metavar="EXPRESSION",
+        help="Only frames for which this is true, such as 'op==SOUND.TONE && FREQUENCY>400'.",
+    ),
+    click.option(
+        "--help-filter",
+        is_flag=True,
+        is_eager=True,
+        expose_value=False,
+        callback=_explain_filters,
+        help="List all that a filter can ask for, with examples, and exit.",
+    ),
+    click.option(
+        "--no-length",
+        is_flag=True,
+        help="Each line of a text is a frame without the two bytes of its length field.",
+    ),
+    click.option(
+        "--operations",
+        "only_operations",
+        is_flag=True,
+        help="Each line of a text is operations without the header of a frame.",
+    ),
+    click.option(
+        "--memory",
+        type=click.IntRange(1, 1 << 16),
+        default=DEFAULT_MEMORY // MIB,
+        show_default=True,
+        metavar="MIB",
+        help="What all that waits in a capture may take, such as commands without a reply; the oldest goes first.",
+    ),
+)
+
+
+def reading_options(command: F) -> F:
+    """Adds the options on how to read captures to a command, which gets them as one argument, `reading`."""
+
+    @functools.wraps(command)
+    def called(
+        *arguments: Any,
+        dialect: str,
+        ports: tuple[int, ...],
+        engine: str,
+        tshark: str | None,
+        chosen: Filter | None,
+        no_length: bool,
+        only_operations: bool,
+        memory: int,
+        **others: Any,
+    ) -> Any:
+        if no_length and only_operations:
+            raise click.UsageError("--no-length has the rest of a header and --operations none: give one or the other")
+        missing: Missing | None = "length" if no_length else "header" if only_operations else None
+        reading = CaptureOptions(dialect, ports, engine, tshark, chosen, missing, memory)
+        return command(*arguments, reading=reading, **others)
+
+    for option in reversed(_OPTIONS):
+        option(called)
+    return called  # type: ignore[return-value]
